@@ -1,5 +1,6 @@
 import { useCallback, useEffect, useRef } from 'preact/hooks';
 import { COMPARE } from './compare/address.js';
+import { ConnectButtons } from './connect/connect-buttons.js';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
 import { FLIGHTS } from './flights/flight-filter.js';
@@ -14,7 +15,7 @@ import type { View } from './shell/views.js';
 import { RecoveryPanel } from './write/recovery-panel.js';
 import './app.css';
 
-/** The whole page: hands to each of its parts the models that this part needs. */
+/** The whole page: gives each part the models that it needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
   const { preferences, density, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } =
@@ -24,18 +25,20 @@ export function App({ models }: { readonly models: AppModels }) {
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
   const isStart = !hasProgram && shown === 'program';
-  // The same at each drawing: else the whole program is drawn with it.
+  // The same function at each drawing; otherwise the whole program would be drawn again.
   const print = useCallback(() => {
     models.printOrder.choose();
     views.show('print');
   }, [models, views]);
-  // As the page came with it.
+  // The title that the page came with.
   const title = useRef(document.title);
   useEffect(() => {
     document.title = shown === 'program' ? title.current : words.window(words.names[shown], title.current);
-    // For the styles of all that stands around a view.
+    // For the styles of everything around a view.
     document.documentElement.setAttribute('data-view', shown);
   }, [shown, words]);
+  // Where a view asks for a timer.
+  const connect = <ConnectButtons session={session} part="first" />;
   const view: Record<View, () => preact.JSX.Element> = {
     program: () =>
       hasProgram ? (
@@ -52,12 +55,12 @@ export function App({ models }: { readonly models: AppModels }) {
       ),
     memories: () => (
       <parts.memories.Part
-        {...{ session, memories }}
+        {...{ session, memories, connect }}
         following={follow.on.value}
         onProgram={() => views.show('program')}
       />
     ),
-    bench: () => <parts.bench.Part {...{ session, views, write, bench, follow }} />,
+    bench: () => <parts.bench.Part {...{ session, views, write, bench, follow, connect }} />,
     library: () =>
       views.path.value === FLIGHTS ? (
         <parts.flights.Part session={session} log={models.flights} />
@@ -94,7 +97,7 @@ export function App({ models }: { readonly models: AppModels }) {
           platform,
         }}
         installation={installation}
-        fileNotice={<parts.fileNotice.Part models={models} />}
+        fileNotice={parts.dialogs.hasFailed ? <NoDialogs /> : <parts.fileNotice.Part models={models} />}
         onExport={() =>
           void parts
             .fetchFiles()
@@ -113,7 +116,20 @@ export function App({ models }: { readonly models: AppModels }) {
   );
 }
 
-/** For who comes here for the first time: whoever has something here has been here. */
+/** The dialogs did not come: a link, a file or a click that waits for one must not wait in silence. */
+function NoDialogs() {
+  const { parts: words } = messages.value;
+  return (
+    <div class="notice bad" role="alert">
+      <p>{words.dialogsFailed}</p>
+      <button type="button" onClick={() => void parts.fetchParts()}>
+        {words.again}
+      </button>
+    </div>
+  );
+}
+
+/** For a new pilot: anybody who has something here has been here before. */
 function FirstSteps({ session, steps }: { readonly session: AppModels['session']; readonly steps: FirstStepsModel }) {
   const { backups, keptPrograms, library } = session;
   const isWanted = steps.shown.value !== null;
@@ -122,10 +138,11 @@ function FirstSteps({ session, steps }: { readonly session: AppModels['session']
   }, [isWanted, library]);
   const isKnown = [backups.list, keptPrograms.list, library.models.list].some(({ value }) => value.length > 0);
   useEffect(() => {
-    // The next time no room is kept for them.
+    // Next time no room is kept for them.
     if (isKnown) steps.end();
   }, [isKnown, steps]);
   if (!isWanted || isKnown) return null;
-  // Not before it is known what is here: nobody sees them come and go. Their room is there from the first picture on.
+  // Only once it is known what is kept here, so that they do not appear and vanish. Their room is there from the first
+  // picture on.
   return <div class="first-steps-room">{library.models.loaded.value && <parts.firstSteps.Part steps={steps} />}</div>;
 }

@@ -17,7 +17,7 @@ import { THEMES } from './settings/theme.js';
 import type { PaletteCommand } from './shell/palette.js';
 import { VIEWS } from './shell/views.js';
 
-/** All that can be done now, what is wanted most first. What cannot be done now is not in it. */
+/** All commands that are possible now, the most wanted first. */
 export function commandsOf(models: AppModels): readonly PaletteCommand[] {
   return [
     ...programCommands(models),
@@ -101,7 +101,7 @@ function flightCommands({ views, flights }: AppModels): PaletteCommand[] {
   ];
 }
 
-/** The slots whose time, and those after it, can be shifted; 0 is the motor stop. */
+/** The slots whose time, and all later ones, can be shifted. 0 is the motor stop. */
 function shiftable(identity: Identity): number[] {
   const slots = Array.from({ length: identity.functions + 1 }, (_, slot) => slot);
   return slots.filter((slot) => slot > 0 || identity.timerClass === 'Q');
@@ -117,7 +117,7 @@ function timerCommands({ session, memories, leaving }: AppModels): PaletteComman
     if (engaged.value) return [];
     return [
       ...(link.unavailable ? [] : [{ name: header.connect, run: () => void session.timer.connect() }]),
-      ...(editor.identity.value ? [{ name: header.putAway, run: () => session.onScreen.putAway() }] : []),
+      ...(editor.identity.value ? [{ name: header.closeProgram, run: () => session.onScreen.closeProgram() }] : []),
       ...SIMULATED_CLASSES.map((timerClass) => ({
         name: messages.value.start.simulated(messages.value.classNames[timerClass] ?? timerClass),
         run: () => void session.timer.trySimulated(timerClass),
@@ -144,7 +144,7 @@ function timerCommands({ session, memories, leaving }: AppModels): PaletteComman
   ];
 }
 
-/** The files of the library, and what lies in it beside the settings. */
+/** Commands for the files of the library, and for its other places. */
 function libraryCommands(models: AppModels): PaletteCommand[] {
   const { palette } = messages.value;
   const { views, session } = models;
@@ -153,7 +153,7 @@ function libraryCommands(models: AppModels): PaletteCommand[] {
   return [
     { name: palette.compare, run: () => views.show('library', COMPARE) },
     { name: palette.import, run: () => filesOf(models).ask() },
-    // What is kept may not have been looked at yet.
+    // Nobody may have looked yet at what is kept.
     ...(isEmpty && kept.loaded.value ? [] : [{ name: palette.export, run: () => void filesOf(models).exportAll() }]),
   ];
 }

@@ -7,8 +7,11 @@ import { registerOffline } from './browser/offline.js';
 import { platformOf } from './browser/platform.js';
 import { nameplate, service, tried } from './browser/services.js';
 import { onWake } from './browser/wake.js';
+import { clockText } from './messages/index.js';
+import { followDay } from './messages/today.js';
 import { createModels } from './models.js';
 import { fetchParts, fetchSimulated } from './parts.js';
+import type { Session } from './session/session.js';
 import { TABLET } from './settings/density.js';
 import { browserErasers } from './settings/erasers.js';
 import type { Theme } from './settings/theme.js';
@@ -17,9 +20,9 @@ import { shortcutOf } from './shell/shortcut.js';
 import { browserStorage } from './storage/index.js';
 
 /**
- * Draws the page, then asks the browser for whatever takes its time. Nothing that the browser does not have, refuses or
- * never answers keeps the page from being drawn.
- * @param theme in which the first picture was drawn.
+ * Draws the page, then asks the browser for everything that takes time. Nothing that the browser lacks, refuses or
+ * never answers prevents the drawing.
+ * @param theme the theme of the first picture.
  */
 export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   if (isFramed(window)) {
@@ -42,24 +45,23 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
     theme,
   });
   const { session, views, sharing, follow, update, keeping, density, installation } = models;
-  // What a slow device needs some time for comes in pieces: what is touched meanwhile is heard between them.
+  // Long work on a slow device comes in pieces, so that the page hears the pilot between them.
   await nextTask();
   installation.follow(window);
   const lead = tried(() => shortcutOf(window)) ?? (() => {});
   tried(() => views.follow(window));
-  // Thousands of settings are read while the view that shows them is fetched.
+  // Thousands of settings are read while their view is being loaded.
   if (views.shown.value === 'library') void session.library.load();
   tried(() => sharing.follow(window, () => views.address));
   tried(() => density.follow(document, media(TABLET)));
   render(<App models={models} />, root);
   lead();
   void session.keptWork.start().then(lead);
-  // Thousands of flights take their time: they are here before the log is looked at.
-  afterPaint(() => void fetchParts().then(() => session.library.flights.load()));
+  afterPaint(() => void fetchParts().then(() => getReady(session)));
 
   const warn = (event: BeforeUnloadEvent): void => event.preventDefault();
   effect(() => {
-    // Leaving in the middle of a write is the one thing that a reload cannot mend by itself.
+    // Leaving the page during a write is the one thing that a reload cannot repair.
     if (session.runner.writing.value) addEventListener('beforeunload', warn);
     else removeEventListener('beforeunload', warn);
   });
@@ -76,15 +78,16 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
     session.backups.flush();
     session.library.flush();
   });
-  // A page that is put away on a phone may be ended without another word.
+  // A phone may end a page in the background without any warning.
   document.addEventListener('visibilitychange', () => {
     if (!document.hidden) return;
     session.keptWork.keepNow();
     session.library.keepClashes();
   });
-  // What another tab has found out, or left behind, since this one was looked at last.
+  // Takes in what another tab has found out, or left behind, in the meantime.
   document.addEventListener('visibilitychange', () => document.hidden || void session.knowledge.refresh());
   onWake(() => session.link.recheck());
+  followDay();
   const onMissing = (): void => keeping.lack('offline');
   try {
     const { isKept: onKept } = installation;
@@ -92,4 +95,12 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   } catch {
     onMissing();
   }
+}
+
+/** Does what takes long before the pilot waits for it. */
+function getReady({ library }: Session): void {
+  // The browser needs about 10 ms to format its first time of day: the table of a timer would wait for it.
+  clockText(Date.now());
+  // There can be thousands of flights, and the log opens at once.
+  void library.flights.load();
 }

@@ -10,7 +10,7 @@ export async function opened(options: BenchOptions = {}): Promise<AppBench> {
   return drawn(await appBench(options));
 }
 
-/** The whole screen of a page. */
+/** Draws the whole screen of a page. */
 export async function drawn(bench: AppBench): Promise<AppBench> {
   render(<App models={bench.models} />);
   page = bench;
@@ -40,22 +40,22 @@ export async function press(name: string | RegExp): Promise<void> {
   await idle();
 }
 
-/** Looks at a memory: its name as it is read aloud, “M1, flies next” for the current one. */
+/** Looks at a memory, by its name for screen readers: “M1, flies next” for the current one. */
 export async function lookAt(name: string | RegExp): Promise<void> {
   fireEvent.click(screen.getByRole('radio', { name }));
   await idle(0);
 }
 
-/** Makes a memory the one that flies next. */
+/** Makes a memory fly next. */
 export async function fly(name: string): Promise<void> {
   await lookAt(name);
-  // The memories side by side have such a button, too.
+  // The memory cards have such a button, too.
   const look = within(document.querySelector<HTMLElement>('.memory-look') as HTMLElement);
   fireEvent.click(look.getByRole('button', { name: `Make ${name} fly next` }));
   await idle();
 }
 
-/** A field of the program. The large figures are opened where one of them is asked for. */
+/** A field of the program. Opens the large figures where the field is one of them. */
 export function field(name: string): HTMLInputElement {
   const isLarge = name === 'DT' || name === 'Motor stop';
   if (isLarge && !screen.queryByRole('textbox', { name })) {
@@ -70,14 +70,22 @@ export async function type(name: string, text: string): Promise<void> {
   fireEvent.input(input, { target: { value: text } });
   fireEvent.blur(input);
   await idle();
+  await late();
+}
+
+/** Waits for what is drawn one frame after the field. */
+export async function late(): Promise<void> {
+  for (let frame = 0; frame < 3; frame++) {
+    await act(() => new Promise<void>((resolve) => requestAnimationFrame(() => resolve())));
+  }
 }
 
 export function button(name: string | RegExp): HTMLButtonElement {
-  // It counts what it would write.
+  // Its label counts the changes.
   return screen.getByRole<HTMLButtonElement>('button', { name: name === 'Write…' ? /^Write( \d+)?…$/ : name });
 }
 
-/** The program on the screen; the log of the line is another table. */
+/** The table of the program; the log of the line is another one. */
 export function table() {
   return within(screen.getByRole('table', { name: 'Time and servo positions of each function' }));
 }

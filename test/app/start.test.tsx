@@ -25,6 +25,19 @@ function hold(store: MemoryStore, how: () => Promise<unknown>): () => void {
   };
 }
 
+/** Each call of the storage waits until the function that comes back is called. */
+function delay(store: MemoryStore): () => void {
+  let answer = (): void => {};
+  const answered = new Promise<void>((resolve) => {
+    answer = resolve;
+  });
+  const release = hold(store, () => answered);
+  return () => {
+    release();
+    answer();
+  };
+}
+
 async function drawn(options: BenchOptions): Promise<AppBench> {
   const bench = await appBench({ ...options, started: false });
   render(<App models={bench.models} />);
@@ -43,7 +56,7 @@ async function left(): Promise<MemoryStore> {
 }
 
 describe('a storage that does not answer', () => {
-  it('is said after three seconds, and never before', async () => {
+  it('is reported after three seconds, and not before', async () => {
     const store = new MemoryStore();
     hold(store, () => new Promise(() => {}));
     await drawn({ store });
@@ -53,7 +66,7 @@ describe('a storage that does not answer', () => {
     expect(screen.getByText(/Its storage does not answer/)).toBeTruthy();
   });
 
-  it('keeps nobody from reading, typing and writing', async () => {
+  it('does not prevent reading, typing and writing', async () => {
     const store = new MemoryStore();
     hold(store, () => new Promise(() => {}));
     const bench = await drawn({ store });
@@ -76,35 +89,25 @@ describe('a storage that does not answer', () => {
     expect(performance.now() - begun).toBeLessThanOrEqual(5500);
   });
 
-  it('and then does gives back what was kept', async () => {
+  it('gives back what was kept when it answers at last', async () => {
     const store = await left();
-    let answer = (): void => {};
-    const answered = new Promise<void>((resolve) => {
-      answer = resolve;
-    });
-    const release = hold(store, () => answered);
+    const answer = delay(store);
     const bench = await drawn({ store });
     await idle();
     expect([bench.editor.working.value, bench.keeping.storage.value]).toEqual([null, 'slow']);
-    release();
     answer();
     await idle();
     expect([bench.editor.textOf(S1), bench.keeping.storage.value]).toEqual(['7', null]);
     expect(screen.getByText('Your edits are back.')).toBeTruthy();
   });
 
-  it('and then does never puts it over what was typed meanwhile, and loses neither', async () => {
+  it('does not overwrite what was typed meanwhile when it answers at last, and loses neither', async () => {
     const store = await left();
-    let answer = (): void => {};
-    const answered = new Promise<void>((resolve) => {
-      answer = resolve;
-    });
-    const release = hold(store, () => answered);
+    const answer = delay(store);
     const bench = await drawn({ store });
     await run(bench.session.timer.connect());
     bench.editor.type(S1, '8');
     await idle();
-    release();
     answer();
     await idle();
     expect(bench.editor.textOf(S1)).toBe('8');
@@ -133,7 +136,7 @@ describe('what the storage says', () => {
 describe('locks that never answer', () => {
   const silent = () => new TabNumber({ request: () => new Promise(() => {}) }, { load: () => null, save: () => {} });
 
-  it('are said, and what is typed is kept where no other tab can have it', async () => {
+  it('are reported, and typed values are kept in a place that no other tab uses', async () => {
     const store = await left();
     const bench = await drawn({ store, tab: silent() });
     await run(bench.session.timer.connect());
@@ -152,7 +155,7 @@ describe('locks that never answer', () => {
       },
     ],
     ['refuse', () => Promise.reject(new DOMException('Not here.', 'SecurityError'))],
-  ])('or %s: the page works and says it', async (_, request) => {
+  ])('or %s: the page works and reports it', async (_, request) => {
     const tab = new TabNumber({ request }, { load: () => 2, save: () => {} });
     const bench = await drawn({ tab });
     expect(screen.getByText(/This page cannot tell its tabs apart/)).toBeTruthy();
@@ -163,7 +166,7 @@ describe('locks that never answer', () => {
   });
 });
 
-it('what is typed before the tab has its number is kept when it has', async () => {
+it('what is typed before the tab has its number is kept afterwards', async () => {
   let grant = (): void => {};
   const granted = new Promise<void>((resolve) => {
     grant = resolve;
@@ -184,7 +187,7 @@ it('what is typed before the tab has its number is kept when it has', async () =
   expect([...bench.store.drafts.records.values()].map(({ tab: number }) => number)).toEqual([1]);
 });
 
-it('a channel to the other tabs that throws stops nothing', async () => {
+it('a channel to the other tabs that throws does not stop the page', async () => {
   const channel = {
     postMessage: () => {
       throw new DOMException('closed', 'InvalidStateError');

@@ -56,7 +56,7 @@ async function takeAll(app: AppPage): Promise<void> {
   await app.text(/^Imported from .*: 3 models, 12 settings, 30 flights\.$/).waitFor();
 }
 
-/** The library as a file of the page has it, each list in the order of its ids. */
+/** The library as in a file of the page, each list in the order of its ids. */
 async function exported(app: AppPage): Promise<Library> {
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.button('Export all…').click()]);
   expect(download.suggestedFilename()).toMatch(/^Sidus library \d{4}-\d\d-\d\d\.sidus\.json$/);
@@ -67,18 +67,21 @@ async function exported(app: AppPage): Promise<Library> {
   return { models: byId(library.models), settings: byId(library.settings), flights: byId(library.flights) };
 }
 
-/** A browser that has no question where a file is to lie. */
+/** A browser without a dialog for the place of a file. */
 const noPicker = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
 
-test('a file that is dropped while the page is still coming is not opened by the browser, and is not lost', async () => {
-  const page = await newPage();
+test('a file that is dropped while the page still loads is not opened by the browser, and is not lost', async () => {
+  // A worker could already have the missing part.
+  const faults: string[] = [];
+  const page = await newPage({ serviceWorkers: 'block' }, faults);
   let comes = (): void => {};
+  let isDown = true;
   const late = new Promise<void>((resolve) => {
     comes = resolve;
   });
   await page.route(/\/all-else-[^/]*\.js$/, async (route) => {
     await late;
-    await route.continue();
+    await (isDown ? route.abort() : route.continue());
   });
   await page.goto(inject('site'));
   const app = new AppPage(page);
@@ -94,8 +97,13 @@ test('a file that is dropped while the page is still coming is not opened by the
   }
   expect(await page.evaluate(() => location.protocol), 'the page is still there').toBe('http:');
   comes();
+  const notice = page.getByRole('alert').filter({ hasText: 'The dialogs of this page could not be loaded.' });
+  await notice.waitFor();
+  isDown = false;
+  await notice.getByRole('button', { name: 'Try again' }).click();
   await page.getByRole('heading', { name: 'Import season.sidus.json' }).waitFor();
   await app.button('Import 45').waitFor();
+  expect(new Set(faults)).toEqual(new Set(['Failed to load resource: net::ERR_FAILED']));
 });
 
 test('a season goes into one file, the device is emptied, and the file brings all of it back', async () => {
@@ -123,7 +131,7 @@ test('a season goes into one file, the device is emptied, and the file brings al
   expect(await exported(app)).toEqual(SEASON);
 });
 
-test('the list of commands leads to both', async () => {
+test('the list of commands has Import and Export', async () => {
   const app = await opened(noPicker);
   const { page } = app;
   await app.goTo('Settings');
@@ -139,7 +147,7 @@ test('the list of commands leads to both', async () => {
   expect(parseLibraryFile(await readFile(await download.path(), 'utf8')).library.flights).toHaveLength(30);
 });
 
-test('a broken file is refused with its line, a stray one does not lead away, and nothing has changed', async () => {
+test('a broken file is refused with its line, a foreign one does not replace the page, and nothing has changed', async () => {
   const app = await opened(noPicker);
   const { page } = app;
   await drop(page, 'season.sidus.json', TEXT);
@@ -148,8 +156,8 @@ test('a broken file is refused with its line, a stray one does not lead away, an
   const address = page.url();
   for (const [text, reason] of [
     [TEXT.replace('"10.50"', '"1050"'), /^A value is missing, or of the wrong kind\.$/],
-    [TEXT.slice(0, 9000), /^The file is not whole: it ends too early\.$/],
-    ['['.repeat(200_000), /nested too deep/],
+    [TEXT.slice(0, 9000), /^The file is not complete: it ends too early\.$/],
+    ['['.repeat(200_000), /too deeply nested/],
     ['\u0000\u0001', /letters of the file cannot be read/],
   ] as const) {
     await drop(page, 'broken.sidus', text);
@@ -165,7 +173,7 @@ test('a broken file is refused with its line, a stray one does not lead away, an
 });
 
 describe('where the browser has files', () => {
-  /** A disk of the browser's own, and a system that opens files with the page. */
+  /** A disk inside the browser, and a system that opens files with the page. */
   const withFiles = (): void => {
     const disk = (name: string) =>
       navigator.storage.getDirectory().then((root) => root.getFileHandle(name, { create: true }));
@@ -194,7 +202,7 @@ describe('where the browser has files', () => {
     openWith(text: string): Promise<void>;
   }
 
-  test('a file that the system opens is looked at, and an export is saved in place', async () => {
+  test('a file that the system opens is shown, and an export is saved to the same file', async () => {
     const app = await opened(withFiles);
     const { page } = app;
     await page.evaluate((text) => (window as unknown as WithFiles).openWith(text), TEXT);

@@ -3,10 +3,10 @@ import { describe, expect, inject, test } from 'vitest';
 import { AppPage } from './app-page.js';
 import { newPage, PHONE } from './page.js';
 
-/** What the page is made of, which is fetched when the first picture was drawn. */
+/** The scripts of the page, which are loaded after the first picture is drawn. */
 const PAGE_SCRIPT = /assets\/open-page-[\w-]+\.js$/;
 
-/** The script of the page is asked for, and does not come before it is let through. */
+/** The browser requests the script of the page, and gets it only when the test lets it through. */
 async function heldBack(page: Page): Promise<{ asked: Promise<void>; release: () => Promise<void> }> {
   let note = (_: Route): void => {};
   const asked = new Promise<Route>((resolve) => {
@@ -16,13 +16,13 @@ async function heldBack(page: Page): Promise<{ asked: Promise<void>; release: ()
   return { asked: asked.then(() => {}), release: async () => (await asked).continue() };
 }
 
-/** The page itself is there: it has said how high rows are. */
+/** Waits for the page itself: it then has set the height of rows. */
 async function works(page: Page): Promise<void> {
   await page.locator('html[data-density]').waitFor();
   await page.evaluate(() => document.fonts.ready);
 }
 
-/** Where everything stands, and what it looks like. */
+/** The place and the look of everything. */
 function picture(page: Page): Promise<string[]> {
   return page.locator('#app *').evaluateAll((all) =>
     all
@@ -35,7 +35,7 @@ function picture(page: Page): Promise<string[]> {
   );
 }
 
-describe('the start stands in the page as it comes:', () => {
+describe('the start is part of the page as it is sent:', () => {
   const LARGE = { viewport: { width: 1280, height: 800 } };
   test.for([
     ['a desktop', LARGE],
@@ -43,8 +43,8 @@ describe('the start stands in the page as it comes:', () => {
     ['a phone at night', { ...PHONE, colorScheme: 'dark' as const }],
   ] as const)('on %s nothing moves when the page takes its place', async ([, options]) => {
     const page = await newPage({ ...options, reducedMotion: 'reduce' });
-    // What this browser adds of its own is not meant: that it is ready offline, that it has no serial ports.
-    // Nor is what is told to who comes for the first time.
+    // Without what depends on the browser: that it is ready offline, that it has no serial ports.
+    // Also without the first steps, which only a first visit shows.
     await page.addInitScript(() => localStorage.setItem('sidus-timer/first-steps', 'true'));
     await page.addInitScript(() => Object.defineProperty(navigator, 'serviceWorker', { value: undefined }));
     await page.addInitScript(inject('workbench'));
@@ -84,10 +84,10 @@ describe('the start stands in the page as it comes:', () => {
     expect(await page.locator('.first-steps-room').count(), 'they are not told again').toBe(0);
   });
 
-  test('Connect is done when the page is there, with the right of the click that came before', async () => {
+  test('a click on Connect before the page has loaded opens the choice of a port', async () => {
     const app = await AppPage.open({ bench: {}, isFirstVisit: true });
     const { asked, release } = await heldBack(app.page);
-    // Not the worker of the first visit: it would answer by itself.
+    // Not the worker of the first visit: it would answer in place of the test.
     await app.page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.unregister());
     await app.page.reload();
     await asked;
@@ -100,18 +100,18 @@ describe('the start stands in the page as it comes:', () => {
     await expect.poll(() => app.page.getByRole('dialog').count(), { message: 'of two clicks the last counts' }).toBe(0);
   });
 
-  test('when the page cannot be loaded it says so, and is loaded again by a click', async () => {
+  test('when the page cannot be loaded it says so, and a click loads it again', async () => {
     const page = await newPage({}, []);
     await page.route(PAGE_SCRIPT, (route) => route.abort());
     await page.goto(inject('site'));
-    await page.getByRole('alert').getByText('The page could not be loaded whole.').waitFor();
+    await page.getByRole('alert').getByText('A part of the page could not be loaded.').waitFor();
     await page.unroute(PAGE_SCRIPT);
     await page.getByRole('button', { name: 'Load it again' }).click();
     await works(page);
     await expect.poll(() => page.getByRole('alert').count()).toBe(0);
   });
 
-  test('at the address of another view it is not shown', async () => {
+  test('the start is not shown at the address of another view', async () => {
     const page = await newPage();
     const { asked, release } = await heldBack(page);
     await page.goto(`${inject('site')}#settings`);
@@ -127,4 +127,37 @@ describe('the start stands in the page as it comes:', () => {
     expect(await page.locator('noscript').isVisible()).toBe(true);
     await expect.poll(() => page.getByRole('button').count()).toBe(0);
   });
+});
+
+test('the table of a timer is seen before its picture, and stays where it is when that comes', async () => {
+  const app = await AppPage.open();
+  await app.page.evaluate(() => {
+    const seen = { first: '', places: [] as string[], whole: false };
+    const table = () => document.querySelector('.program-table');
+    const picture = () => document.querySelector('.timeline');
+    new MutationObserver((_, observer) => {
+      if (!table()) return;
+      seen.first = picture() ? 'both' : 'the table';
+      observer.disconnect();
+    }).observe(document.body, { subtree: true, childList: true });
+    const look = (drawn: Element | null): void => {
+      if (drawn) seen.places.push(JSON.stringify(drawn.getBoundingClientRect()));
+      seen.whole = drawn !== null && picture() !== null;
+      if (seen.whole) return;
+      requestAnimationFrame(() => {
+        const drawn = table();
+        // Measured after it was painted, because it can change before that.
+        setTimeout(() => look(drawn));
+      });
+    };
+    look(null);
+    Object.assign(window, { seen });
+  });
+  const seen = () =>
+    app.page.evaluate(() => (window as unknown as { seen: { first: string; places: string[]; whole: boolean } }).seen);
+  await app.trySimulated('F1Q');
+  await expect.poll(async () => (await seen()).whole).toBe(true);
+  const { first, places } = await seen();
+  expect(first).toBe('the table');
+  expect(new Set(places).size, 'places of the table').toBe(1);
 });

@@ -14,8 +14,8 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await app.result('Verified.');
   await app.dialog.getByText('M1 · DT 20 s · motor stop 10.0 s').waitFor();
   await app.button('Flying this').click();
-  await app.dialog.getByText(/^Flight logged \d\d:\d\d/).waitFor();
-  // What is typed after it does not belong to it.
+  await app.dialog.getByText(/^Flight\slogged\s\d\d:\d\d/).waitFor();
+  // What is typed after the flight does not belong to it.
   await app.button('Fill in').click();
   const form = page.getByRole('dialog', { name: 'Flight' });
   await form.getByRole('textbox', { name: 'Result' }).fill('0:19,5');
@@ -27,7 +27,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await form.getByRole('button', { name: 'Done' }).click();
   await form.waitFor({ state: 'hidden' });
 
-  // The pilot wants to go: a DT for trimming would be flown.
+  // The pilot disconnects, and would fly with a DT for trimming.
   await app.button('Disconnect').click();
   const leave = page.getByRole('dialog', { name: 'Before you disconnect' });
   await leave.getByText('DT of M1 is 20 s. Put back to 3:00 min?').waitFor();
@@ -36,7 +36,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await expect.poll(() => app.difference()).toEqual(['DT time | 20 s | 3:00 min']);
   await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
   await app.result('Verified.');
-  await app.dialog.getByText(/^M1 verified \d\d:\d\d\s· DT 3:00 min/).waitFor();
+  await app.dialog.getByText(/^M1\sverified\s\d\d:\d\d\s· DT\s3:00\smin/).waitFor();
   await app.dialog.getByRole('button', { name: 'Flying this' }).click();
   await app.dialog.getByRole('button', { name: 'Disconnect' }).click();
   await app.button('Connect').waitFor();
@@ -113,7 +113,7 @@ test('a log of 10,000 flights is scrolled to its end, and only what is near is i
     })
     .toBe(1);
   await expect.poll(() => rows.count()).toBeLessThan(300);
-  // What is not drawn keeps its place.
+  // Rows that are not drawn keep their place.
   await expect.poll(async () => Math.abs((await height()) / before - 1)).toBeLessThan(0.3);
   await oldest.click();
   const form = page.getByRole('dialog', { name: 'Flight' });

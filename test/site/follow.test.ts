@@ -40,20 +40,20 @@ const row = (app: AppPage, name: string): Locator => app.table.getByRole('row', 
 
 const held = (app: AppPage): Promise<number | undefined> => app.bench(({ content }) => content.positions[0]?.[2]);
 
-/** It is off, and what is changed now goes nowhere. */
+/** Following is off, and a change now is not sent. */
 async function isOff(app: AppPage): Promise<void> {
   await app.goTo('Bench');
   await expect.poll(() => isOn(app)).toBe(false);
   await app.goTo('Program');
   const sets = await app.sets();
   await stepUp(app);
-  // A whole reading leaves time for whatever would be sent.
+  // A whole reading gives enough time for anything that would be sent.
   await app.readAgain();
   expect(await app.sets()).toEqual(sets);
   await app.text(/^1 change$|, 1 waits for Write$/).waitFor();
 }
 
-test('while it is on, a position that changes is stored where the servos stand, and its servo moves', async () => {
+test('while following, a changed position of the function where the servos stand is stored, and its servo moves', async () => {
   const app = await following();
   await row(app, 'Function 2').getByText('servos here').waitFor();
   await stepUp(app);
@@ -65,7 +65,7 @@ test('while it is on, a position that changes is stored where the servos stand, 
   await isOff(app);
 });
 
-test('another function waits until the servos are sent there, or the pilot lets them go where he edits', async () => {
+test('another function waits until the pilot sends the servos there, or lets them go where he edits', async () => {
   const app = await following();
   await app.type('Function 5, S2', '70');
   const offer = app.button('Move the servos to function 5');
@@ -88,14 +88,14 @@ test('another function waits until the servos are sent there, or the pilot lets 
   await app.text('Times wait for Write.').waitFor();
 });
 
-test('it goes off when the tab is hidden', async () => {
+test('following stops when the tab is hidden', async () => {
   const app = await following();
   await app.page.evaluate(() => {
     Object.defineProperty(document, 'hidden', { value: true, configurable: true });
     Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
     document.dispatchEvent(new Event('visibilitychange'));
   });
-  await app.text('Following has stopped: the page was hidden. The timer has been read since.').waitFor();
+  await app.text('Following has stopped: the page was hidden. The timer has been read since then.').waitFor();
   await app.isReady();
   await app.page.evaluate(() => {
     Reflect.deleteProperty(document, 'hidden');
@@ -129,7 +129,7 @@ for (const [how, comeBack] of Object.entries(returns)) {
     await app.goTo('Bench');
     expect(await isOn(app)).toBe(false);
     expect(await app.page.getByRole('checkbox', { name: 'The propeller is off' }).isChecked()).toBe(false);
-    // It says that it cannot be switched; a finger does not read that.
+    // The switch is marked as disabled, but a finger can still press it.
     await followSwitch(app).click({ force: true });
     expect(await isOn(app), 'not before the tick').toBe(false);
     await isOff(app);

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 import { isWellMade } from './well-made.js';
 
-test('each page of the help, and what is told over the table, can be used by everyone', async () => {
+test('each page of the help, and the help over the table, can be used by everyone', async () => {
   const app = await AppPage.open();
   const { page } = app;
   await app.text('First steps, 1 of 3').waitFor();
@@ -13,7 +13,7 @@ test('each page of the help, and what is told over the table, can be used by eve
     if (name === 'trouble') await app.text('The timer does not answer').click();
     if (name === 'energy') await page.getByLabel('Weight of the model').fill('4');
     if (name === 'checklist') {
-      await page.getByLabel('Add an item of your own').fill('The tracker is on, and its signal was heard');
+      await page.getByLabel('Add your own item').fill('The tracker is on, and its signal was heard');
       await app.button('Add').click();
       await page.getByRole('checkbox').first().check();
     }

@@ -6,10 +6,13 @@ import { PHONE } from './page.js';
 /** A laptop at 200 %. */
 const LOW = { width: 640, height: 400 };
 
-test('the field with the focus, and the end of a range, are never behind what stays at the edges', async () => {
+/** Sets the theme with the largest letters. Runs in the page, because only the page has the storage. */
+const IN_SUN = (): unknown => location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"');
+
+test('the field with the focus, and the end of a range, are never covered by the bars at the edges', async () => {
   const app = await AppPage.open({ bench: { granted: true }, viewport: LOW });
   await app.connect();
-  /** What of these cells is seen in the middle of each: the cell, or what covers it. */
+  /** What is visible in the middle of each of these cells: the cell, or what covers it. */
   const seen = (cells: string) =>
     app.page.evaluate((selector) => {
       const found = [...document.querySelectorAll(selector)];
@@ -26,14 +29,14 @@ test('the field with the focus, and the end of a range, are never behind what st
   }
   for (let row = 1; row <= 10; row++) {
     await app.page.keyboard.press('Shift+ArrowDown');
-    // The corner that moves. A bar comes up with the range and may still push it.
+    // The moving corner. A bar opens with the range and may still push it.
     await expect
       .poll(async () => (await seen('td.selected input')).at(-1), { message: `${row} rows further` })
       .toBe('seen');
   }
 });
 
-test('what is beside the table moves down when there is a notice to read', async () => {
+test('the picture beside the table moves down when a notice appears', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.connect();
   await app.type('Function 2, S1', '7');
@@ -49,12 +52,12 @@ test('what is beside the table moves down when there is a notice to read', async
   await expect.poll(edges).toBe(true);
 });
 
-test('nothing stands over the edge of the smallest phone: five memories, and three ways to connect', async () => {
+test('nothing is wider than the smallest phone: five memories, and three ways to connect', async () => {
   const app = await AppPage.open({
     ...PHONE,
     viewport: { width: 320, height: 700 },
     bench: { granted: true, identity: { memories: 5 } },
-    before: () => location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"'),
+    before: IN_SUN,
   });
   await app.trySimulated('F1Q');
   await app.type('Function 2, S1', '7');
@@ -76,14 +79,78 @@ test('nothing stands over the edge of the smallest phone: five memories, and thr
   await app.expectNoSidewaysScrolling();
 });
 
-test('what can be done to the timer leaves a tablet room for the table', async () => {
+test('the buttons for the timer leave room for the table on a tablet', async () => {
   const app = await AppPage.open({
     viewport: { width: 768, height: 1024 },
     bench: { granted: true },
-    before: () => location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"'),
+    before: IN_SUN,
   });
   await app.connect();
   await app.type('Function 2, S1', '7');
   const height = await app.page.locator('.actions').evaluate((bar) => (bar as HTMLElement).offsetHeight);
   expect(height).toBeLessThan(180);
+});
+
+test('on a desktop two memories stand beside each other, with the buttons of each on one line', async () => {
+  const app = await AppPage.open({
+    viewport: { width: 1366, height: 650 },
+    bench: { granted: true },
+    before: IN_SUN,
+  });
+  await app.connect();
+  await app.goTo('Memories');
+  // A memory that was read has the most buttons.
+  await app.button('Read and keep all…').click();
+  await app.page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
+  await app.button('Close').click();
+  await app.button('Compare with M1: M4').waitFor();
+  const found = await app.page.locator('.memory-card').evaluateAll((cards) => ({
+    columns: new Set(cards.map((card) => card.getBoundingClientRect().left)).size,
+    lines: cards.map((card) => {
+      const buttons = [...card.querySelectorAll('.card-actions button')];
+      return new Set(buttons.map((button) => button.getBoundingClientRect().top)).size;
+    }),
+  }));
+  expect(found).toEqual({ columns: 2, lines: [1, 1, 1, 1] });
+});
+
+test('on a tablet in the sun what is known does not stand word below word', async () => {
+  const app = await AppPage.open({
+    viewport: { width: 820, height: 1180 },
+    hasTouch: true,
+    isMobile: true,
+    before: IN_SUN,
+  });
+  await app.button('Try a simulated F1Q timer').tap();
+  await app.page.getByText('As in the timer, read').waitFor();
+  const height = await app.page.locator('.strip-line').evaluate((line) => (line as HTMLElement).offsetHeight);
+  expect(height).toBeLessThan(80);
+});
+
+test('in the sun the strip of a phone on its side stays one line beside the keys for a finger', async () => {
+  const app = await AppPage.open({ ...PHONE, viewport: { width: 844, height: 390 }, before: IN_SUN });
+  await app.button('Try a simulated F1Q timer').tap();
+  await app.page.getByText('As in the timer, read').waitFor();
+  await app.field('Function 2, S1').tap();
+  await app.page.locator(':root[data-sheet]').waitFor();
+  const height = () => app.page.locator('.strip-line').evaluate((line) => (line as HTMLElement).offsetHeight);
+  await expect.poll(height).toBeLessThan(60);
+});
+
+test('the promise about the propeller stands beside the button that waits for it, however long the rest is', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 844, height: 390 }, before: IN_SUN });
+  await app.connect();
+  await app.type('DT time', '6:00');
+  await app.button(/^Write( 1)?…$/).click();
+  const dialog = app.page.getByRole('dialog');
+  const tick = dialog.getByRole('checkbox', { name: /^The propeller/ });
+  const isInWindow = () =>
+    tick.evaluate((box) => {
+      const { left, top, width, height } = box.getBoundingClientRect();
+      return document.elementFromPoint(left + width / 2, top + height / 2) === box;
+    });
+  await expect.poll(isInWindow).toBe(true);
+  await app.page.setViewportSize({ width: 390, height: 500 });
+  await expect.poll(() => dialog.evaluate((it) => it.scrollHeight > it.clientHeight)).toBe(true);
+  await expect.poll(isInWindow).toBe(true);
 });

@@ -15,7 +15,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
     await keys.type(text);
   };
 
-  // Down the times, up the first servo, down the second, up the third: the hands never leave the table.
+  // Down the times, up the first servo, down the second, up the third, without leaving the table.
   await keys.tabTo(/^Motor stop time$/);
   for (const [row, time] of SHEET.times.entries()) {
     if (row > 0) await keys.press('Enter');
@@ -32,7 +32,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
     }
   }
 
-  // Left of its time are the tools of a row. What is typed there takes the place of what stands there.
+  // The tools of a row are left of its time. What is typed there replaces the old text.
   await keys.tabTo(/^Function 4 time$/);
   await keys.press('ArrowLeft');
   await keys.press('Enter');
@@ -62,7 +62,18 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   expect(await app.bench(({ content }) => content)).toEqual(SHIFTED);
 });
 
-test('the focus stays while the timer is read, and comes back from the dialog', async () => {
+test('by keyboard alone a simulated timer is tried, and the question about a time is answered', async () => {
+  const app = await AppPage.open();
+  const keys = new Keys(app.page);
+  await keys.enter(/^Try a simulated F1Q timer$/);
+  await app.hasRead();
+  await keys.tabTo(/^DT time$/);
+  await keys.type('240');
+  await keys.enter(/^240 s, 4:00$/);
+  await expect.poll(() => app.valueOf('DT time')).toBe('4:00');
+});
+
+test('the focus stays during a reading, and comes back after the dialog', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   const keys = new Keys(app.page);
   await app.connect();

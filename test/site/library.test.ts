@@ -22,7 +22,7 @@ async function makeSetting(app: AppPage, name: string): Promise<void> {
   await app.page.getByRole('article', { name }).waitFor();
 }
 
-it('a pilot keeps a setting, finds it after a reload, changes it, puts it away, deletes it and has it back', async () => {
+it('a pilot keeps a setting, finds it after a reload, changes, archives and deletes it, and brings it back', async () => {
   const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
   await open(app, '#library');
   await makeModel(app, 'Lancer 07');
@@ -45,8 +45,10 @@ it('a pilot keeps a setting, finds it after a reload, changes it, puts it away, 
   await app.reload();
   await open(app, '#library');
   await app.page.getByRole('searchbox').fill('LANCER calm');
-  const found = app.page.getByRole('link', { name: /fly-off, calm/ });
+  // In the wide column, beside the models.
+  const found = app.page.locator('.library-detail').getByRole('link', { name: /fly-off, calm/ });
   await expect.poll(() => found.count()).toBe(1);
+  await app.page.getByRole('link', { name: /^Lancer 07/ }).waitFor();
   await expect.poll(() => found.innerText()).toContain('DT 2:30 min');
   await found.click();
   const page = app.page.getByRole('article', { name: 'fly-off, calm' });
@@ -60,12 +62,23 @@ it('a pilot keeps a setting, finds it after a reload, changes it, puts it away, 
   await app.says('1 setting deleted.');
   await app.page.getByRole('banner').getByRole('button', { name: 'Undo' }).click();
   await app.page.getByRole('link', { name: /fly-off, calm/ }).click();
+  const note = page.getByRole('textbox', { name: 'Note' });
+  await expect.poll(() => note.inputValue()).toBe('opens well');
+  // At once, because the last text waits for a pause before it is stored.
+  await note.fill('opens well, in wind too');
   await app.reload();
   await page.waitFor();
-  await expect.poll(() => page.getByRole('textbox', { name: 'Note' }).inputValue()).toBe('opens well');
+  await expect.poll(() => note.inputValue()).toBe('opens well, in wind too');
+  const { hash } = new URL(app.page.url());
+  await page.getByRole('button', { name: 'Delete' }).click();
+  await app.says('1 setting deleted.');
+  // At once: for ten seconds it could still be put back.
+  await app.reload();
+  await open(app, hash);
+  await app.text('This setting is not in the library any more.').waitFor();
 });
 
-it('all of it goes by the keyboard alone, also another order', async () => {
+it('everything works with the keyboard alone, also another order', async () => {
   const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
   await open(app, '#library');
   const keys = app.page.keyboard;
@@ -137,7 +150,7 @@ it.each(['mouse', 'finger'] as const)('rows are put into another order with a %s
 
 const noteOf = ({ page }: AppPage) => page.getByRole('textbox', { name: 'Note' });
 
-/** A second tab, which has changed the same note as the first. Neither has heard of the other. */
+/** A second tab that has changed the same note. Neither tab knows about the other. */
 async function disagreeing(app: AppPage) {
   const other = await app.sibling();
   await noteOf(other).waitFor();
@@ -167,7 +180,7 @@ it('two tabs that save one thing at the same moment ask, and lose nothing', asyn
   await expect.poll(() => noteOf(app).inputValue()).toBe('of the other');
 });
 
-it('two tabs that save one thing at the same moment keep both where nobody chooses', async () => {
+it('two tabs that save one thing at the same moment keep both when nobody chooses', async () => {
   const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
   await open(app, '#library');
   await makeModel(app, 'Lancer 07');
@@ -201,7 +214,7 @@ it('two tabs stay in step, and neither loses what was typed in the other', async
   }
   await app.type('Function 2, S1', '70');
   await app.button('Save').click();
-  // Who has typed nothing follows.
+  // The tab where nothing was typed follows.
   await expect.poll(() => other.valueOf('Function 2, S1')).toBe('70');
   await other.type('DT time', '2:00');
   await app.type('Function 2, S1', '71');
@@ -224,7 +237,7 @@ it('two tabs stay in step, and neither loses what was typed in the other', async
   }
 });
 
-it('a picture of any size becomes a small one, and what is none is refused', async () => {
+it('a picture of any size becomes a small one, and another file is refused', async () => {
   const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
   await open(app, '#library');
   await makeModel(app, 'Lancer 07');
@@ -252,16 +265,16 @@ it('a picture of any size becomes a small one, and what is none is refused', asy
   await picture.waitFor({ state: 'hidden' });
 });
 
-it('on a phone it is one page at a time, with the way back, and nothing is wider than the screen', async () => {
+it('on a phone the library shows one page at a time, with a way back, and nothing is wider than the screen', async () => {
   const app = await AppPage.open(PHONE);
   await open(app, '#library');
   await makeModel(app, 'Lancer 07');
   await app.expectNoSidewaysScrolling();
   await makeSetting(app, 'calm');
   await app.expectNoSidewaysScrolling();
-  await app.page.getByRole('link', { name: '‹ Lancer 07' }).click();
+  await app.page.getByRole('link', { name: 'Lancer 07', exact: true }).click();
   await app.page.getByRole('link', { name: /^calm/ }).waitFor();
-  await app.page.getByRole('link', { name: '‹ All models' }).click();
+  await app.page.getByRole('link', { name: 'All models' }).click();
   await app.page.getByRole('link', { name: /^Lancer 07/ }).waitFor();
   await app.page.goBack();
   await app.page.getByRole('link', { name: /^calm/ }).waitFor();

@@ -3,7 +3,7 @@ import { AppPage } from './app-page.js';
 import { edited, edits, held } from './edited.js';
 
 describe('finding the timer', () => {
-  test('one that answers only at 19200 baud is found by itself, and asked there first from then on', async () => {
+  test('one that answers only at 19200 baud is found, and later tried there first', async () => {
     const app = await AppPage.open({ bench: { granted: true, answersAt: 19200 } });
     await app.goTo('Settings');
     await app.button('Connect to FTDI adapter').click();
@@ -34,77 +34,32 @@ describe('finding the timer', () => {
     await app.hasRead();
     await app.text(/^No answer for /).waitFor({ state: 'detached' });
   });
-
-  test('the asking can be stopped, and the port is free then', async () => {
-    const app = await AppPage.open({ bench: {} });
-    await app.bench((bench) => bench.sleep());
-    await app.button('Connect').click();
-    await app.text(/^No answer for /).waitFor();
-    await app.button('Stop').click();
-    await app.text('Not connected').waitFor();
-    await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();
-    await app.bench((bench) => bench.press());
-    await app.connect();
-  });
-
-  test('settings by hand reach the port', async () => {
-    const app = await AppPage.open({ bench: {} });
-    await app.goTo('Settings');
-    await app.text('Serial settings').click();
-    await app.page.getByRole('combobox', { name: 'Rate' }).selectOption('57600 baud');
-    await app.page.getByRole('combobox', { name: 'Parity' }).selectOption('Even');
-    await app.page.getByRole('combobox', { name: 'Stop bits' }).selectOption('2');
-    await app.page.getByRole('combobox', { name: 'DTR' }).selectOption('Off');
-    await app.goTo('Program');
-    await app.connect();
-    expect(await app.bench(({ rates }) => rates)).toEqual([57600]);
-    expect(await app.bench(({ opened }) => opened)).toMatchObject({ baudRate: 57600, parity: 'even', stopBits: 2 });
-    expect(await app.bench(({ adapter }) => adapter.port.device.signals)).toMatchObject({ dataTerminalReady: false });
-  });
-
-  test('a known adapter is forgotten: the browser asks again', async () => {
-    const app = await AppPage.open({ bench: { granted: true } });
-    await app.goTo('Settings');
-    await app.button('Forget FTDI adapter').click();
-    await app.page.getByRole('heading', { name: 'Known adapters' }).waitFor({ state: 'detached' });
-    expect(await app.page.evaluate(async () => (await navigator.serial.getPorts()).length)).toBe(0);
-    await app.bench((bench) => bench.dismissChooser());
-    await app.goTo('Program');
-    await app.button('Connect').click();
-    await app.says('No port was chosen.');
-  });
 });
 
 describe('the adapter comes back', () => {
-  for (const [how, act] of [
-    ['as another port, as a wired one does', 'workbench.replug()'],
-    ['as the same port, as one of Bluetooth does', 'workbench.adapter.replug({ samePort: true })'],
-    ['where the browser does not recognise it', 'workbench.adapter.returnAsNew()'],
-  ] as const) {
-    test(`${how}: without a click, with the edits`, async () => {
-      const app = await edited();
-      await app.bench((bench) => bench.adapter.unplug());
-      await app.says('The adapter is unplugged.');
-      expect(await app.button(/^Write( \d+)?…$/).isDisabled()).toBe(true);
-      await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
-      await app.page.evaluate(act);
-      await app.says('The timer is back.');
-      await app.isReady();
-      await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
-      await app.write();
-      await app.result('Verified.');
-      expect(await held(app)).toEqual([24000, 7]);
-    });
-  }
+  test('as another port, as with a cable: without a click, with the edits', async () => {
+    const app = await edited();
+    await app.bench((bench) => bench.adapter.unplug());
+    await app.says('The adapter is unplugged.');
+    expect(await app.button(/^Write( \d+)?…$/).isDisabled()).toBe(true);
+    await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
+    await app.bench((bench) => bench.replug());
+    await app.says('The timer is back.');
+    await app.isReady();
+    await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
+    await app.write();
+    await app.result('Verified.');
+    expect(await held(app)).toEqual([24000, 7]);
+  });
 
-  test('and the timer holds something else: the write is shown beside it', async () => {
+  test('and the timer holds other values: the interrupted write is shown beside them', async () => {
     const app = await edited();
     await app.bench((bench) => {
       bench.adapter.unplug();
       bench.content.times[10] = 21000;
       bench.replug();
     });
-    await app.says('The timer holds something else than when you made your edits.');
+    await app.says('The timer does not hold what it held when you made your edits.');
     await app.isReady();
     await app.review();
     const conflicts = app.dialog.getByRole('table').first();
@@ -122,10 +77,10 @@ describe('the adapter comes back', () => {
 });
 
 describe('the port is taken', () => {
-  test('by another tab: it is named, and lets go when asked', async () => {
+  test('by another tab: the page names it, and that tab releases the port on request', async () => {
     const app = await edited();
     const other = await app.sibling();
-    // One adapter for both: what one tab holds, the other finds busy.
+    // One adapter for both: when one tab uses it, it is busy for the other.
     await other.bench((bench) => bench.setBusy(true));
     await other
       .button(/^Connect/)
@@ -133,7 +88,7 @@ describe('the port is taken', () => {
       .click();
     await other.text('Another tab of this page holds the port: F1Q, M1, since').waitFor();
     await other.button('Take over').click();
-    await app.says('Another tab of this page has taken the port over.');
+    await app.says('Another tab of this page uses the port now.');
     await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();
     await expect.poll(() => edits(app), { message: 'kept' }).toEqual(['4:00', '7']);
     await other.bench((bench) => bench.setBusy(false));
@@ -141,11 +96,11 @@ describe('the port is taken', () => {
     await expect.poll(() => edits(other), { message: 'and here too' }).toEqual(['4:00', '7']);
   });
 
-  test('by another program: what to do is said, with a rule for this very adapter to copy', async () => {
+  test('by another program: the page says what to do, with a rule for this adapter to copy', async () => {
     const app = await AppPage.open({
       bench: { granted: true },
       permissions: ['clipboard-read', 'clipboard-write'],
-      // The steps are for the system that the browser names.
+      // The steps depend on the system that the browser names.
       before: () =>
         Object.defineProperty(navigator, 'userAgentData', {
           value: { platform: 'Linux', brands: [] },
@@ -169,10 +124,10 @@ describe('the port is taken', () => {
 });
 
 describe('about this timer', () => {
-  test('times with their bytes exchanged are asked about, shown, and remembered', async () => {
+  test('times with exchanged bytes bring a question, are shown, and remembered', async () => {
     const app = await AppPage.open({ bench: { granted: true, quirks: { bigEndianTimes: true } } });
     await app.connect();
-    await app.says('The times of this timer fall.');
+    await app.says('The times of this timer fall from row to row.');
     await app.button('Swap them and read again').click();
     await expect.poll(() => app.valueOf('DT')).toBe('3:00');
     await app.showAbout();
@@ -184,10 +139,10 @@ describe('about this timer', () => {
     await app.reload();
     await app.connect();
     await expect.poll(() => app.valueOf('DT')).toBe('3:00');
-    await expect.poll(() => app.text('The times of this timer fall.').count()).toBe(0);
+    await expect.poll(() => app.text('The times of this timer fall from row to row.').count()).toBe(0);
   });
 
-  test('rounded times are found by writing', async () => {
+  test('rounded times are noticed by writing', async () => {
     const app = await AppPage.open({ bench: { quirks: { timeStep: 10 } } });
     await app.connect();
     await app.type('DT time', '4:00.05');
@@ -198,7 +153,7 @@ describe('about this timer', () => {
     await app.text('It rounds times.').waitFor();
   });
 
-  test('errors of the line are counted, and the reading goes on', async () => {
+  test('errors of the line are counted, and the reading continues', async () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.failLineAt('GETTIMERS', 'framing'));
     await app.connect();
@@ -208,7 +163,7 @@ describe('about this timer', () => {
   });
 });
 
-test('with one byte in a hundred damaged it is read, written and verified, and the repeats are told', async () => {
+test('with one byte in a hundred damaged, a timer is read, written and verified, and the repeats are shown', async () => {
   const app = await AppPage.open({ bench: { damage: 0.01 } });
   await app.button('Connect').click();
   await app.table.waitFor();

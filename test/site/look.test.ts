@@ -1,11 +1,11 @@
-import { describe, expect, inject, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
-import { isWellMade, SIZES, showTheme } from './well-made.js';
+import { isWellMade, SIZES, showTheme, THEMES } from './well-made.js';
 
-/** Values and old values that are cut off, covered, or stand out of their field. Runs in the page. */
+/** Finds values and old values that are cut off, covered, or outside their field. Runs in the page. */
 function hidden(): string[] {
   const pen = document.createElement('canvas').getContext('2d') as CanvasRenderingContext2D;
-  /** Where the letters of a field are. */
+  /** The place of the letters in a field. */
   const lettersOf = (input: HTMLInputElement): DOMRect => {
     const style = getComputedStyle(input);
     pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
@@ -75,7 +75,7 @@ test('every screen can be used by everyone', async () => {
   await isWellMade(app, 'after a loss');
 });
 
-test('what the link says can be used by everyone', async () => {
+test('what the page says while connecting can be used by everyone', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.goTo('Settings');
   await app.text('Serial settings').click();
@@ -127,7 +127,7 @@ test('every tool can be used by everyone', async () => {
   await open('As a table');
   await isWellMade(app, 'the picture and the preview');
   await app.button('Name the servos…').click();
-  // Narrower than this there is no room for the picture, and for what belongs to it.
+  // A narrower window has no room for the picture and its tools.
   await isWellMade(app, 'the names of the servos', { desktop: SIZES.desktop });
   await app.button('Cancel').click();
   await app.button('Change presets').click();
@@ -194,43 +194,44 @@ test('every dialog can be used by everyone', async () => {
   await isWellMade(app, 'before another memory is left to fly next');
 });
 
-describe('what cannot be done looks so', () => {
-  for (const colours of ['Light', 'Dark', 'Sun']) {
-    test(`in ${colours}`, async () => {
-      const app = await AppPage.open({ bench: {} });
-      await app.page.goto(`${inject('site')}#settings`);
-      await app.text(colours).click();
-      await app.page.goBack();
-      await app.connect();
-      await app.bench((bench) => bench.adapter.unplug());
-      await app.says('The adapter is unplugged.');
-      const looks = await app.page.evaluate(() => {
-        const of = (button: Element | undefined) => {
-          if (!button) throw new Error('There is no such button.');
-          const { color, borderTopStyle, backgroundColor } = getComputedStyle(button);
-          return { color, borderTopStyle, backgroundColor };
-        };
-        const buttons = [...document.querySelectorAll('.actions button')];
-        const off = buttons.find(({ textContent }) => textContent?.startsWith('Write'));
-        const aria = off?.cloneNode(true) as HTMLButtonElement;
-        aria.disabled = false;
-        aria.ariaDisabled = 'true';
-        off?.after(aria);
-        const on = aria.cloneNode(true) as HTMLButtonElement;
-        on.ariaDisabled = null;
-        off?.after(on);
-        return { off: of(off), aria: of(aria), on: of(on), ink: getComputedStyle(document.body).color };
-      });
-      expect(looks.off).toEqual(looks.aria);
-      expect(looks.off).toMatchObject({ borderTopStyle: 'dashed', backgroundColor: 'rgba(0, 0, 0, 0)' });
-      expect(looks.on).toMatchObject({ borderTopStyle: 'solid', color: looks.ink });
-      const apart = Math.abs(lightness(looks.off.color) - lightness(looks.ink));
-      expect(apart, 'not the ink of what can be done').toBeGreaterThan(80);
+test('a disabled control looks disabled, in each theme', async () => {
+  const app = await AppPage.open({ bench: {} });
+  await app.connect();
+  await app.bench((bench) => bench.adapter.unplug());
+  await app.says('The adapter is unplugged.');
+  // Without animations: halfway between two colours neither can be measured.
+  await app.page.emulateMedia({ reducedMotion: 'reduce' });
+  for (const theme of THEMES) {
+    await showTheme(app, theme);
+    const looks = await app.page.evaluate(() => {
+      const of = (button: Element | undefined) => {
+        if (!button) throw new Error('There is no such button.');
+        const { color, borderTopStyle, backgroundColor } = getComputedStyle(button);
+        return { color, borderTopStyle, backgroundColor };
+      };
+      const buttons = [...document.querySelectorAll('.actions button')];
+      const off = buttons.find(({ textContent }) => textContent?.startsWith('Write'));
+      const aria = off?.cloneNode(true) as HTMLButtonElement;
+      aria.disabled = false;
+      aria.ariaDisabled = 'true';
+      off?.after(aria);
+      const on = aria.cloneNode(true) as HTMLButtonElement;
+      on.ariaDisabled = null;
+      off?.after(on);
+      const found = { off: of(off), aria: of(aria), on: of(on), ink: getComputedStyle(document.body).color };
+      aria.remove();
+      on.remove();
+      return found;
     });
+    expect(looks.off, theme).toEqual(looks.aria);
+    expect(looks.off, theme).toMatchObject({ borderTopStyle: 'dashed', backgroundColor: 'rgba(0, 0, 0, 0)' });
+    expect(looks.on, theme).toMatchObject({ borderTopStyle: 'solid', color: looks.ink });
+    const apart = Math.abs(lightness(looks.off.color) - lightness(looks.ink));
+    expect(apart, `${theme}: not the ink of what can be done`).toBeGreaterThan(80);
   }
 });
 
-/** 0 to 255 of `rgb(r, g, b)`. */
+/** The numbers of `rgb(r, g, b)`, 0 to 255. */
 function lightness(colour = ''): number {
   const parts = (colour.match(/\d+/g) ?? []).slice(0, 3).map(Number);
   return parts.reduce((sum, part) => sum + part, 0) / 3;
@@ -263,7 +264,7 @@ describe('nothing is cut off or covered', () => {
     });
   });
 
-  test('at 320 px, while a disturbed line is read', async () => {
+  test('at 320 px, during a reading over a disturbed line', async () => {
     const app = await AppPage.open({ viewport: { width: 320, height: 800 }, bench: { damage: 0.1 } });
     await app.button('Connect').click();
     await app.text(/^Line disturbed/).waitFor();

@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 
-test('after one visit a whole day on the field needs no network, from the connection to the library of a friend', async () => {
+test('after one visit a whole day on the field needs no network, from Connect to a setting for a friend', async () => {
   const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
   const app = await AppPage.open({ before, acceptDownloads: true });
   const { page } = app;
@@ -50,7 +50,7 @@ test('after one visit a whole day on the field needs no network, from the connec
   await page.getByRole('button', { name: /^Print \d+ page/ }).waitFor();
   await page.getByRole('region', { name: 'Preview' }).getByText('windy').first().waitFor();
 
-  // What a friend sends: the same setting, changed by him, as a file and as a link.
+  // A friend sends the same setting with his changes, as a file and as a link.
   await page.evaluate(() => location.assign('#library'));
   await page.locator('input[type=file][accept*=".sidus"]').setInputFiles({
     name: 'friend.sidus.json',
@@ -62,7 +62,7 @@ test('after one visit a whole day on the field needs no network, from the connec
   await app.button(/^Import \d+$/).click();
   await app.text(/^Imported from friend\.sidus\.json: /).waitFor();
   await page.evaluate((to) => location.assign(to), hash);
-  await page.getByRole('dialog', { name: 'A setting came by link' }).getByText('windy', { exact: true }).waitFor();
+  await page.getByRole('dialog', { name: 'A setting from a link' }).getByText('windy', { exact: true }).waitFor();
   await app.button('Do not keep').click();
 
   await page.evaluate(() => location.assign('#help/checklist'));
@@ -80,7 +80,7 @@ test('after one visit a whole day on the field needs no network, from the connec
   await page.getByRole('heading', { level: 2, name: 'Energy for F1Q' }).waitFor();
 
   await app.goTo('Settings');
-  await app.text('All of it is on this device').waitFor();
+  await app.text('The whole page is on this device').waitFor();
   await app.text('What is new').click();
   await page.getByRole('heading', { level: 3, name: /^Version / }).waitFor();
   await page.getByText('Licences', { exact: true }).click();

@@ -4,7 +4,6 @@ import { type AddressInfo, createServer } from 'node:net';
 import { delimiter, dirname, extname, join } from 'node:path';
 import process from 'node:process';
 import type { Page } from 'playwright';
-import { build, type Rolldown } from 'vite';
 import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
 import type {} from '../../src/mock-serial/global.js';
 import type { TimerProgram } from '../../src/program/index.js';
@@ -45,18 +44,11 @@ async function pageOf(path: string): Promise<Page> {
 describe('the package in a browser', () => {
   test('protocol, client and simulator work as one classic script', async () => {
     const consumer = await Consumer.create();
-    consumer.write(
-      'main.js',
+    const script = await consumer.classicScript(
       `export * from 'sidus-timer/protocol'; export * from 'sidus-timer/client'; export * from 'sidus-timer/simulator';`,
     );
-    const [built] = (await build({
-      configFile: false,
-      root: consumer.folder,
-      logLevel: 'error',
-      build: { write: false, target: 'es2022', lib: { entry: 'main.js', formats: ['iife'], name: 'sidus' } },
-    })) as Rolldown.RolldownOutput[];
     const page = await pageOf('/empty.html');
-    await page.addScriptTag({ content: built?.output[0].code ?? '' });
+    await page.addScriptTag({ content: script });
     const [hex, program] = (await page.evaluate(`(async () => {
       const timer = new sidus.TimerClient(new sidus.VirtualTimer({ identity: { timerClass: 'Q' } }));
       const program = await timer.readProgram();
@@ -67,7 +59,7 @@ describe('the package in a browser', () => {
     expect(program).toMatchObject({ identity: { timerClass: 'Q', functions: 10 }, memory: 0, idleThrottle: 30 });
   });
 
-  test('the client works as it lies in a module worker, on streams that the page hands over', async () => {
+  test('the client works unchanged in a module worker, on streams that the page transfers', async () => {
     const page = await pageOf('/empty.html');
     await page.route(`${ORIGIN}/worker.js`, (route) =>
       route.fulfill({
@@ -112,7 +104,7 @@ describe('the package in a browser', () => {
   });
 });
 
-/** A port of this machine that nobody listens at. */
+/** A port of this machine on which nothing listens. */
 async function freePort(): Promise<number> {
   const server = createServer().listen(0, '127.0.0.1');
   await once(server, 'listening');
@@ -127,7 +119,7 @@ test('the example tests of a page pass in Playwright, with the mock port put int
   consumer.link('playwright');
   consumer.link('vite');
   mkdirSync(join(consumer.folder, 'node_modules/@playwright/test'), { recursive: true });
-  // This project has Playwright without its runner's own name, which holds no more than this.
+  // This project has Playwright without the package of its runner, which contains only this line.
   consumer.write('node_modules/@playwright/test/package.json', '{ "type": "module", "exports": "./index.js" }');
   consumer.write('node_modules/@playwright/test/index.js', `export * from 'playwright/test';`);
   for (const file of readdirSync(join(root, 'examples/mock-port'))) {
@@ -147,7 +139,7 @@ test('the example tests of a page pass in Playwright, with the mock port put int
 });
 
 describe('the example of one plain page', () => {
-  test('shows who is there and its times', async () => {
+  test('shows which timer is there, and its times', async () => {
     const page = await pageOf('/examples/plain-html/index.html');
     // A string: what Vitest makes of import() would not be known in the page.
     await page.evaluate(`(async () => {
@@ -175,7 +167,7 @@ describe('the example of one plain page', () => {
     await page.getByText('(NotFoundError)').waitFor();
   });
 
-  test('loads the files that its import map names from where it lies', () => {
+  test('loads the files of its import map from its own folder', () => {
     const html = readFileSync(join(root, 'examples/plain-html/index.html'), 'utf8');
     const { imports } = JSON.parse(/<script type="importmap">(.*?)<\/script>/s.exec(html)?.[1] ?? '') as {
       imports: Record<string, string>;

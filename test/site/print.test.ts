@@ -23,7 +23,7 @@ const NOTE = `${'The tailplane was lowered by two steps because the model stalle
 /** The usual one; many servos with a long note; more functions than a page has rows. */
 const SETTINGS = [wide('usual', 10, 3, 'calm'), wide('wide', 20, 8, NOTE), wide('long', 60, 2), wide('widest', 12, 12)];
 
-/** What stands beyond the room of its page, or is cut by its edge. */
+/** What is outside its page, or cut by the edge. */
 function outside(app: AppPage): Promise<string[]> {
   return app.page.evaluate(() =>
     [...document.querySelectorAll('.print-preview article')].flatMap((leaf) => {
@@ -75,7 +75,7 @@ test('sheets of several settings: every row on a page, as many pages as shown, o
   };
   for (const [paper, size] of Object.entries(papers)) {
     await app.page.getByRole('radio', { name: paper, exact: true }).check();
-    // Whatever was on the screen: the letters may have come later than the words.
+    // Waits for the fonts: they may come later than the words.
     await app.page.evaluate(() => document.fonts.ready);
     const printed = async (): Promise<string[]> => {
       const shown = await preview.locator('.print-page').count();
@@ -126,6 +126,6 @@ test('the QR code on a sheet is read back, and brings the setting', async () => 
   await reader.button('Read a QR code…').click();
   const picture = { name: 'sheet.png', mimeType: 'image/png', buffer };
   await reader.page.getByLabel('Picture with a QR code').setInputFiles(picture);
-  const shown = reader.page.getByRole('dialog', { name: 'A setting came by link' });
+  const shown = reader.page.getByRole('dialog', { name: 'A setting from a link' });
   await expect.poll(() => shown.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:10');
 });

@@ -3,7 +3,7 @@ import { AppPage } from './app-page.js';
 import { edited, edits, held } from './edited.js';
 
 describe('a write that the page did not survive', () => {
-  /** The page is loaded again when the times are written and the position is not. */
+  /** The page is reloaded after the times and before the position is written. */
   async function interrupted(): Promise<AppPage> {
     const app = await edited();
     app.page.on('dialog', (dialog) => void dialog.accept());
@@ -16,7 +16,7 @@ describe('a write that the page did not survive', () => {
   }
   const panel = (app: AppPage) => app.page.getByRole('region', { name: 'An earlier write was interrupted' });
 
-  test('is finished', async () => {
+  test('can be finished', async () => {
     const app = await interrupted();
     await app.button('Connect').click();
     await app.isReady();
@@ -32,7 +32,7 @@ describe('a write that the page did not survive', () => {
     await panel(app).waitFor({ state: 'detached' });
   });
 
-  test('is taken back', async () => {
+  test('can be taken back', async () => {
     const app = await interrupted();
     await app.button('Connect').click();
     await panel(app).getByRole('button', { name: 'Go back…' }).click();
@@ -47,7 +47,7 @@ describe('a write that the page did not survive', () => {
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   });
 
-  test('and the timer holds what nothing explains: which timer this is has to be said', async () => {
+  test('leads to a question which timer this is, when the timer holds unexplained values', async () => {
     const app = await interrupted();
     await app.bench((bench) => {
       bench.content.times[3] = 1234;
@@ -101,7 +101,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
   expect(await copy.getByRole('button', { name: 'Copy' }).isDisabled(), 'not before the tick').toBe(true);
   await copy.getByRole('checkbox', { name: 'The propeller is off' }).check();
   await copy.getByRole('button', { name: 'Copy' }).click();
-  await copy.getByText(/^M3 verified \d\d:\d\d\s· DT 3:00 min\s· motor stop 10\.0 s\s· 2 changes$/).waitFor();
+  await copy.getByText(/^M3\sverified\s\d\d:\d\d\s· DT\s3:00\smin\s· motor\sstop\s10\.0\ss\s· 2\schanges$/).waitFor();
   await copy.getByText('M1 flies next.').waitFor();
   await app.button('Close').click();
   expect(await memories()).toEqual([before[0], before[1], before[0], before[3]]);

@@ -6,11 +6,11 @@ import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
 
 /*
- * A pilot's season through the screen alone: three models, twelve settings, thirty flights; then the device is lost,
- * and another one gets all of it back from one file.
+ * A pilot's season, only through the screen: three models, twelve settings, thirty flights. Then the device is lost,
+ * and another device gets everything back from one file.
  */
 
-/** What the timer of a model holds before the season: trimmed, so that its contents tell whose it is. */
+/** What the timer of a model holds before the season: trimmed, so that the page can recognise the model. */
 function memoriesOf(model: number) {
   return exampleMemories('Q').map(({ times, positions }, memory) => ({
     times: times.map((time, slot) => time + (slot > 0 && slot < 10 ? 5 * model + memory : 0)),
@@ -21,7 +21,7 @@ function memoriesOf(model: number) {
 }
 type Memories = ReturnType<typeof memoriesOf>;
 
-/** The season of one model: what it is called, and what the pilot types. */
+/** The season of one model: its name, and what the pilot types. */
 interface Kept {
   readonly name: string;
   readonly dt: string;
@@ -48,7 +48,7 @@ const RIDGE: readonly Pick<Kept, 'name' | 'tags' | 'note'>[] = [
 ];
 const FLIGHTS = { lancer: 13, vega: 11, ridge: 6 };
 
-/** A device of the pilot, at a bench of its own. */
+/** A device of the pilot, with its own bench. */
 class Device {
   readonly app: AppPage;
 
@@ -57,7 +57,7 @@ class Device {
   }
 
   static async open(): Promise<Device> {
-    // A browser that has no question where a file is to lie.
+    // A browser without a dialog for the place of a file.
     const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
     const app = await AppPage.open({
       bench: {},
@@ -68,7 +68,7 @@ class Device {
     return new Device(app);
   }
 
-  /** Puts the timer of another model before the adapter. */
+  /** Puts the timer of another model under the infra-red head. */
   async hold(memories: Memories): Promise<void> {
     await this.app.page.evaluate((held) => {
       const { core } = window.workbench.adapter.timer;
@@ -87,7 +87,7 @@ class Device {
     await this.app.button('Connect').waitFor();
   }
 
-  /** Goes to a model, or one of its settings, as a pilot does: through the list. */
+  /** Goes to a model or a setting through the list, as a pilot does. */
   async goTo(model: string, setting?: string): Promise<Locator> {
     const { app } = this;
     await app.page.evaluate(() => location.assign('#library'));
@@ -113,7 +113,7 @@ class Device {
     await this.app.table.waitFor();
   }
 
-  /** Keeps what is on the screen under a name. */
+  /** Saves what is on the screen under a name. */
   async saveAs(name: string, model: string, note: string): Promise<void> {
     const { app } = this;
     const first = app.button('Save to library…');
@@ -138,14 +138,14 @@ class Device {
     await this.app.write();
     await this.app.result('Verified.');
     await this.app.dialog.getByRole('button', { name: 'Flying this' }).click();
-    await this.app.dialog.getByText(/^Flight logged \d\d:\d\d/).waitFor();
+    await this.app.dialog.getByText(/^Flight\slogged\s\d\d:\d\d/).waitFor();
   }
 
   get form(): Locator {
     return this.app.page.getByRole('dialog', { name: 'Flight' });
   }
 
-  /** Fills in the flight that is open, then flies again: so many flights in all. */
+  /** Fills in the open flight, then flies again, this many flights in all. */
   async fly(count: number, firstResult: number, place: string): Promise<void> {
     const { form } = this;
     for (let at = 0; at < count; at++) {
@@ -171,7 +171,7 @@ class Device {
     await this.app.button('Connect').waitFor();
   }
 
-  /** Brings a file in, by what it shows of it before. */
+  /** Imports a file, after looking at what it shows before. */
   async takeFile(text: string): Promise<void> {
     const { page } = this.app;
     await page.evaluate(() => location.assign('#library'));
@@ -186,7 +186,7 @@ class Device {
     await this.app.text(/^Imported from .*: 3 models, 12 settings, 30 flights\.$/).waitFor();
   }
 
-  /** What the pilot sees of it: the order of his models and settings, and what he has said of them. */
+  /** What the pilot sees: the order of models and settings, and what was typed about them. */
   async showsTheSeason(): Promise<void> {
     const { page } = this.app;
     const about = await this.goTo('Lancer 07');
@@ -210,7 +210,7 @@ class Device {
     await this.app.text('30 flights').first().waitFor();
   }
 
-  /** All of it in one file, as it lies in the downloads. */
+  /** Everything in one file, from the downloads. */
   async exportAll(): Promise<string> {
     const { app } = this;
     await app.page.evaluate(() => location.assign('#library'));
@@ -219,7 +219,7 @@ class Device {
   }
 }
 
-/** What a file says of the season, as the pilot has typed it. */
+/** What a file contains of the season, as the pilot has typed it. */
 function seasonOf({ library }: LibraryFile) {
   const settings = library.settings.map(({ name, tags, note, program }) => {
     const typed = { name, tags: tags.join(', '), note };
@@ -244,7 +244,7 @@ function upFrom(first: number, count: number): number[] {
   return Array.from({ length: count }, (_, at) => first + at);
 }
 
-/** A picture as a phone takes it: in many colours, and larger than what is kept. */
+/** A picture like that of a phone: in many colours, and larger than what is kept. */
 async function picture({ page }: AppPage): Promise<Buffer> {
   const bytes = await page.evaluate(async () => {
     const canvas = new OffscreenCanvas(1600, 1200);
@@ -278,7 +278,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await app.button('Fill in').click();
   await first.fly(FLIGHTS.lancer - 2, 170, 'Gyula');
 
-  // A short DT for trimming, and back before he goes.
+  // A short DT for trimming, put back before disconnecting.
   await app.type('DT time', '25 s');
   await first.writeAndLog();
   await app.close();
@@ -292,7 +292,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await app.dialog.getByRole('button', { name: 'Disconnect' }).click();
   await app.button('Connect').waitFor();
 
-  // What he says of it when he is at home.
+  // Filled in at home.
   const about = await first.goTo('Lancer 07');
   for (const [memory, name] of [
     ['M1', 'calm'],
@@ -313,7 +313,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await about.getByRole('button', { name: 'Move new propeller up' }).click();
   await about.getByRole('button', { name: 'Done' }).click();
 
-  // Vega 12: another timer before the same adapter, with its settings and flights.
+  // Vega 12: another timer at the same adapter, with its settings and flights.
   const lancer = await first.held();
   await first.hold(memoriesOf(2));
   await page.evaluate(() => location.assign('#program'));
@@ -332,7 +332,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await first.disconnect();
   await first.tag('Vega 12', VEGA);
 
-  // Ridge 3: by hand; its timer comes later.
+  // Ridge 3: typed by hand; its timer comes later.
   await app.button('New model…').click();
   const make = page.getByRole('dialog', { name: 'New model' });
   await make.getByRole('textbox', { name: 'Name' }).fill('Ridge 3');
@@ -361,7 +361,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await first.fly(FLIGHTS.ridge, 90, 'Turda');
   await first.disconnect();
 
-  // Lancer comes back, and is known.
+  // Lancer comes back, and is recognised.
   await first.hold(lancer);
   await app.connect();
   await app.text(/^This is Lancer 07, as seen /).waitFor();
@@ -397,7 +397,7 @@ test('a season of three models is flown, and a lost device comes back on another
   expect(factsOf(after), 'also what its models were seen to hold').toEqual(factsOf(before));
   await second.showsTheSeason();
 
-  // The timer of Lancer is known there, too, and takes another of its settings.
+  // That device recognises the timer of Lancer, too, and loads another of its settings.
   await second.hold(lancer);
   await second.toStart();
   await second.app.connect();
@@ -414,5 +414,5 @@ test('a season of three models is flown, and a lost device comes back on another
   await second.app.result('Verified.');
   expect((await second.held())[0]?.times.at(-1)).toBe(20_000);
   await second.app.dialog.getByRole('button', { name: 'Flying this' }).click();
-  await second.app.dialog.getByText(/^Flight logged \d\d:\d\d\s· Lancer 07\s· /).waitFor();
+  await second.app.dialog.getByText(/^Flight\slogged\s\d\d:\d\d\s· Lancer\s07\s· /).waitFor();
 });

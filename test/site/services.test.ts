@@ -6,7 +6,7 @@ import { newPage, newProfile, STORED } from './page.js';
 
 const { lacks, storage } = en.keeping;
 
-/** What a browser may do to one service: to all of it, or to one of the calls that the page makes. */
+/** A fault of one service in the browser: of the whole service, or of one call. */
 interface Fault {
   readonly name: ServiceName;
   readonly of: 'navigator' | 'window';
@@ -14,7 +14,7 @@ interface Fault {
   readonly how: 'is missing' | 'throws' | 'refuses' | 'is silent' | 'throws when made';
 }
 
-/** Every fault of a service, from the list of what the page uses: a new call is among them unasked. */
+/** Every fault of a service, made from the list of calls, so a new call is tested without more work. */
 function faultsOf(name: ServiceName): readonly Fault[] {
   const { of, now, later, made }: Uses = SERVICES[name];
   const ways = ['is missing', 'throws', ...(made ? (['throws when made'] as const) : [])] as const;
@@ -27,35 +27,66 @@ function faultsOf(name: ServiceName): readonly Fault[] {
 }
 
 /** Runs in the page before its own scripts. */
-function breakIt({ name, of, call, how }: Fault): void {
-  const scope = (of === 'navigator' ? navigator : window) as unknown as Record<string, unknown>;
-  const target = scope[name] as object & { readonly prototype?: object };
-  // This browser has no such service on this system.
-  if (target === undefined && call !== null) return;
-  const fail = (): unknown => {
-    if (how === 'refuses') return Promise.reject(new DOMException('Not here.', 'NotAllowedError'));
-    if (how === 'is silent') return new Promise(() => {});
-    throw new DOMException('Not here.', 'SecurityError');
-  };
-  if (call === null) {
-    if (how === 'is missing') Object.defineProperty(scope, name, { value: undefined });
-    else if (how === 'throws') Object.defineProperty(scope, name, { get: fail });
-    else Object.defineProperty(scope, name, { value: fail });
-    return;
+function breakAll(faults: readonly Fault[]): void {
+  const met = new Set<number>();
+  window.met = met;
+  for (const [index, { name, of, call, how }] of faults.entries()) {
+    const scope = (of === 'navigator' ? navigator : window) as unknown as Record<string, unknown>;
+    const target = scope[name] as object & { readonly prototype?: object };
+    // This browser does not have this service on this system.
+    if (target === undefined && call !== null) continue;
+    const fail = (): unknown => {
+      met.add(index);
+      if (how === 'is missing') return undefined;
+      if (how === 'refuses') return Promise.reject(new DOMException('Not here.', 'NotAllowedError'));
+      if (how === 'is silent') return new Promise(() => {});
+      throw new DOMException('Not here.', 'SecurityError');
+    };
+    if (call === null) {
+      // An arrow function cannot be constructed: the fault is noted when the page gets it.
+      const handOut = (): unknown => met.add(index) && fail;
+      Object.defineProperty(scope, name, { get: how === 'throws when made' ? handOut : fail });
+      continue;
+    }
+    const holder = (target.prototype ?? Object.getPrototypeOf(target)) as Record<string, unknown>;
+    const isCall = typeof Object.getOwnPropertyDescriptor(holder, call)?.get === 'undefined';
+    const own = isCall ? (holder[call] as (...given: unknown[]) => unknown) : undefined;
+    // Both storages of settings share one prototype.
+    const broken = function (this: unknown, ...given: unknown[]): unknown {
+      return name.endsWith('Storage') && this !== target ? own?.apply(this, given) : fail();
+    };
+    Object.defineProperty(holder, call, isCall ? { value: broken } : { get: broken });
   }
-  const holder = (target.prototype ?? Object.getPrototypeOf(target)) as Record<string, unknown>;
-  const isCall = typeof Object.getOwnPropertyDescriptor(holder, call)?.get === 'undefined';
-  const own = isCall ? (holder[call] as (...given: unknown[]) => unknown) : undefined;
-  // The two storages of settings have one prototype.
-  const broken = function (this: unknown, ...given: unknown[]): unknown {
-    return name.endsWith('Storage') && this !== target ? own?.apply(this, given) : fail();
-  };
-  Object.defineProperty(holder, call, isCall ? { value: broken } : { get: broken });
 }
 
-/** Runs in the page before its own scripts: no fault shuts the way to what is kept, and nothing of the tab is. */
+/** Runs in the page before its own scripts: notes which services the page gets, and which of their calls it makes. */
+function listen(services: Readonly<Record<string, Uses>>): void {
+  // The empty page with which every tab begins uses no service.
+  if (location.protocol === 'about:') return;
+  const asked = new Set<string>();
+  window.asked = asked;
+  for (const [name, { of, now, later }] of Object.entries(services)) {
+    const scope = (of === 'navigator' ? navigator : window) as unknown as Record<string, unknown>;
+    const target = scope[name] as object & { readonly prototype?: object };
+    const seen = (): unknown => asked.add(name) && target;
+    Object.defineProperty(scope, name, { get: seen });
+    if (target === undefined) continue;
+    const holder = (target.prototype ?? Object.getPrototypeOf(target)) as Record<string, unknown>;
+    for (const call of [...now, ...later]) {
+      const getter = Object.getOwnPropertyDescriptor(holder, call)?.get;
+      const own = getter ?? (holder[call] as (...given: unknown[]) => unknown);
+      const noted = function (this: unknown, ...given: unknown[]): unknown {
+        if (!name.endsWith('Storage') || this === target) asked.add(`${name}.${call}`);
+        return own.apply(this, given as []);
+      };
+      Object.defineProperty(holder, call, getter ? { get: noted } : { value: noted });
+    }
+  }
+}
+
+/** Runs in the page before its own scripts: no fault touches the stored data, and nothing is kept for the tab. */
 function keepAWay(): void {
-  // It would outlive the page, where the same tab is used again.
+  // It would stay in the tab, which is used again.
   if (location.protocol !== 'about:') sessionStorage.clear();
   const open = IDBFactory.prototype.open.bind(indexedDB);
   window.keptTimes = () =>
@@ -77,10 +108,14 @@ declare global {
   interface Window {
     /** The DT of each draft that is kept. */
     keptTimes: () => Promise<number[]>;
+    /** `locks`, `locks.request`: what the page has asked for. */
+    asked: Set<string>;
+    /** Which of the faults have happened, by their places in the list. */
+    met: Set<number>;
   }
 }
 
-/** The page is drawn, reads, takes what is typed, and keeps it or says that it does not. */
+/** The page is drawn, reads, accepts typing, and keeps it or says that it does not. */
 async function works(page: Page): Promise<void> {
   await page.goto(inject('site'));
   await page.getByRole('button', { name: 'Try a simulated F1Q timer' }).click();
@@ -96,7 +131,7 @@ async function works(page: Page): Promise<void> {
   await expect.poll(keptOrSaid, { message: 'kept, or said not to be' }).toBe(true);
 }
 
-/** What is said of a fault of one of these calls, or of the whole. */
+/** The message after a fault of one of these calls, or of the whole service. */
 type Sentence = readonly [sentence: string | null, ...calls: (string | null)[]];
 const NOTHING: Sentence = [null];
 const SAID: Partial<Record<ServiceName, Sentence>> = {
@@ -108,8 +143,26 @@ const SAID: Partial<Record<ServiceName, Sentence>> = {
   serviceWorker: [lacks.offline, null, 'register', 'controller', 'addEventListener'],
 };
 
-describe('the page is drawn and works, whatever a browser does to', () => {
-  /** A page that is used again and again, with nothing kept: a new one would take twice the time. */
+/**
+ * What the page uses only when a pilot wants it, and not in this test. A fault of an unused call has no effect
+ * so all of them are in one run, which fails when one of them is used after all.
+ */
+const UNASKED: readonly ServiceName[] = [
+  'clipboard',
+  'caches',
+  'CloseWatcher',
+  'mediaDevices',
+  'BarcodeDetector',
+  'share',
+  'AudioContext',
+  'showSaveFilePicker',
+];
+const ASKED = (Object.keys(SERVICES) as ServiceName[]).filter((name) => !UNASKED.includes(name));
+/** These have no message and do not disturb each other: one run has a fault of each. */
+const QUIET: readonly ServiceName[] = ['serial', 'storage', 'matchMedia', 'launchQueue'];
+
+describe('the page is drawn and works, whatever a browser does with', () => {
+  /** One page for all runs, with nothing kept: a new one would take twice the time. */
   interface Lane {
     readonly page: Page;
     readonly devTools: CDPSession;
@@ -117,7 +170,7 @@ describe('the page is drawn and works, whatever a browser does to', () => {
   const found: string[] = [];
   let lanes: readonly Lane[] = [];
   const openLane = async (): Promise<Lane> => {
-    const page = await newProfile(found);
+    const page = await newProfile(found, { viewport: { width: 800, height: 600 }, reducedMotion: 'reduce' });
     await page.addInitScript(keepAWay);
     return { page, devTools: await page.context().newCDPSession(page) };
   };
@@ -126,35 +179,94 @@ describe('the page is drawn and works, whatever a browser does to', () => {
   });
   afterAll(() => Promise.all(lanes.map(({ page }) => page.context().close())));
 
-  const journey = async ({ page, devTools }: Lane, fault: Fault): Promise<void> => {
-    const { origin } = new URL(inject('site'));
-    // The worker stays where it is not what is broken: to fetch and keep the page anew takes longer than all else.
-    const kept = fault.name === 'serviceWorker' || fault.name === 'caches' ? 'all' : STORED;
-    await devTools.send('Storage.clearDataForOrigin', { origin, storageTypes: kept });
-    const broken = await page.addInitScript(breakIt, fault);
+  const clear = async ({ devTools }: Lane, storageTypes: string): Promise<void> => {
+    await devTools.send('Storage.clearDataForOrigin', { origin: new URL(inject('site')).origin, storageTypes });
+  };
+
+  let asking: Promise<ReadonlySet<string>> | undefined;
+  /** What a page uses without a fault, on the first and on later visits: a fault of anything else has no effect. */
+  const asked = (): Promise<ReadonlySet<string>> => {
+    asking ??= (async () => {
+      const [lane] = lanes as readonly [Lane];
+      const { page } = lane;
+      const listens = await page.addInitScript(listen, SERVICES);
+      const all = new Set<string>();
+      for (const kept of ['all', STORED]) {
+        await clear(lane, kept);
+        await works(page);
+        const now = (): Promise<string[]> => page.evaluate(() => [...window.asked]);
+        // Some of it only when something is stored.
+        await expect.poll(now, { message: 'what is to be asked for' }).toEqual(expect.arrayContaining(ASKED));
+        for (const each of await now()) all.add(each);
+        await page.goto('about:blank');
+      }
+      await listens.dispose();
+      return all;
+    })();
+    return asking;
+  };
+
+  /** @param faults all of them at once */
+  const journey = async (lane: Lane, faults: readonly Fault[], areMet: boolean): Promise<void> => {
+    const { page } = lane;
+    // The worker stays unless it is the faulty part: loading the page again takes longer than everything else.
+    await clear(lane, faults.some(({ name }) => name === 'serviceWorker') ? 'all' : STORED);
+    const broken = await page.addInitScript(breakAll, faults);
     await works(page);
-    const [sentence, ...calls] = SAID[fault.name] ?? NOTHING;
-    if (sentence && calls.includes(fault.call)) await page.getByRole('status').filter({ hasText: sentence }).waitFor();
+    const met = (): Promise<number> => page.evaluate(() => window.met.size);
+    if (areMet) await expect.poll(met, { message: 'faults that have befallen it' }).toBe(faults.length);
+    for (const { name, call } of faults) {
+      const [sentence, ...calls] = SAID[name] ?? NOTHING;
+      if (sentence && calls.includes(call)) await page.getByRole('status').filter({ hasText: sentence }).waitFor();
+    }
     await broken.dispose();
     await page.goto('about:blank');
   };
 
-  test.for(Object.keys(SERVICES) as ServiceName[])('%s', async (name) => {
-    const faults = [...faultsOf(name)];
-    const goThrough = async (lane: Lane): Promise<void> => {
-      for (let fault = faults.shift(); fault; fault = faults.shift()) {
-        const why = `where ${name} ${fault.call ?? ''} ${fault.how}`;
-        await journey(lane, fault).catch((cause) => {
-          throw new Error(why, { cause });
+  const goThrough = async (journeys: readonly (readonly Fault[])[], areMet = true): Promise<void> => {
+    const left = journeys.filter(({ length }) => length > 0);
+    const go = async (lane: Lane): Promise<void> => {
+      for (let faults = left.shift(); faults; faults = left.shift()) {
+        const why = faults.map(({ name, call, how }) => `${name} ${call ?? ''} ${how}`).join(', ');
+        await journey(lane, faults, areMet).catch((cause) => {
+          throw new Error(`where ${why}`, { cause });
         });
       }
     };
-    await Promise.all(lanes.map(goThrough));
+    await Promise.all(lanes.map(go));
     expect(found.splice(0), 'errors').toEqual([]);
+  };
+
+  /** The faults that happen in this run, and those of calls that it does not make. */
+  const sorted = async (name: ServiceName): Promise<{ met: readonly Fault[]; unmet: readonly Fault[] }> => {
+    const all = await asked();
+    const isMet = ({ call }: Fault): boolean => all.has(call === null ? name : `${name}.${call}`);
+    const faults = faultsOf(name);
+    return { met: faults.filter(isMet), unmet: faults.filter((fault) => !isMet(fault) && fault.how === 'throws') };
+  };
+
+  test.for(ASKED.filter((name) => !QUIET.includes(name)))('%s', async (name) => {
+    const { met } = await sorted(name);
+    await goThrough(met.map((fault) => [fault]));
+  });
+
+  test(QUIET.join(', '), async () => {
+    const rows = await Promise.all(QUIET.map(sorted));
+    const most = Math.max(...rows.map(({ met }) => met.length));
+    await goThrough(Array.from({ length: most }, (_, at) => rows.flatMap(({ met }) => met.slice(at, at + 1))));
+  });
+
+  test('what it is asked for only when that is wanted', async () => {
+    const all = await asked();
+    expect(UNASKED.filter((name) => all.has(name))).toEqual([]);
+    const calls = (await Promise.all(ASKED.map(sorted))).flatMap(({ unmet }) => unmet);
+    const whole = UNASKED.flatMap(faultsOf).filter(({ call }) => call === null);
+    const ways = ['is missing', 'throws'].map((how) => whole.filter((fault) => fault.how === how));
+    await goThrough([calls, ...ways], false);
   });
 });
 
-test('a storage that never answers is said, and the page works', async () => {
+test('a storage that never answers is reported, and the page works', async () => {
   const page = await newPage();
   await page.addInitScript(keepAWay);
   await page.addInitScript(() => {

@@ -11,7 +11,7 @@ const HASH = LINK_MARK + encodeLink(SHARED);
 const arrive = (app: AppPage, hash: string): Promise<void> => app.page.evaluate((to) => void location.assign(to), hash);
 const hashOf = (app: AppPage): string => new URL(app.page.url()).hash;
 
-test('a setting that is shared by link is kept on another device, and asked for once', async () => {
+test('a setting that is shared by link can be kept on another device, after one question', async () => {
   const pilot = await AppPage.open();
   await pilot.trySimulated('F1Q');
   await pilot.type('DT time', '4:00');
@@ -30,7 +30,7 @@ test('a setting that is shared by link is kept on another device, and asked for 
   const friend = await AppPage.open();
   await friend.page.goto('about:blank');
   await friend.page.goto(link);
-  const dialog = friend.page.getByRole('dialog', { name: 'A setting came by link' });
+  const dialog = friend.page.getByRole('dialog', { name: 'A setting from a link' });
   await dialog.getByText('windy', { exact: true }).waitFor();
   await expect.poll(() => dialog.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:00');
   await friend.reload();
@@ -45,7 +45,7 @@ test('a setting that is shared by link is kept on another device, and asked for 
   await expect.poll(() => dialog.count(), { message: 'nor on the way back' }).toBe(0);
 });
 
-test('its QR code is read back from the screen, in every theme', async () => {
+test('the QR code of a setting can be read from the screen, in every theme', async () => {
   for (const size of [{}, PHONE]) {
     const app = await AppPage.open(size);
     await arrive(app, HASH);
@@ -72,7 +72,7 @@ test('its QR code is read back from the screen, in every theme', async () => {
   }
 });
 
-test('a link that comes while the page is open is shown over the view that is there, and edits stay', async () => {
+test('a link that is opened while the page is open is shown over the present view, and edits stay', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.connect();
   await app.type('DT time', '5:00');
@@ -82,7 +82,7 @@ test('a link that comes while the page is open is shown over the view that is th
   await app.button('Close').click();
   expect(hashOf(app)).toBe('#memories');
   await arrive(app, HASH);
-  await app.text('The timer that is connected has other functions or servos.').waitFor();
+  await app.text('The connected timer has other functions or servos.').waitFor();
   await isWellMade(app, 'received');
   await app.button('Do not keep').click();
   expect(hashOf(app)).toBe('#memories');

@@ -3,9 +3,11 @@ import { AppPage } from './app-page.js';
 import { newPage } from './page.js';
 import { isWellMade } from './well-made.js';
 
-test('a newer storage has its own sentence', async () => {
+test('a storage of a newer version has its own sentence', async () => {
   const page = await newPage();
-  await page.route('**/*', (route) => route.fulfill({ body: '<!doctype html>', contentType: 'text/html' }));
+  // It names its icon: else the browser looks for one, at a time that nobody knows.
+  const body = '<!doctype html><link rel="icon" href="data:,">';
+  await page.route('**/*', (route) => route.fulfill({ body, contentType: 'text/html' }));
   await page.goto(inject('site'));
   await page.evaluate(
     () =>
@@ -19,7 +21,7 @@ test('a newer storage has its own sentence', async () => {
   await page.getByText(/A newer version of this page has changed its storage/).waitFor();
 });
 
-test('inside of a frame the page does not work, and says where it does', async () => {
+test('inside a frame the page does not work, and says where it does', async () => {
   const page = await newPage({}, []);
   await page.route('**/outer', (route) =>
     route.fulfill({
@@ -27,7 +29,7 @@ test('inside of a frame the page does not work, and says where it does', async (
       body: `<iframe src="${inject('site')}" width="600" height="400"></iframe>`,
     }),
   );
-  // As from a host that cannot send the header which shuts frames out by itself.
+  // As from a host that cannot send the header against frames.
   await page.route(inject('site'), async (route) => {
     const response = await route.fetch();
     const { 'content-security-policy': _, ...headers } = response.headers();
@@ -35,10 +37,10 @@ test('inside of a frame the page does not work, and says where it does', async (
   });
   await page.goto(`${new URL(inject('site')).origin}/outer`);
   const frame = page.frameLocator('iframe');
-  await frame.getByRole('heading', { name: 'Sidus Timer works only in a tab of its own.' }).waitFor();
+  await frame.getByRole('heading', { name: 'Sidus Timer works only in its own tab.' }).waitFor();
   await expect.poll(() => frame.getByRole('button').count()).toBe(0);
   await expect.poll(() => frame.getByRole('link').getAttribute('href')).toBe(inject('site'));
-  // Nothing was begun, or kept, that the other page could reach.
+  // Nothing was started or stored that the other page could reach.
   const inside = page.frames().find((each) => each.url() === inject('site'));
   const left = await inside?.evaluate(async () => [
     (await indexedDB.databases()).length,
@@ -46,20 +48,20 @@ test('inside of a frame the page does not work, and says where it does', async (
     (await navigator.locks.query()).held?.length,
     (await caches.keys()).length,
     localStorage.length + sessionStorage.length,
-    // Dark or light, it can be read: the theme was settled.
+    // It can be read in dark and light: the theme is set.
     document.documentElement.getAttribute('data-theme'),
   ]);
   expect(left).toEqual([0, 0, 0, 0, 0, 'light']);
 });
 
-/** Makes a program as the dialog offers it. */
+/** Makes a program with the defaults of the dialog. */
 async function make(app: AppPage): Promise<void> {
   await app.button('New program…').click();
   await app.button('Make the program').click();
   await app.table.waitFor();
 }
 
-test('a program is made without a timer, survives a reload, and is written by way of Connect', async () => {
+test('a program is made without a timer, survives a reload, and is written after Connect', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await make(app);
   await app.text('New program, in no timer yet').waitFor();
@@ -92,7 +94,7 @@ test('the start, the dialog of a new program and what is kept can be used by eve
   await app.text('Make one without a timer, and write it later.').waitFor();
 });
 
-test('what is told while a timer is looked for holds the stage, and another port is one click away', async () => {
+test('the advice during the search for a timer fills the page, and another port is one click away', async () => {
   const app = await AppPage.open({ bench: {} });
   await app.bench((bench) => bench.sleep());
   await app.button('Connect').click();

@@ -5,7 +5,7 @@ import { PHONE } from './page.js';
 import { positionField, ROWS, SHEET, SHIFTED, Trail, timeField } from './sheet.js';
 import { isWellMade, SIZES, showTheme } from './well-made.js';
 
-/** The keys that come up for a field. */
+/** The sheet of keys that opens for a field. */
 const keysFor = (app: AppPage, field: string): Locator =>
   app.page.getByRole('region', { name: `Keys for ${field}`, exact: true });
 
@@ -15,11 +15,11 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   await app.button('Connect').tap();
   await app.hasRead();
   const trail = new Trail(app);
-  /** Presses keys of the sheet, one after the other. What is done at one field is one step to undo. */
+  /** Presses keys of the sheet, one after the other. Everything done at one field is one undo step. */
   const press = async (field: string, keys: readonly string[]): Promise<void> => {
     await trail.note();
     const [first = '', ...rest] = keys;
-    // The sheet may just come up; from then on its keys stand still.
+    // The sheet may still be opening; after that its keys do not move.
     await keysFor(app, field).getByRole('button', { name: first, exact: true }).tap();
     for (const name of rest) {
       const box = await keysFor(app, field).getByRole('button', { name, exact: true }).boundingBox();
@@ -34,7 +34,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
       .tap();
 
   await app.field('Motor stop time').tap();
-  // No keyboard of the screen comes up as well.
+  // The keyboard of the system does not open as well.
   await expect.poll(() => app.field('Motor stop time').getAttribute('inputmode')).toBe('none');
   await write('Motor stop time', '7.8');
   await press('Motor stop time', ['+0.1 s', '+0.1 s']);
@@ -155,7 +155,7 @@ describe('a finger on the table', () => {
     await expect.poll(() => app.valueOf('DT')).toBe('2:56');
   });
 
-  test('that goes up over the field with the focus scrolls the page, and changes nothing', async () => {
+  test('that moves up over the field with the focus scrolls the page, and changes nothing', async () => {
     const { app, draw, tap, marked, topOf, focused } = await opened();
     await tap('Function 2, S2');
     const before = await topOf('Function 2, S2');
@@ -197,7 +197,20 @@ describe('a finger on the table', () => {
   });
 });
 
-describe('the keys of a finger leave in sight what is edited, with all that stands in its row', () => {
+/** The sizes of screens that are touched. */
+const TOUCHED = [
+  [390, 844],
+  [360, 740],
+  [320, 568],
+  [844, 390],
+  [820, 1180],
+  [1180, 820],
+  // A laptop at 200 %, and one with a touch screen.
+  [640, 400],
+  [1366, 650],
+] as const;
+
+test('the keys on the touch screen do not cover the edited field or its row', async () => {
   /** What of a field and its row is not seen, and which keys do not fit. */
   const faults = (app: AppPage): Promise<string[]> =>
     app.page.evaluate(() => {
@@ -220,29 +233,24 @@ describe('the keys of a finger leave in sight what is edited, with all that stan
       ];
     });
 
-  test.each([
-    ['a phone', 390, 844],
-    ['a small phone', 360, 740],
-    ['the smallest phone', 320, 568],
-    ['a phone on its side', 844, 390],
-    ['a tablet', 820, 1180],
-    ['a tablet on its side', 1180, 820],
-    ['a laptop at 200 %', 640, 400],
-    ['a laptop with a touch screen', 1366, 650],
-  ])('on %s', async (_, width, height) => {
-    const app = await AppPage.open({ bench: { granted: true }, viewport: { width, height }, hasTouch: true });
-    await app.connect();
+  const app = await AppPage.open({ bench: { granted: true }, hasTouch: true });
+  await app.connect();
+  for (const [width, height] of TOUCHED) {
+    await app.resize({ width, height });
     for (const theme of ['light', 'sun']) {
+      const look = `${width} x ${height}, ${theme}`;
       await showTheme(app, theme);
       for (const field of ['Start, S1', 'Motor stop time', 'Function 5, S2', 'Function 9 time', 'DT, S3', 'DT time']) {
         await app.field(field).tap();
         await keysFor(app, field).waitFor();
-        await expect.poll(() => faults(app), { message: `${field}, ${theme}` }).toEqual([]);
+        await expect.poll(() => faults(app), { message: `${field}, ${look}` }).toEqual([]);
       }
       await app.button('+10 s').tap();
-      expect(await faults(app), 'a value with its old one').toEqual([]);
+      await app.button('Put back').waitFor();
+      await expect.poll(() => faults(app), { message: `a value with its old one, ${look}` }).toEqual([]);
       await app.button('Put back').tap();
       await app.button('Done').tap();
+      await expect.poll(() => app.page.locator('.edit-sheet').isVisible()).toBe(false);
     }
-  });
+  }
 });

@@ -27,7 +27,7 @@ test('each view has an address: Back leads through them, and a reload shows the 
   await expect.poll(() => heading(app)).toBe('Memories');
 });
 
-test('a view is found as it was left: the focus, how far it was scrolled, and what was typed', async () => {
+test('a view is as it was left: the focus, the scroll position, and what was typed', async () => {
   const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 900, height: 560 } });
   await app.connect();
   await app.field('Function 9, S2').fill('7');
@@ -44,7 +44,7 @@ test('a view is found as it was left: the focus, how far it was scrolled, and wh
   await app.text('1 change').first().waitFor();
 });
 
-test('every action is found by its name and done by Enter, where it can be done', async () => {
+test('every action that is possible can be found by its name and done with Enter', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.hasParts();
   const palette = app.page.getByRole('dialog', { name: 'Commands' });
@@ -76,7 +76,7 @@ test('every action is found by its name and done by Enter, where it can be done'
   await app.page.keyboard.type('write');
   await palette.getByRole('option', { name: 'Write…' }).waitFor();
   await app.page.keyboard.type(' nothing like this');
-  await palette.getByRole('status').getByText('Nothing is called that').waitFor();
+  await palette.getByRole('status').getByText('No command has this name').waitFor();
   await app.page.keyboard.press('Escape');
   await palette.waitFor({ state: 'hidden' });
   // It is closed over no question: nothing may hide what is asked.
@@ -87,7 +87,7 @@ test('every action is found by its name and done by Enter, where it can be done'
   await expect.poll(() => palette.count()).toBe(0);
 });
 
-test('the strip says in every view what flies next, DT, motor stop and what is known', async () => {
+test('the strip shows in every view what flies next, DT, motor stop and what is known', async () => {
   for (const size of [PHONE, {}]) {
     const app = await AppPage.open({ bench: { granted: true }, ...size });
     await app.connect();

@@ -32,22 +32,7 @@ describe('through a serial port', () => {
     await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();
   });
 
-  test('the port of the last visit is opened without the chooser', async () => {
-    const app = await AppPage.open({ bench: { granted: true } });
-    await app.bench((bench) => bench.dismissChooser());
-    await app.connect();
-  });
-
-  test('nothing is chosen: the page says so, and Connect works again', async () => {
-    const app = await AppPage.open({ bench: {} });
-    await app.bench((bench) => bench.dismissChooser());
-    await app.button('Connect').click();
-    await app.says('No port was chosen.');
-    await app.bench((bench) => bench.chooseAdapter());
-    await app.connect();
-  });
-
-  test('another program holds the port: the page says so, and goes on by itself when it is free', async () => {
+  test('another program uses the port: the page says so, and continues when the port is free', async () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.setBusy(true));
     await app.button('Connect').click();
@@ -56,115 +41,54 @@ describe('through a serial port', () => {
     await app.hasRead();
   });
 
-  test('the timer sleeps: the page says so, and goes on by itself after a press of the switch', async () => {
-    const app = await AppPage.open({ bench: {} });
-    await app.bench((bench) => bench.sleep());
-    await app.button('Connect').click();
-    await app.text(/^No answer for /).waitFor();
-    await app.bench((bench) => bench.press());
-    await app.hasRead();
-  });
-
-  test('the timer falls asleep before it is read: a press of the switch goes on', async () => {
+  test('the timer falls asleep before it is read: a press of its switch continues', async () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.sleepAt('GETSWVER'));
     await app.button('Connect').click();
     await app.text(/^No answer for /).waitFor();
     await app.bench((bench) => bench.press());
     await app.hasRead();
-  });
-
-  test('a first read that is stopped can be done again', async () => {
-    const app = await AppPage.open({ bench: {} });
-    // A timer that sleeps makes the reading last long enough for a hand.
-    await app.bench((bench) => bench.sleepAt('GETSWVER'));
-    await app.button('Connect').click();
-    await app.page.getByRole('progressbar', { name: 'Reading the timer' }).waitFor();
-    await app.button('Stop').click();
-    await app.page.getByRole('progressbar').waitFor({ state: 'detached' });
-    await app.bench((bench) => bench.press());
-    await app.button(/^(Connect|Read again)$/).click();
-    await app.hasRead();
-  });
-
-  test('Disconnect and Connect can follow at once, although a port takes a moment to close', async () => {
-    const app = await edited();
-    await app.bench(({ adapter: { port } }) => {
-      const close = port.close.bind(port);
-      port.close = async () => {
-        await new Promise((resolve) => setTimeout(resolve, 300));
-        await close();
-      };
-    });
-    await app.button('Disconnect').click();
-    await app.button('Connect').click();
-    await app.isReady();
-    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
-  });
-
-  test('garbage comes in the middle of a read: it is read to the end', async () => {
-    const app = await AppPage.open({ bench: {} });
-    await app.bench((bench) => bench.damageAfter(70));
-    await app.connect();
-    for (const servo of ['S1', 'S2', 'S3']) await expect.poll(() => app.positions(servo)).toEqual(FIRST_POSITIONS);
-    await app.openLine();
-    await expect.poll(() => app.line.locator('tr.damaged').count(), { message: 'it is in the log' }).toBeGreaterThan(0);
   });
 });
 
 describe('the plug is pulled', () => {
-  test('while nothing moves: the page says so and keeps the edits', async () => {
+  test('during a reading: the page says so, and reads again after plugging in', async () => {
     const app = await edited();
-    await app.bench((bench) => bench.adapter.unplug());
+    await app.bench((bench) => bench.unplugAt('GETTIMERS'));
+    await app.actions.getByRole('button', { name: 'Read again' }).click();
     await app.says('The adapter is unplugged.');
-    expect(await app.button(/^Write( \d+)?…$/).isDisabled()).toBe(true);
-    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
+    await expect.poll(() => app.valueOf('DT time')).toBe('4:00');
     await app.bench((bench) => bench.replug());
     await app.isReady();
-    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
+    await expect
+      .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
+      .toEqual(['4:00', '7']);
   });
 
-  for (const request of ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const) {
-    test(`while it reads, at ${request}: the page says so, and reads by itself after plugging in`, async () => {
-      const app = await edited();
-      await app.page.evaluate((name) => window.workbench.unplugAt(name), request);
-      await app.actions.getByRole('button', { name: 'Read again' }).click();
-      await app.says('The adapter is unplugged.');
-      await expect.poll(() => app.valueOf('DT time')).toBe('4:00');
-      await app.bench((bench) => bench.replug());
-      await app.isReady();
-      await expect
-        .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
-        .toEqual(['4:00', '7']);
-    });
-  }
+  test('during a write: nothing is called verified, and the write can be finished later', async () => {
+    const app = await edited();
+    await app.bench((bench) => bench.unplugAt('SETSERVO'));
+    await app.write();
+    await app.result('It is not certain what the timer holds.');
+    await app.close();
+    await app.says('The adapter is unplugged.');
+    await expect
+      .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
+      .toEqual(['4:00', '7']);
 
-  for (const request of ['SETTIMERS', 'SETSERVO'] as const) {
-    test(`while it writes, at ${request}: nothing is called verified, and the write is finished later`, async () => {
-      const app = await edited();
-      await app.page.evaluate((name) => window.workbench.unplugAt(name), request);
-      await app.write();
-      await app.result('It is not certain what the timer holds.');
-      await app.close();
-      await app.says('The adapter is unplugged.');
-      await expect
-        .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
-        .toEqual(['4:00', '7']);
+    await app.bench((bench) => bench.replug());
+    await app.isReady();
+    await app.review();
+    const safety = app.dialog.getByRole('checkbox', { name: 'The propeller is off' });
+    expect(await safety.isChecked(), 'asked again for this connection').toBe(false);
+    await app.tickSafety();
+    await app.dialog.getByRole('button', { name: /^(Write|Read back)/ }).click();
+    await app.result('Verified.');
+    const { times, positions } = await app.bench(({ content }) => content);
+    expect([times[10], positions[0]?.[2]]).toEqual([24000, 7]);
+  });
 
-      await app.bench((bench) => bench.replug());
-      await app.isReady();
-      await app.review();
-      const safety = app.dialog.getByRole('checkbox', { name: 'The propeller is off' });
-      expect(await safety.isChecked(), 'asked again for this connection').toBe(false);
-      await app.tickSafety();
-      await app.dialog.getByRole('button', { name: /^(Write|Read back)/ }).click();
-      await app.result('Verified.');
-      const { times, positions } = await app.bench(({ content }) => content);
-      expect([times[10], positions[0]?.[2]]).toEqual([24000, 7]);
-    });
-  }
-
-  test('while the difference is looked at: the dialog does not offer what it cannot do', async () => {
+  test('while the difference is shown: the dialog does not offer what it cannot do', async () => {
     const app = await edited();
     await app.review();
     await app.tickSafety();
@@ -174,7 +98,7 @@ describe('the plug is pulled', () => {
     expect((await start.isVisible()) && (await start.isEnabled())).toBe(false);
   });
 
-  test('the sentence is in sight, wherever the page is scrolled on a phone', async () => {
+  test('the message is visible, wherever the page is scrolled on a phone', async () => {
     const app = await AppPage.open({ bench: {}, viewport: { width: 390, height: 844 } });
     await app.connect();
     await app.field('DT, S1').scrollIntoViewIfNeeded();
@@ -209,28 +133,7 @@ describe('an impatient pilot', () => {
     expect(await app.sets()).toEqual(['SETTIMERS', 'SETSERVO']);
   });
 
-  test('stops a write: it says what is not certain, and a second write finishes it', async () => {
-    const app = await edited();
-    await app.page.evaluate(() => {
-      const { core } = window.workbench.adapter.timer;
-      core.onAnswer = ({ name }) => {
-        if (name !== 'SETTIMERS') return;
-        [...document.querySelectorAll('dialog button')]
-          .find((button): button is HTMLButtonElement => button.textContent === 'Stop')
-          ?.click();
-      };
-    });
-    await app.write();
-    await app.result('It is not certain what the timer holds.');
-    expect(await app.sets()).toEqual(['SETTIMERS']);
-    await app.close();
-    await app.readAgain();
-    await app.text('1 change').waitFor();
-    await app.write();
-    await app.result('Verified.');
-  });
-
-  test('presses Escape again and again while it writes: the result is shown all the same', async () => {
+  test('presses Escape again and again during a write: the result is still shown', async () => {
     const app = await edited();
     // A timer that sleeps makes the writing last long enough for a hand.
     await app.bench((bench) => bench.sleepAt('SETTIMERS'));
@@ -245,7 +148,7 @@ describe('an impatient pilot', () => {
     await app.review();
   });
 
-  test('loads the page again in the middle of a write: is asked first, and finds the edits after it', async () => {
+  test('reloads the page during a write: is asked first, and finds the edits after it', async () => {
     const app = await edited();
     let asked = 0;
     app.page.on('dialog', (dialog) => {
@@ -267,15 +170,10 @@ describe('an impatient pilot', () => {
 describe('without Web Serial', () => {
   const without = (): unknown => Reflect.deleteProperty(Navigator.prototype, 'serial');
 
-  test('the page names the browsers that have it, and the simulated timers are there', async () => {
+  test('the page names the browsers that have it; edits of a simulated timer are kept, and can be written', async () => {
     const app = await AppPage.open({ before: without });
     await app.text('On a computer, use Chrome or Edge 89, Opera 75, Firefox 151, or a later version.').waitFor();
     await expect.poll(() => app.button('Connect').count()).toBe(0);
-    await app.trySimulated('F1B');
-  });
-
-  test('edits of the simulated timer are back after a reload, and can be written to it', async () => {
-    const app = await AppPage.open({ before: without });
     await app.trySimulated('F1Q');
     await app.type('Function 2, S1', '7');
     await app.kept();

@@ -15,26 +15,25 @@ const lies: [string, (body: Uint8Array) => Answer][] = [
   ['that there is none', () => ({ status: 404, body: 'gone' })],
   ['that it is broken', () => ({ status: 503, type: 'text/html', body: 'later' })],
 ];
-describe('a host that answers a new version with', () => {
-  test.for(lies)('%s changes nothing', async ([, lie]) => {
-    const { host, page, script } = await visited();
-    publish(host, 'A new version');
+test('a host that sends wrong files for a new version changes nothing, and right files are used', async () => {
+  const { host, page, script } = await visited();
+  publish(host, 'A new version');
+  for (const [what, lie] of lies) {
     host.lie = (address) => (address === script ? lie(host.files.get(script) as Uint8Array) : undefined);
-    expect(await update(page)).toBe('redundant');
-    await page.reload();
-    await isDrawn(page);
-    expect(await page.title()).toBe('Sidus Timer');
-    await page.context().setOffline(true);
-    await page.reload();
-    await isDrawn(page);
+    expect(await update(page), what).toBe('redundant');
+    for (const offline of [false, true]) {
+      await page.context().setOffline(offline);
+      await page.reload();
+      await isDrawn(page);
+      expect(await page.title(), what).toBe('Sidus Timer');
+    }
     await page.context().setOffline(false);
-
-    host.lie = () => undefined;
-    expect(await update(page), 'and when it tells the truth again').toBe('installed');
-    await page.getByRole('button', { name: 'Use it now' }).click();
-    await expect.poll(() => page.title()).toBe('A new version');
-    await isDrawn(page);
-  });
+  }
+  host.lie = () => undefined;
+  expect(await update(page)).toBe('installed');
+  await page.getByRole('button', { name: 'Use it now' }).click();
+  await expect.poll(() => page.title()).toBe('A new version');
+  await isDrawn(page);
 });
 
 /** Takes some of what is kept away, as a browser may that has no room. */
@@ -61,7 +60,7 @@ function keptNames(page: Page): Promise<string[]> {
   });
 }
 
-test('what is kept is what the page needs; letters of another language from when they were read', async () => {
+test('the worker keeps what the page needs, and letters of another language once they were used', async () => {
   const { host, page } = await visited();
   const readCzech = (): Promise<number> =>
     page.evaluate(async () => (await document.fonts.load('16px "Inter Variable"', 'ř')).length);
@@ -83,18 +82,21 @@ test('what is kept is what the page needs; letters of another language from when
   expect(await readCzech()).toBe(1);
 });
 
-describe('what was kept and is gone', () => {
-  test.for(['.js', '.css', 'index.html'])('is fetched again: %s', async (ending) => {
+describe('a kept file that is gone', () => {
+  test('is fetched again', async () => {
     const { page } = await visited();
-    expect(await lose(page, ending)).toBeGreaterThan(0);
-    await page.reload();
-    await isDrawn(page);
-    await page.context().setOffline(true);
-    await page.reload();
-    await isDrawn(page);
+    for (const ending of ['.js', '.css', 'index.html']) {
+      expect(await lose(page, ending), ending).toBeGreaterThan(0);
+      for (const offline of [false, true]) {
+        await page.context().setOffline(offline);
+        await page.reload();
+        await isDrawn(page);
+      }
+      await page.context().setOffline(false);
+    }
   });
 
-  test('and is no longer at the host either gives way to what is there', async () => {
+  test('is replaced by the present version when the host does not have it either', async () => {
     const { host, page } = await visited();
     // A version all of whose files have other names.
     for (const [name, body] of [...host.files]) {
@@ -110,7 +112,7 @@ describe('what was kept and is gone', () => {
     await isDrawn(page);
   });
 
-  test('is everything: the page comes from the host', async () => {
+  test('comes from the host with the whole page when everything is gone', async () => {
     const { page } = await visited();
     await page.evaluate(async () => {
       for (const name of await caches.keys()) await caches.delete(name);
@@ -120,7 +122,7 @@ describe('what was kept and is gone', () => {
   });
 });
 
-test('the way out throws the kept page and its worker away, and the page comes from the host', async () => {
+test('the way out deletes the kept page and its worker, and the page comes from the host', async () => {
   const { host, page } = await visited();
   host.files.set('sw.js', host.files.get('kill-sw.js') as Uint8Array);
   host.files.set(
@@ -146,7 +148,7 @@ test('the way out throws the kept page and its worker away, and the page comes f
   await expect.poll(() => page.evaluate(() => caches.keys())).toEqual([]);
 });
 
-test('a new version waits in another tab until what was typed there is kept', async () => {
+test('a new version waits until what was typed in another tab is kept', async () => {
   const { host, page } = await visited();
   const other = await page.context().newPage();
   await other.addInitScript(() => {

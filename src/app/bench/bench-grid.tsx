@@ -2,6 +2,7 @@ import { type ProgramField, valueAt } from '../../program/index.js';
 import { slotCount } from '../../protocol/index.js';
 import { figureText, messages, slotLabel } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { SlotHead } from '../ui/slot-head.js';
 import type { Bench } from './bench.js';
 import './bench-grid.css';
 
@@ -11,11 +12,11 @@ interface BenchGridProps {
 }
 
 /**
- * What the timer holds, function by function: each row moves the servos there, and the row where they stand is lit. A
- * position that was changed and is not in the timer yet stands behind the one to which the servo would go.
+ * The values in the timer, function by function. Each row moves the servos to its function; the row where they stand is
+ * lit. Where a changed position is not in the timer yet, it stands after the one to which the servo would go.
  */
 export function BenchGrid({ session, bench }: BenchGridProps) {
-  const { bench: words, program: names, servoName } = messages.value;
+  const { bench: words, program: names } = messages.value;
   const { baseline, working } = session.editor;
   const program = baseline.value ?? working.value;
   const at = bench.stand.at.value;
@@ -28,17 +29,7 @@ export function BenchGrid({ session, bench }: BenchGridProps) {
       <div class="bench-table">
         <table>
           <caption class="visually-hidden">{words.grid}</caption>
-          <thead>
-            <tr>
-              <th scope="col">{words.slots}</th>
-              <th scope="col">{names.time}</th>
-              {servos.map((servo) => (
-                <th scope="col" key={servo}>
-                  {servoName(servo)}
-                </th>
-              ))}
-            </tr>
-          </thead>
+          <SlotHead slot={words.slots} headings={[names.time]} servos={identity.servos} />
           <tbody>
             {Array.from({ length: slotCount(identity) }, (_, slot) => (
               <tr key={slotLabel(identity, slot)} class={slot === at ? 'here' : ''}>
@@ -66,7 +57,7 @@ export function BenchGrid({ session, bench }: BenchGridProps) {
   );
 }
 
-/** What the timer holds, and what it does not hold yet. */
+/** The position in the timer, and the new one that is not there yet. */
 function Position({ session, field }: { readonly session: Session; readonly field: ProgramField }) {
   const { bench: words } = messages.value;
   const { baseline, working } = session.editor;
@@ -77,7 +68,7 @@ function Position({ session, field }: { readonly session: Session; readonly fiel
   return <td class="pending">{words.pending(String(held), String(wanted))}</td>;
 }
 
-/** From one function to the next. */
+/** Buttons to the previous and the next function. */
 function Steps({ bench, count }: { readonly bench: Bench; readonly count: number }) {
   const { bench: words } = messages.value;
   const ready = bench.ready.value;
@@ -96,7 +87,7 @@ function Steps({ bench, count }: { readonly bench: Bench; readonly count: number
             <svg class="icon" width="20" height="20" aria-hidden="true">
               <path d={path} />
             </svg>
-            {name}
+            <span>{name}</span>
           </button>
         );
       })}

@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
-import { type Change, fieldKey, type ProgramField } from '../../program/index.js';
+import { type Change, differences, fieldKey, type ProgramField } from '../../program/index.js';
 import { comparingMessages } from '../messages/comparing.js';
 import { dayText, fieldLabel, figureText, messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
@@ -13,12 +13,12 @@ import './compare-page.css';
 export interface ComparePageProps {
   readonly session: Session;
   readonly pair: ComparedPair;
-  /** The servos follow what is edited: they would move with each value. */
+  /** Whether the servos follow edits: they would move with each value that is taken. */
   readonly following: boolean;
   readonly onBack: () => void;
 }
 
-/** Two programs side by side, and single values of one into the other where that is on the screen. */
+/** Two programs side by side. Single values can be taken from one into the other, if that one is on the screen. */
 export function ComparePage({ session, pair, following, onBack }: ComparePageProps) {
   const compare = useMemo(() => new Compare(session, pair), [session, pair]);
   const { compare: words } = comparingMessages.value;
@@ -74,9 +74,10 @@ function Pair({ session, compare, following, first, second }: PairProps) {
   const { compare: words } = comparingMessages.value;
   const names = [nameOf(session, first), nameOf(session, second)] as const;
   const onScreen = first.key === SCREEN || second.key === SCREEN;
+  const isSame = differences(first.program, second.program).length === 0;
   const setting = [first, second].find((side) => side.kind === 'setting');
   const canOpen = setting && !onScreen && session.opened.obstacle(setting.program) === null;
-  // What the other one does not know cannot be taken.
+  // A value that the other program does not know cannot be taken.
   const other = first.key === SCREEN ? 'to' : 'from';
   const action = (change: Change) => {
     const value = change[other];
@@ -98,7 +99,7 @@ function Pair({ session, compare, following, first, second }: PairProps) {
       title={words.picture(...names)}
       actionOf={onScreen && !following ? action : undefined}
     >
-      {onScreen && <p class="hint">{following ? words.following : words.takeHint}</p>}
+      {onScreen && !isSame && <p class="hint">{following ? words.following : words.takeHint}</p>}
       {canOpen && (
         <button type="button" onClick={() => void compare.open(setting)}>
           {words.openFirst(setting.record.setting.name)}
@@ -162,7 +163,7 @@ function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
   );
 }
 
-/** What a program is called. */
+/** The name of a program on this page. */
 function nameOf(session: Session, side: Side): string {
   const { compare: words } = comparingMessages.value;
   const { memoryName, recovery } = messages.value;

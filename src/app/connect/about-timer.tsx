@@ -4,13 +4,14 @@ import { messages, portKeyName, portName, timerName } from '../messages/index.js
 import type { Assumed } from '../session/link.js';
 import { identityOfKind, kindKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
+import { Check } from '../ui/check.js';
 import './about-timer.css';
 
 type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
 
 /**
- * What is known of the timer at hand, and what is assumed of those at the ports that are known; in every state
- * of the wire.
+ * What is known about the connected timer, and what is assumed about timers on known ports. Shown whatever the
+ * connection does.
  */
 export function AboutTimer({ session }: { readonly session: Session }) {
   const { aboutTimer: about } = messages.value;
@@ -37,10 +38,10 @@ interface AtHandProps {
   readonly connection: TimerConnection;
 }
 
-/** What it is, how it is reached, and what it does in its own way. */
+/** What the timer is, how it is connected, and how it differs from others. */
 function AtHand({ session, connection }: AtHandProps) {
   const { aboutTimer: about, header } = messages.value;
-  // What a job or a write has found out is told when it ends.
+  // Findings of a job or a write are shown when it ends.
   const busy = session.runner.busy.value;
   const { client, identity, settings, portKey } = connection;
   const { functions, memories, servos } = identity;
@@ -80,15 +81,14 @@ function AtHand({ session, connection }: AtHandProps) {
       )}
       <h2>{about.assumed}</h2>
       {(Object.keys(about.assumptions) as Assumption[]).map((name) => (
-        <label class="check" key={name}>
-          <input
-            type="checkbox"
-            checked={client.quirksAssumed[name] === true}
-            disabled={busy}
-            onChange={(event) => void session.timer.assume({ [name]: event.currentTarget.checked })}
-          />
+        <Check
+          key={name}
+          checked={client.quirksAssumed[name] === true}
+          disabled={busy}
+          onChange={(checked) => void session.timer.assume({ [name]: checked })}
+        >
           {about.assumptions[name]}
-        </label>
+        </Check>
       ))}
       <p class="hint">{about.assumedHint}</p>
       {Object.keys(client.quirksAssumed).length > 0 && (
@@ -104,7 +104,7 @@ function AtHand({ session, connection }: AtHandProps) {
   );
 }
 
-/** What was found out about a kind of timer at a port earlier. */
+/** Earlier findings about a kind of timer on a port. */
 function Remembered({ session, assumed }: { readonly session: Session; readonly assumed: Assumed }) {
   const { aboutTimer: about, header } = messages.value;
   const identity = identityOfKind(assumed.kind);

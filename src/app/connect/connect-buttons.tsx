@@ -4,13 +4,13 @@ import { type Session, SIMULATED_CLASSES } from '../session/session.js';
 interface ConnectButtonsProps {
   readonly session: Session;
   readonly large?: boolean;
-  /** Where there is no room for all of them: `first` is the one that is wanted most. Default: all. */
+  /** Where there is no room for all buttons: `first` is the most wanted one. Default: all. */
   readonly part?: 'first' | 'rest';
 }
 
 /**
- * Connect, or Read where the first reading failed; the simulated timer again where the program is of it; Choose a port
- * for when the one used before is the wrong one; and where a program is on the screen, the way back to the start.
+ * Connect, or Read after a failed first reading. Again the simulated timer, if the program is from it. Choose a port,
+ * for when the last one is wrong. With a program on the screen, also the way back to the start.
  */
 export function ConnectButtons({ session, large = false, part }: ConnectButtonsProps) {
   const { header, program } = messages.value;
@@ -18,7 +18,7 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
   const timerClass = session.editor.working.value?.identity.timerClass;
   const again = session.simulated.value && SIMULATED_CLASSES.find((simulated) => simulated === timerClass);
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
-  // What was changed has a way of its own to the timer.
+  // A changed program has its own way to the timer.
   const leads = large || session.editor.changes.value.length === 0;
   const choice = failed || session.link.ports.value.length > 0;
   return (
@@ -45,8 +45,13 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
         </button>
       )}
       {part !== 'first' && timerClass && !session.connection.value && (
-        <button type="button" class="quiet" disabled={session.engaged.value} onClick={() => session.onScreen.putAway()}>
-          {header.putAway}
+        <button
+          type="button"
+          class="quiet"
+          disabled={session.engaged.value}
+          onClick={() => session.onScreen.closeProgram()}
+        >
+          {header.closeProgram}
         </button>
       )}
     </>

@@ -4,6 +4,7 @@ import { CLASSES, LAYOUTS, type NewProgram, newProgram, USUAL_LAYOUT } from '../
 import { messages } from '../messages/index.js';
 import { CountChoice } from '../ui/count-choice.js';
 import { Modal } from '../ui/modal.js';
+import { SegmentChoice } from '../ui/segment-choice.js';
 import './new-program-dialog.css';
 
 interface NewProgramDialogProps {
@@ -14,7 +15,7 @@ interface NewProgramDialogProps {
 
 const FIRST: NewProgram = { timerClass: 'Q', ...USUAL_LAYOUT, from: 'usual' };
 
-/** Asks for class, layout and beginning of a program that is made without a timer. */
+/** Asks for class, layout and first values of a program that is made without a timer. */
 export function NewProgramDialog({ open, onMake, onClose }: NewProgramDialogProps) {
   const { newProgram: words } = messages.value;
   return (
@@ -41,29 +42,20 @@ function Choices({ onMake, onClose }: Omit<NewProgramDialogProps, 'open'>) {
       }}
     >
       <p>{words.lead}</p>
-      <fieldset>
-        <legend>{words.timerClass}</legend>
-        <div class="segments">
-          {CLASSES.map((each) => (
-            <label key={each}>
-              <input
-                type="radio"
-                class="visually-hidden"
-                name="new-class"
-                checked={each === timerClass}
-                onChange={() => choose({ timerClass: each })}
-              />
-              <span>{classNames[each]}</span>
-            </label>
-          ))}
-        </div>
-      </fieldset>
+      <SegmentChoice
+        name="new-class"
+        title={words.timerClass}
+        choices={CLASSES}
+        names={classNames as Record<(typeof CLASSES)[number], string>}
+        chosen={timerClass}
+        onChoose={(choice) => choose({ timerClass: choice })}
+      />
       <div class="new-layout">
         <CountChoice
           label={words.functions}
           range={LAYOUTS.functions}
           value={functions}
-          // DT is counted as one of them on the wire, and not by a pilot.
+          // The wire counts DT as a function; a pilot does not.
           shown={(count) => count - 1}
           onChoose={(count) => choose({ functions: count })}
         />
@@ -77,7 +69,7 @@ function Choices({ onMake, onClose }: Omit<NewProgramDialogProps, 'open'>) {
       <fieldset>
         <legend>{words.from}</legend>
         {(['usual', 'nothing'] as const).map((each) => (
-          <label class="beginning" key={each}>
+          <label class="check" key={each}>
             <input type="radio" name="new-from" checked={each === from} onChange={() => choose({ from: each })} />
             {words.beginnings[each]}
           </label>
@@ -85,11 +77,11 @@ function Choices({ onMake, onClose }: Omit<NewProgramDialogProps, 'open'>) {
       </fieldset>
       <p class="hint">{words.caution}</p>
       <div class="buttons">
+        <button type="button" class="quiet" onClick={onClose}>
+          {words.cancel}
+        </button>
         <button type="submit" class="primary">
           {words.make}
-        </button>
-        <button type="button" onClick={onClose}>
-          {words.cancel}
         </button>
       </div>
     </form>

@@ -17,20 +17,20 @@ import { putBack, replaceAll, withValues } from './edit.js';
 import { EMPTY_HISTORY, groupOf, type History, mapStates, type StepName, settle } from './history.js';
 import { WorkingCopy } from './working-copy.js';
 
-/** What can be put back into an editor: see {@link Editor.snapshot}. */
+/** What can be put back into an editor; see {@link Editor.snapshot}. */
 export interface EditorContent extends Content {
   readonly baseline: TimerProgram;
   readonly history?: History<Content> | undefined;
   /**
-   * When the baseline was read, in milliseconds since 1970; null where that is not known. Not the editor's own: see
-   * `Knowledge`.
+   * When the baseline was read, in milliseconds since 1970; null when that is not known.
+   * `Knowledge` owns it, not the editor.
    */
   readonly readAt?: number | null | undefined;
-  /** When it was made, for one that was read from no timer: see {@link Editor.madeAt}. The baseline is how it began. */
+  /** When a program that was read from no timer was made; see {@link Editor.madeAt}. Its baseline is how it began. */
   readonly madeAt?: number;
 }
 
-/** A program that was made on this device: when, in milliseconds since 1970, and how it began. */
+/** A program that was made on this device: when (milliseconds since 1970), and its first values. */
 interface Made {
   readonly at: number;
   readonly from: TimerProgram;
@@ -39,31 +39,31 @@ interface Made {
 const NO_CONFLICTS: ReadonlyMap<string, Change> = new Map();
 
 /**
- * The program on the screen. The baseline is what the timer last said, the working copy what the pilot wants;
- * everything else follows from the two.
+ * The program on the screen. The baseline is what the timer last said; the working copy is what the pilot wants.
+ * Everything else follows from these two.
  */
 export class Editor extends WorkingCopy {
   readonly #baseline = signal<TimerProgram | null>(null, { name: 'baseline' });
   readonly #fresh = signal(false, { name: 'fresh' });
   readonly #shortDt = signal(6000, { name: 'shortDt' });
   readonly #moved = signal(NO_CONFLICTS, { name: 'moved' });
-  /** Each has a time of its own, by which it is kept. */
+  /** No two programs have the same time, because the time is their key in the storage. */
   #lastMade = 0;
   readonly #made = signal<Made | null>(null, { name: 'made' });
   readonly #confirmed = signal<ReadonlySet<string>>(new Set(), { name: 'confirmed' });
 
-  /** What the timer last said; null where nothing was read: there is no program, or it was made here. */
+  /** What the timer last said; null when nothing was read: there is no program, or it was made here. */
   readonly baseline: ReadonlySignal<TimerProgram | null> = this.#baseline;
-  /** Whether the baseline is what a reading of this connection gave, whole, with nothing sent since. */
+  /** Whether the baseline is a whole reading from this connection, with nothing sent since. */
   readonly fresh: ReadonlySignal<boolean> = this.#fresh;
-  /** The values that a write has changed and the reading back has confirmed, as long as that is on the screen. */
+  /** The fields that a write has changed and the read back has confirmed, while they stay on the screen. */
   readonly confirmed: ReadonlySignal<ReadonlySet<string>> = this.#confirmed;
-  /** A DT below this is called short, in hundredths of a second. */
+  /** A DT below this counts as short, in hundredths of a second. */
   readonly shortDt: ReadonlySignal<number> = this.#shortDt;
 
   /**
-   * When the program was made, for one that was read from no timer, in milliseconds since 1970: nothing that stands in
-   * it says anything about a timer. Null for one that was read.
+   * When a program that was read from no timer was made, in milliseconds since 1970: it says nothing about any timer.
+   * Null for one that was read.
    */
   readonly madeAt: ReadonlySignal<number | null> = computed(() => this.#made.value?.at ?? null);
 
@@ -77,8 +77,8 @@ export class Editor extends WorkingCopy {
     () => new Map(this.changes.value.map((change) => [fieldKey(change.field), change])),
   );
   /**
-   * What the timer held where it has changed under the pilot's edits, by field: `from` when they were made, `to` by the
-   * last read.
+   * Values of the timer that have changed under the pilot's edits, by field. `from`: when the edits were made. `to`: in
+   * the last reading.
    */
   readonly conflicts: ReadonlySignal<ReadonlyMap<string, Change>> = computed(
     () => new Map([...this.#moved.value].filter(([key]) => this.changed.value.has(key))),
@@ -88,11 +88,21 @@ export class Editor extends WorkingCopy {
     const baseline = this.#baseline.value ?? undefined;
     return working ? checkProgram(working, { baseline, shortDt: this.#shortDt.value }) : [];
   }, isSameFinding);
-  /** Whether something stands in the way of a write. */
+  /** The findings about fields, by field. */
+  readonly findingsAt: ReadonlySignal<ReadonlyMap<string, readonly Finding[]>> = computed(() => {
+    const found = new Map<string, Finding[]>();
+    for (const finding of this.findings.value) {
+      if (!finding.field) continue;
+      const key = fieldKey(finding.field);
+      found.set(key, [...(found.get(key) ?? []), finding]);
+    }
+    return found;
+  });
+  /** Whether something prevents a write. */
   readonly blocked: ReadonlySignal<boolean> = computed(
     () => this.unreadable.value.size > 0 || hasErrors(this.findings.value),
   );
-  /** Whether there is anything that a reload would lose. */
+  /** Whether a reload would lose anything. */
   readonly dirty: ReadonlySignal<boolean> = computed(
     () => this.changes.value.length > 0 || this.unreadable.value.size > 0,
   );
@@ -121,8 +131,8 @@ export class Editor extends WorkingCopy {
   }
 
   /**
-   * What was asked about a text is not answered: the text is taken back, or where more was done since then the field is
-   * put back to what the timer holds.
+   * The pilot does not answer what a text means: takes the text back. If more was done since then, puts the field back
+   * to what the timer holds.
    */
   takeBack(field: ProgramField): void {
     if (this.endsWithTyping(field)) this.undo();
@@ -130,8 +140,8 @@ export class Editor extends WorkingCopy {
   }
 
   /**
-   * Escape in a field: what was typed last, or stepped last, since it was entered will not have been; if nothing was,
-   * the field is put back to what the timer holds.
+   * Escape in a field: takes back what was typed or stepped there since the field was entered. If nothing was, puts the
+   * field back to what the timer holds.
    */
   escape(field: ProgramField): void {
     const key = fieldKey(field);
@@ -140,9 +150,9 @@ export class Editor extends WorkingCopy {
   }
 
   /**
-   * The timer was read. Edits stay: they are taken over onto what the timer holds now.
-   * @returns whether there are edits and the timer holds something else than when they were made, beyond what the pilot
-   * wants anyway: a part of the edits may have been written.
+   * The timer was read again. Edits stay, now on top of what the timer holds.
+   * @returns whether the timer has changed under the edits, other than to what the pilot wants anyway. A part of the
+   * edits may have been written.
    */
   rebase(read: TimerProgram): boolean {
     const before = this.#baseline.value;
@@ -157,14 +167,14 @@ export class Editor extends WorkingCopy {
       if (moved) this.#moved.value = conflictsWith(this.#moved.value, differences(before, read));
       this.#baseline.value = read;
       this.#fresh.value = true;
-      // Undo must not bring back what nobody typed; what the pilot wrote is no surprise and can be undone.
+      // Undo must not bring back what nobody typed. What the pilot wrote is no surprise and can be undone.
       const history = mapStates(this.history.value, (state) => followed(state, unforeseen, read));
       this.show(ontoReading(content, before, read), history);
     });
     return moved;
   }
 
-  /** A write was read back: whatever was in conflict is decided. */
+  /** A write was read back, which settles all conflicts. */
   wrote(held: TimerProgram): void {
     batch(() => {
       this.rebase(held);
@@ -172,23 +182,23 @@ export class Editor extends WorkingCopy {
     });
   }
 
-  /** Something was sent that may store: the timer may hold something else than what was read. */
+  /** A command was sent that may store: the timer may hold something else than what was read. */
   sent(): void {
     this.#fresh.value = false;
   }
 
-  /** The result of a write comes, or goes with none: see {@link confirmed}. */
+  /** Sets the fields that a write has confirmed, or none; see {@link confirmed}. */
   confirm(fields: readonly ProgramField[]): void {
     this.#confirmed.value = new Set(fields.map(fieldKey));
   }
 
-  /** The timer has acknowledged a value: it is what the timer holds, whatever the pilot wants by now. */
+  /** The timer has acknowledged a value, so the timer now holds it, whatever the pilot wants by now. */
   acknowledge(field: ProgramField, value: number): void {
     const baseline = this.#baseline.value;
     if (baseline) this.#baseline.value = withValues(baseline, [{ field, value }]);
   }
 
-  /** What has to be kept to come back to this point. */
+  /** Everything that is needed to come back to this point. */
   snapshot(): EditorContent | null {
     const made = this.#made.value;
     const baseline = made?.from ?? this.#baseline.value;
@@ -198,8 +208,8 @@ export class Editor extends WorkingCopy {
   }
 
   /**
-   * Comes back to what was kept. Texts of fields that do not exist are dropped, and a history that does not fit.
-   * @returns false, and nothing is changed, when the two programs do not fit together.
+   * Comes back to a snapshot. Drops texts of fields that do not exist, and a history that does not fit.
+   * @returns false, with nothing changed, when the two programs do not have the same layout.
    */
   restore({ baseline, working, texts, of, backupOf, history = EMPTY_HISTORY, madeAt }: EditorContent): boolean {
     if (!sameLayout(baseline.identity, working.identity)) return false;
@@ -213,7 +223,7 @@ export class Editor extends WorkingCopy {
   }
 
   /**
-   * A new program, of no timer.
+   * Shows a new program that is from no timer.
    * @param from the setting that it is opened from, or the model whose backup it is.
    */
   make(program: TimerProgram, from: Partial<Pick<Content, 'of' | 'backupOf'>> = {}): void {
@@ -222,7 +232,7 @@ export class Editor extends WorkingCopy {
     this.#begin(null, false, { working: program, texts: {}, ...from }, EMPTY_HISTORY, { at, from: program });
   }
 
-  /** Nothing on the screen. */
+  /** Shows no program. */
   clear(): void {
     this.#begin(null, this.#fresh.peek(), null);
   }

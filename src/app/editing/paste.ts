@@ -21,19 +21,26 @@ import {
   TIME_COLUMN,
 } from './grid.js';
 import type { StepName } from './history.js';
-import { type Parsed, parseInterval, parseSteps, parseTime, readInterval, type UnreadableReason } from './units.js';
+import {
+  type Parsed,
+  parseInterval,
+  parseSteps,
+  parseTime,
+  plainDigits,
+  readInterval,
+  type UnreadableReason,
+} from './units.js';
 
 /**
  * What may be wrong with a pasted cell.
- *
  * - `not-a-time`, `too-fine`, `not-a-whole-number`: it is not a value.
  * - `time-out-of-range`, `position-out-of-range` (min, max): the wire cannot carry it.
- * - `later-out-of-range` (min, max): its interval would move a later function to where the wire cannot carry it.
+ * - `later-out-of-range` (min, max): its interval would move a later function to a time that the wire cannot carry.
  * - `before-unreadable`: its interval counts from a time that is not pasted, and whose text is not a value.
  * - `later-unreadable`: its interval would move a later function whose text is not a value.
- * - `interval-disagrees`: the row has a time too, and this is not the interval that follows from the times.
- * - `reserved`: slot 0 of a class other than Q is edited only as a field of its own.
- * - `too-large` (cells, characters): the rest of the text from this row on was not read.
+ * - `interval-disagrees`: the row also has a time, and this interval does not follow from the times.
+ * - `reserved`: slot 0 of a class other than Q can be edited only on its own.
+ * - `too-large` (cells, characters): the text was not read from this row on.
  */
 export type PasteProblemCode =
   | Exclude<UnreadableReason, 'empty' | 'ambiguous'>
@@ -48,16 +55,16 @@ export type PasteProblemCode =
 export interface PasteProblem {
   readonly code: PasteProblemCode;
   readonly params: Readonly<Record<string, number>>;
-  /** Where it stands in the text that was pasted, counted from 0 with headings and names. */
+  /** Its place in the pasted text, counted from 0, headings and row names included. */
   readonly row: number;
   readonly column: number;
-  /** What stands there, not all of it if it is long. */
+  /** Its text, shortened if it is long. */
   readonly text: string;
-  /** Where it was to go; of a cell that was to go to several, the first that could not take it. */
+  /** The field for which it was meant. For a cell that fills several fields: the first that refused it. */
   readonly field: GridField | null;
 }
 
-/** A pasted text that a pilot could have typed for something else. Tables are taken at their word: it is seconds. */
+/** A pasted text that would be ambiguous where a pilot types it. In a table it is read as seconds. */
 export interface PasteReading {
   readonly field: GridField;
   readonly text: string;
@@ -66,38 +73,35 @@ export interface PasteReading {
 }
 
 /**
- * What a text would do to a program. Nothing is done if there is a problem, unless the rest is taken on purpose: see
- * {@link pasted}.
+ * What a text would do to a program.
+ * With any problem nothing is done, unless the pilot wants the rest: see {@link pasted}.
  */
 export interface PastePreview {
-  /** What would change. */
+  /** The values that would change. */
   readonly changes: readonly Change[];
-  /** What would be set, changed or not. */
+  /** The values that would be set, whether they change or not. */
   readonly values: readonly FieldValue[];
-  /** Row by row. */
+  /** In the order of the rows. */
   readonly problems: readonly PasteProblem[];
-  /** How texts are read that would be asked about where they are typed, row by row. */
+  /** How texts were read that would be ambiguous where a pilot types them. In the order of the rows. */
   readonly readings: readonly PasteReading[];
-  /**
-   * How many cells with something in them have no place: past the edge of the grid, or under a heading of something
-   * else.
-   */
+  /** How many filled cells have no place: past the edge of the grid, or under an unknown heading. */
   readonly ignored: number;
-  /** The first row was taken for headings. */
+  /** Whether the first row was taken for headings. */
   readonly headings: boolean;
-  /** The first column was taken for names of rows. */
+  /** Whether the first column was taken for names of rows. */
   readonly names: boolean;
 }
 
 export interface PasteOptions extends TextOption {
   /**
-   * What the columns of the grid are called, time first. A table pasted at the time column under such headings goes
+   * The names of the grid's columns, time first. A table with such headings that is pasted at the time column goes
    * where they say.
    */
   readonly headings?: readonly string[];
 }
 
-/** A cell with something in it, and where it goes. */
+/** A filled cell, and where it goes. */
 interface Pasted {
   readonly row: number;
   readonly column: number;
@@ -109,9 +113,9 @@ const LONGEST_TEXT = 60;
 
 /**
  * What pasting a text at a range would do. The text begins at the first cell of the range and may go beyond the range;
- * a single cell fills all of the range. Empty cells leave what is there. At the time column a table is taken to have no
- * intervals, unless it is as wide as the grid. Where a row has both, its time counts and the interval must agree; else
- * intervals are set from top to bottom, and functions without a cell keep their distance to the one above.
+ * a single cell fills the whole range. Empty cells change nothing. A table pasted at the time column has no intervals,
+ * unless it is as wide as the grid. In a row with both, the time counts and the interval must agree with it. Intervals
+ * without times are set from top to bottom; functions without a cell keep their distance to the one above.
  */
 export function previewPaste(
   program: TimerProgram,
@@ -134,8 +138,8 @@ export function previewPaste(
 }
 
 /**
- * The edit that a paste is.
- * @param takeRest the pilot has seen the problems and wants what can be read anyway.
+ * The edit that a paste makes.
+ * @param takeRest the pilot has seen the problems, and wants everything that can be read.
  */
 export function pasted({ changes, values, problems }: PastePreview, takeRest = false): Edit {
   const name: StepName = { code: 'paste', params: { count: changes.length } };
@@ -179,12 +183,12 @@ function place(
   return { cells, ignored, headings, names };
 }
 
-/** How long a row is without the empty cells at its end. */
+/** The length of a row without the empty cells at its end. */
 function lengthOf(texts: readonly string[]): number {
   return texts.reduce((length, text, at) => (text === '' ? length : at + 1), 0);
 }
 
-/** The columns of the grid that a table of this width goes to. */
+/** The columns of the grid for a table of this width. */
 function acrossFrom(identity: Identity, left: number, width: number): number[] {
   const right = gridColumns(identity) - 1;
   const all = width === gridColumns(identity) && left === TIME_COLUMN;
@@ -193,9 +197,7 @@ function acrossFrom(identity: Identity, left: number, width: number): number[] {
     : columnsIn(identity, { top: 0, bottom: 0, left, right });
 }
 
-/**
- * The columns of the grid that stand under their names, -1 for others; null where no name is known or one comes twice.
- */
+/** The grid columns of these headings, -1 for an unknown one; null where none is known or one comes twice. */
 function columnsByName(texts: readonly string[], known: readonly string[]): number[] | null {
   const plain = (text: string): string => text.trim().toLowerCase();
   const names = known.map(plain);
@@ -207,15 +209,15 @@ function columnsByName(texts: readonly string[], known: readonly string[]): numb
 const WORD = /^(?!(?:nan|inf|infinity)$)\p{L}/iu;
 
 /**
- * Whether these are headings or names: there are some, and each begins with a letter. What spreadsheets say in place of
- * a number is no word.
+ * Whether these are headings or names: there are some, and each begins with a letter.
+ * The error texts of spreadsheets do not count.
  */
 function areWords(texts: readonly string[]): boolean {
   const some = texts.filter((text) => text !== '');
   return some.length > 0 && some.every((text) => WORD.test(text));
 }
 
-/** What the cells set, and which of them cannot be. */
+/** What the cells set, and which of them are refused. */
 function resolve(
   program: TimerProgram,
   cells: readonly Pasted[],
@@ -277,12 +279,12 @@ function isReserved({ timerClass }: Identity, { kind, slot }: GridField): boolea
   return kind === 'time' && slot === 0 && timerClass !== 'Q';
 }
 
-/** Minutes need their colon here: with a comma between columns, `2.05,5` may be two cells. */
+/** Here minutes need their colon: with a comma between columns, `2.05,5` may be two cells. */
 const TWO_MARKS = /^[^:]*[.,][^:]*[.,]/;
 
 function parseCell({ text, field }: Pasted): Parsed {
   if (field.kind === 'position') return parseSteps(text);
-  if (TWO_MARKS.test(text)) return { unreadable: 'not-a-time' };
+  if (TWO_MARKS.test(plainDigits(text))) return { unreadable: 'not-a-time' };
   return field.kind === 'time' ? parseTime(text) : parseInterval(text);
 }
 

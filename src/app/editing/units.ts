@@ -1,24 +1,40 @@
 /**
- * Between what a pilot types and what the rooms below count in: hundredths of a second and whole steps. Digits are
- * taken apart as text, so that 0.07 is 7 and never 7.000000000000001.
+ * Converts between what a pilot types and the units of the rooms below: hundredths of a second and whole steps. It
+ * works on the digits as text, so that 0.07 is 7 and never 7.000000000000001.
  */
 
 /**
- * Why a typed text is not a value: nothing in it, no number, finer than a hundredth of a second, not a whole number, or
- * one that a pilot can mean in several ways.
+ * Why a typed text is not a value: it is empty, no number, finer than a hundredth of a second,
+ * not a whole number, or ambiguous.
  */
 export type UnreadableReason = 'empty' | 'not-a-time' | 'too-fine' | 'not-a-whole-number' | 'ambiguous';
 
 export type Parsed = { readonly value: number } | { readonly unreadable: Exclude<UnreadableReason, 'ambiguous'> };
 
-/** What a text may mean, in hundredths of a second: never the same twice. */
+/** Nobody sees these: they come with a copied text. */
+const UNSEEN = /[\u00ad\u200b\u200e\u200f\u2060\ufeff]/g;
+/** The signs that keyboards and other programs have for a minus. */
+const MINUS = /[\u2010-\u2013\u2212]/g;
+
+/** A typed or copied number without spaces around it, with plain spaces inside and the plain minus sign. */
+export function plainDigits(text: string): string {
+  // Nearly every text.
+  if (!/[^ -~]/.test(text)) return text.trim();
+  return text
+    .replaceAll(UNSEEN, '')
+    .replaceAll(/\p{Zs}/gu, ' ')
+    .replaceAll(MINUS, '-')
+    .trim();
+}
+
+/** The possible meanings of a text, in hundredths of a second. All different. */
 export interface Ambiguous {
   readonly unreadable: 'ambiguous';
-  /** As minutes, or minutes and seconds, the likeliest first; at the end as seconds. */
+  /** First as minutes, or minutes and seconds, the likeliest first; last as seconds. */
   readonly either: readonly [minutes: number, ...more: number[], seconds: number];
 }
 
-/** A text is not a value, or one, or asks which of several is meant. */
+/** A text that is not a value, a text that is one, or an ambiguous text. */
 export type TypedText = Parsed | Ambiguous;
 
 const TIME = /^(?:(\d{1,4})(?::(?=[0-5]?\d(?:[.,]|$))|[.,](?=[0-5]\d[.,])))?(\d{1,6})?(?:[.,](\d*))?$/;
@@ -27,12 +43,12 @@ const CLOCK_IN_MINUTES = /^(\d+:[\d.,]+) ?min$/i;
 const DECIMAL_MINUTES = /^(\d{0,4})[.,](\d{1,2}) ?min$/i;
 
 /**
- * `12.5`, `12,5`, `.5`, `2:05`, `2:05.5` to hundredths of a second; `2.05.5` too, since the number pads of some phones
- * have no colon; and with units, `20 s`, `3 min`, `2.5 min`, `2 min 30 s`, `3:00 min`. Without units and colon it
- * is seconds: see {@link readTime} for what a pilot may have meant.
+ * Reads a time in hundredths of a second. Forms: `12.5`, `12,5`, `.5`, `2:05`, `2:05.5`; `2.05.5`, because the number
+ * pads of some phones have no colon; and with units `20 s`, `3 min`, `2.5 min`, `2 min 30 s`, `3:00 min`. A number
+ * without unit or colon is in seconds. {@link readTime} asks what a pilot may have meant.
  */
 export function parseTime(text: string): Parsed {
-  const trimmed = text.trim();
+  const trimmed = plainDigits(text);
   if (trimmed === '') return { unreadable: 'empty' };
   const match = TIME.exec(withoutUnits(trimmed));
   const [, minutes = '0', seconds = '', fraction = ''] = match ?? [];
@@ -41,7 +57,7 @@ export function parseTime(text: string): Parsed {
   return { value: Number(minutes) * 6000 + Number(seconds) * 100 + Number(fraction.slice(0, 2).padEnd(2, '0')) };
 }
 
-/** The same time with a colon, or in plain seconds; a text of another form as it is. */
+/** The same time with a colon, or in plain seconds. A text of another form stays as it is. */
 function withoutUnits(text: string): string {
   const clock = CLOCK_IN_MINUTES.exec(text)?.[1];
   if (clock !== undefined) return clock;
@@ -52,14 +68,14 @@ function withoutUnits(text: string): string {
   return `${minutes}:${seconds || '00'}`;
 }
 
-/** No DT is longer by the manuals: so many minutes, in hundredths of a second. */
+/** The longest DT of the manuals (12 min), in hundredths of a second. */
 const LONGEST_DT = 72_000;
 const MINUTES_ALONE = /^(\d{1,2})[.,]?$/;
 const MINUTES_POINT_SECONDS = /^(\d{0,2})[.,]([0-5]\d?)$/;
-/** Half a minute, or what can be no seconds: decimals of a minute, then. */
+/** Half minutes, or decimals that cannot be seconds: so decimals of a minute. */
 const MINUTES_POINT_DECIMALS = /^(\d{0,2})[.,](5|[6-9]\d?)$/;
 const MINUTES_AND_SECONDS = /^(\d{1,2})([0-5]\d)$/;
-/** How minutes are written without saying so, the likeliest first, and what one of the two digits after is worth. */
+/** How pilots write minutes without saying so, the likeliest first, and what the two digits after are worth. */
 const FORMS: readonly (readonly [RegExp, number])[] = [[MINUTES_AND_SECONDS, 100]];
 const DT_FORMS: typeof FORMS = [
   ...FORMS,
@@ -69,21 +85,21 @@ const DT_FORMS: typeof FORMS = [
 ];
 
 /**
- * Like {@link parseTime}, but where a pilot may as well have meant minutes it asks which: silently taking the wrong one
- * costs a flight or a model. With a colon, with units and with two marks a text is never in question. Else it is
+ * Like {@link parseTime}, but it asks where a pilot may also have meant minutes: the wrong guess would cost a flight or
+ * a model. A text with a colon, a unit or two decimal marks is never ambiguous. These texts are:
  *
  * - everywhere, `230` and `0230`: 2 min 30 s or 230 s;
  * - for DT, which is set in minutes and whole seconds, also `2.30`, `2,30`, `.30`, and `2.3` for 2.30: 2 min 30 s or
- * 2.3 s;
+ *   2.3 s;
  * - for DT also `2.5`: 2 min 30 s, 2 min 50 s or 2.5 s; and `2.75`: 2 min 45 s or 2.75 s;
  * - for DT also `3`: 3 min or 3 s.
  *
- * Minutes are in question up to the 12 of the longest DT: `20` is 20 s, and so is `20.30` no 20 minutes.
+ * Minutes are possible up to the longest DT, 12 min. So `20` is 20 s, and `20.30` is 20.3 s.
  */
 export function readTime(text: string, { isDt }: { readonly isDt: boolean }): TypedText {
   const parsed = parseTime(text);
   if ('unreadable' in parsed) return parsed;
-  const trimmed = text.trim();
+  const trimmed = plainDigits(text);
   const forms = isDt ? DT_FORMS : FORMS;
   const meant = forms.flatMap(([form, perHundredth]) => {
     const [, minutes, part = ''] = form.exec(trimmed) ?? [];
@@ -94,15 +110,15 @@ export function readTime(text: string, { isDt }: { readonly isDt: boolean }): Ty
   return { unreadable: 'ambiguous', either: [first, ...more, parsed.value] };
 }
 
-/** `65` to 65. A sign is understood, so that the value can be refused for what it is. */
+/** Reads `65` as 65. A minus sign is understood, so that the value can be refused with the right reason. */
 export function parseSteps(text: string): Parsed {
-  const trimmed = text.trim();
+  const trimmed = plainDigits(text);
   if (trimmed === '') return { unreadable: 'empty' };
   if (!/^-?\d{1,6}$/.test(trimmed)) return { unreadable: 'not-a-whole-number' };
   return { value: Number(trimmed) };
 }
 
-/** Hundredths of a second as a pilot writes them: `0.50`, `12.05`; from a minute on `3:00` or `3:00.50`. */
+/** Writes hundredths of a second as pilots do: `0.50`, `12.05`; from one minute on `3:00` or `3:00.50`. */
 export function formatTime(hundredths: number): string {
   if (!Number.isInteger(hundredths) || hundredths < 0) return String(hundredths);
   const fraction = String(hundredths % 100).padStart(2, '0');
@@ -112,12 +128,12 @@ export function formatTime(hundredths: number): string {
   return fraction === '00' ? clock : `${clock}.${fraction}`;
 }
 
-/** Like {@link parseTime}, with a minus sign before it where times fall. */
+/** Like {@link parseTime}, with a minus sign where times fall. */
 export function parseInterval(text: string): Parsed {
   return signed(text, parseTime, (parsed) => ('value' in parsed ? { value: 0 - parsed.value } : parsed));
 }
 
-/** Like {@link readTime}, with a minus sign before it where times fall. */
+/** Like {@link readTime}, with a minus sign where times fall. */
 export function readInterval(text: string, kind: { readonly isDt: boolean }): TypedText {
   return signed(
     text,
@@ -133,24 +149,24 @@ export function readInterval(text: string, kind: { readonly isDt: boolean }): Ty
 }
 
 function signed<T>(text: string, read: (digits: string) => T, negative: (read: T) => T): T {
-  const [, sign, digits = text] = /^([-−])(?=[\d.,])(.*)$/.exec(text.trim()) ?? [];
+  const [, sign, digits = text] = /^(-)(?=[\d.,])(.*)$/.exec(plainDigits(text)) ?? [];
   return sign ? negative(read(digits)) : read(digits);
 }
 
-/** Like {@link formatTime}, with a minus sign before it where times fall. */
+/** Like {@link formatTime}, with a minus sign where times fall. */
 export function formatInterval(hundredths: number): string {
   return hundredths < 0 ? `-${formatTime(-hundredths)}` : formatTime(hundredths);
 }
 
-/** A time as a large figure, and what its unit is. */
+/** A time as a large figure, with its unit. */
 export interface Figure {
   readonly text: string;
   readonly unit: 's' | 'min';
 }
 
 /**
- * Below a minute seconds, from a minute on minutes and seconds: `10.0` s, `20` s, `3:00` min. It has the decimals of
- * the step in which the time is set, and more where the time has them.
+ * Seconds below one minute, minutes and seconds from then on: `10.0` s, `20` s, `3:00` min. It has as many decimals as
+ * the step of the time, or more where the time has more.
  * @param step hundredths of a second.
  */
 export function formatFigure(hundredths: number, step: number): Figure {
@@ -161,12 +177,12 @@ export function formatFigure(hundredths: number, step: number): Figure {
   return { text: shown === '' ? whole : `${whole}.${shown}`, unit };
 }
 
-/** A time taken apart to be said: `2` and `30`, `0` and `2.3`. */
+/** The parts of a time for a spoken form: `2` and `30`, `0` and `2.3`. */
 export function spokenParts(hundredths: number): { readonly minutes: number; readonly seconds: string } {
   return { minutes: Math.floor(hundredths / 6000), seconds: plainSeconds(hundredths % 6000) };
 }
 
-/** Seconds without a zero too many: `230`, `2.3`. */
+/** Seconds without needless zeros: `230`, `2.3`. */
 export function plainSeconds(hundredths: number): string {
   return String(hundredths / 100);
 }

@@ -19,14 +19,14 @@ interface FlightDialogProps {
   readonly log: FlightLog;
 }
 
-/** One flight, to be filled in with cold hands: what is noted first stands first. */
+/** A form for one flight, for cold hands. What pilots note first stands first. */
 export function FlightDialog({ session, log }: FlightDialogProps) {
   const { form: words } = flightMessages.value;
   const { flights, models } = session.library;
   const key = log.filling.value;
   const isHere = flights.get(key) !== undefined;
   useEffect(() => {
-    // The models to choose from, and the places and the flight before.
+    // Loads the models to choose from, and the log with its places and the flight before.
     if (key !== null) void Promise.all([models.load(), flights.load()]);
   }, [key, models, flights]);
   return (
@@ -37,7 +37,7 @@ export function FlightDialog({ session, log }: FlightDialogProps) {
 }
 
 interface FormProps extends FlightDialogProps {
-  /** Of the flight. */
+  /** The key of the flight. */
   readonly id: string;
 }
 
@@ -51,11 +51,16 @@ function Form({ id, session, log }: FormProps) {
     return opened ? new FlightForm(log, opened.flight, list[at + 1]?.flight ?? null) : null;
   }, [id, log, flights]);
   const box = useRef<HTMLFormElement>(null);
+  useEffect(() => {
+    const keep = (): void => form?.keepNow();
+    addEventListener('pagehide', keep);
+    return () => removeEventListener('pagehide', keep);
+  }, [form]);
   if (!form) return null;
   const flight = form.flight.value;
   const done = (event: Event): void => {
     event.preventDefault();
-    // What is typed and cannot be read is shown once more; Escape leaves it.
+    // Done first leads to a text that cannot be read; Escape closes the form with it.
     const wrong = box.current?.querySelector<HTMLElement>('[aria-invalid="true"]');
     if (wrong) wrong.focus();
     else log.close();
@@ -93,7 +98,7 @@ function Form({ id, session, log }: FormProps) {
           {flying.again}
         </button>
       </div>
-      <div class="buttons flight-closing">
+      <div class="buttons">
         {form.changed.value && (
           <button type="button" class="quiet" onClick={() => form.undo()}>
             {words.undo}
@@ -134,7 +139,7 @@ function Result({ form }: { readonly form: FlightForm }) {
   );
 }
 
-/** A result as it was read: in minutes, and in seconds where these are not the same. */
+/** The result as it was understood: in minutes, and in seconds where those look different. */
 function understood(result: number): string {
   const { form: words } = flightMessages.value;
   const text = resultText(result);
@@ -173,7 +178,7 @@ function Round({ form }: { readonly form: FlightForm }) {
   );
 }
 
-/** A round of a contest with a DT for trimming: it is asked before it is flown, and said after. */
+/** A contest round with a short DT for trimming: asks before the flight, says so afterwards. */
 function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: FlightForm }) {
   const { shortDt, memoryName } = messages.value;
   const { form: words } = flightMessages.value;
@@ -265,7 +270,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
   );
 }
 
-/** A copy of what the timer held: nothing changes it any more. */
+/** The program that was flown: a copy that nothing changes any more. */
 function Flown({ form }: { readonly form: FlightForm }) {
   const { form: words } = flightMessages.value;
   const { program } = form.flight.value;

@@ -4,25 +4,25 @@ import { dayOf, timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { type Measure, measureText, RANGES, type ReadMeasure, readMeasure, steppedMeasure } from './measures.js';
 
-/** Why what was typed is no value. */
+/** Why a typed text is no value. */
 export type Problem = Extract<ReadMeasure, { unreadable: unknown }>['unreadable'] | 'not-a-date';
 type Field = Measure | 'at';
 
 /**
- * One flight that is filled in. What can be read is in the log at once, so that nothing typed is lost; what cannot be
- * read stays in its field.
+ * A flight in its form. A value goes into the log at once, so nothing typed is lost.
+ * A text that is no value stays in its field.
  */
 export class FlightForm {
   readonly flight: ReadonlySignal<Flight>;
-  /** What was changed since the form was opened. */
+  /** Whether anything has changed since the form was opened. */
   readonly changed: ReadonlySignal<boolean>;
   readonly problems: ReadonlySignal<ReadonlyMap<Field, Problem>>;
   readonly #changes = signal<Partial<Flight>>({}, { name: 'flightChanges' });
-  /** As they stand in their fields where they are not what the flight would say. */
+  /** The texts of the fields, where they differ from what the flight would show. */
   readonly #texts = signal<ReadonlyMap<Field, string>>(new Map(), { name: 'flightTexts' });
   readonly #log: FlightLog;
   readonly #opened: Flight;
-  /** The same day before: wind and temperature change slowly. */
+  /** The flight before on the same day: wind and temperature change slowly. */
   readonly #before: Flight | null;
   #waits = false;
   #keeping = false;
@@ -50,12 +50,12 @@ export class FlightForm {
     );
   }
 
-  /** What stands in the field of a number. */
+  /** The text in the field of a number. */
   textOf(measure: Measure): string {
     return this.#texts.value.get(measure) ?? measureText(this.flight.value[measure]);
   }
 
-  /** What stands in the field of the date: `2026-11-22T14:05`. */
+  /** The text in the field of the date: `2026-11-22T14:05`. */
   get when(): string {
     const { at } = this.flight.value;
     return this.#texts.value.get('at') ?? `${dayOf(at)}T${timeOfDay(at)}`;
@@ -67,12 +67,12 @@ export class FlightForm {
     if ('value' in read) this.#change({ [measure]: read.value });
   }
 
-  /** The field was left: what it says stands in it as it is written elsewhere. */
+  /** The field was left: its value gets the usual form. */
   leave(measure: Measure): void {
     if (!this.problems.peek().has(measure)) this.#text(measure, null);
   }
 
-  /** One step up or down; the first tap of an empty field takes what it was on the flight before. */
+  /** One step up or down. In an empty field, the first tap takes the value of the flight before. */
   step(measure: Measure, direction: 1 | -1): void {
     const value = this.flight.peek()[measure];
     const next =
@@ -81,7 +81,7 @@ export class FlightForm {
     this.#change({ [measure]: next });
   }
 
-  /** A date and a time of day as a browser gives them. */
+  /** Sets date and time of day from the text of a browser's field. */
   setWhen(text: string): void {
     const at = text === '' ? Number.NaN : new Date(text).getTime();
     const isDate = at >= 0;
@@ -93,7 +93,7 @@ export class FlightForm {
     this.#change({ round });
   }
 
-  /** The round of a button; pressed once more it is taken back. */
+  /** Sets the round of a button. Pressed again, the button removes it. */
   pickRound(round: string): void {
     this.setRound(this.flight.peek().round === round ? '' : round);
   }
@@ -106,16 +106,16 @@ export class FlightForm {
     this.#change({ note });
   }
 
-  /** @param model null: none of the library. */
+  /** @param model null for none. */
   setModel(model: Model | null): void {
     this.#change({ model: model?.id ?? null, modelName: model?.name ?? '' });
   }
 
-  /** Everything as it was when the form was opened. */
+  /** Restores everything as it was when the form was opened. */
   undo(): void {
     this.#texts.value = new Map();
     const names = Object.keys(this.#changes.peek()) as (keyof Flight)[];
-    // What another tab has changed meanwhile, and this form has not, stays.
+    // Fields that only another tab has changed stay.
     this.#change(Object.fromEntries(names.map((name) => [name, this.#opened[name]])));
   }
 
@@ -131,7 +131,12 @@ export class FlightForm {
     void this.#keep();
   }
 
-  /** One at a time: while one is kept the next ones wait together. */
+  /** The pilot leaves the page: keeps what waits for the save in progress. */
+  keepNow(): void {
+    if (this.#waits) void this.#log.change(this.#opened.id, this.#changes.peek());
+  }
+
+  /** One save at a time: changes that come during a save wait for the next one. */
   async #keep(): Promise<void> {
     this.#waits = true;
     if (this.#keeping) return;

@@ -1,6 +1,7 @@
 import { useEffect, useLayoutEffect } from 'preact/hooks';
 import { flightMessages } from '../messages/flights.js';
 import type { Session } from '../session/session.js';
+import { BackSign } from '../ui/back-sign.js';
 import { CsvExport } from './csv-export.js';
 import { FilterBar } from './filter-bar.js';
 import { NO_FILTER } from './flight-filter.js';
@@ -16,13 +17,13 @@ export interface FlightsViewProps {
   readonly log: FlightLog;
 }
 
-/** The log of flights: newest first, by day and place, with what is filtered and its totals. */
+/** The log of flights with its filter and totals: newest first, by day and place. */
 export function FlightsView({ session, log }: FlightsViewProps) {
   const words = flightMessages.value;
   const { library } = session;
   const { list, loaded, failed } = library.flights;
   useLayoutEffect(() => {
-    // From further down in the library; where one was in the log, the view knows itself.
+    // The pilot may come from further down in the library. The view itself remembers the place inside the log.
     document.documentElement.scrollTop = 0;
   }, []);
   useEffect(() => {
@@ -34,7 +35,10 @@ export function FlightsView({ session, log }: FlightsViewProps) {
   return (
     <div class="flights">
       <div class="flights-head">
-        <a href="#library">{words.library}</a>
+        <a href="#library">
+          <BackSign />
+          {words.library}
+        </a>
         <h1>{words.title}</h1>
       </div>
       <FlyingThis session={session} log={log} again />

@@ -1,21 +1,22 @@
-import { parseTime } from '../editing/units.js';
+import { parseTime, plainDigits } from '../editing/units.js';
 
 /*
- * Between what a pilot types with cold hands and the numbers of a flight. Comma or point, with the unit or without.
+ * Converts between what a pilot types with cold hands and the numbers of a flight: with comma or point, with or without
+ * the unit.
  */
 
-/** The numbers that are noted of a flight: metres per second, degrees Celsius, seconds. */
+/** The numbers that a flight has: wind in metres per second, temperature in degrees Celsius, result in seconds. */
 export const MEASURES = ['wind', 'temperature', 'result'] as const;
 export type Measure = (typeof MEASURES)[number];
 
-/** As in `Flight`: what each may be, and by how much a step changes it. */
+/** The range of each, as in `Flight`, and the size of a step. */
 export const RANGES = {
   wind: { min: 0, max: 50, step: 1, first: 2 },
   temperature: { min: -50, max: 60, step: 1, first: 15 },
   result: { min: 0, max: 36_000, step: 1, first: 180 },
 } as const satisfies Record<Measure, { min: number; max: number; step: number; first: number }>;
 
-/** A number, or nothing was noted; or why it is none. */
+/** A number; null for an empty text; or why the text is no number. */
 export type ReadMeasure =
   | { readonly value: number | null }
   | { readonly unreadable: 'not-a-number' | 'not-a-time' | 'too-fine' | 'out-of-range' };
@@ -26,9 +27,9 @@ const UNITS: Readonly<Record<Exclude<Measure, 'result'>, RegExp>> = {
   temperature: /\s*(?:°\s*c?|c)$/i,
 };
 
-/** `3`, `3,5`, `-2.5`, `4 m/s`, `12 °C`; a result also as `2:58` and `3 min`. An empty text means: not noted. */
+/** Reads `3`, `3,5`, `-2.5`, `4 m/s`, `12 °C`; a result also as `2:58` and `3 min`. Empty text: nothing noted. */
 export function readMeasure(measure: Measure, text: string): ReadMeasure {
-  const trimmed = text.trim();
+  const trimmed = plainDigits(text);
   if (trimmed === '') return { value: null };
   const read = measure === 'result' ? readResult(trimmed) : readNumber(trimmed.replace(UNITS[measure], ''));
   if ('unreadable' in read || read.value === null) return read;
@@ -36,12 +37,12 @@ export function readMeasure(measure: Measure, text: string): ReadMeasure {
   return read.value < min || read.value > max ? { unreadable: 'out-of-range' } : read;
 }
 
-/** A number as it is typed, and shown in a field. A result stays in seconds: so it is written on a score card. */
+/** A number in the form of its field. A result stays in seconds, as on a score card. */
 export function measureText(value: number | null): string {
   return value === null ? '' : String(value);
 }
 
-/** The next value up or down: on the next whole step, within what is allowed. */
+/** The next value up or down, on a whole step and within the range. */
 export function steppedMeasure(measure: Measure, value: number, direction: 1 | -1): number {
   const { min, max, step } = RANGES[measure];
   const next = direction > 0 ? Math.floor(value / step) + 1 : Math.ceil(value / step) - 1;
@@ -55,8 +56,7 @@ function readResult(text: string): ReadMeasure {
 }
 
 function readNumber(text: string): ReadMeasure {
-  // The minus of a typesetter is on some keyboards.
-  const [, sign, whole = '', fraction = ''] = NUMBER.exec(text.replace('−', '-')) ?? [];
+  const [, sign, whole = '', fraction = ''] = NUMBER.exec(text) ?? [];
   if (whole === '' && fraction === '') return { unreadable: 'not-a-number' };
   const value = Number(`${whole || '0'}.${fraction || '0'}`);
   return { value: sign === '-' && value !== 0 ? -value : value };

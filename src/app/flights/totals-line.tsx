@@ -3,7 +3,7 @@ import type { FlightRecord } from '../storage/index.js';
 import { totalsOf } from './flight-list.js';
 import { resultText } from './flight-text.js';
 
-/** How many flights, the best, the average, and the full rounds: in one line. */
+/** One line: how many flights, the best, the average, and the full rounds. */
 export function TotalsLine({ records }: { readonly records: readonly FlightRecord[] }) {
   const { totals: words } = flightMessages.value;
   const { flights, best, average, rounds, maxima } = totalsOf(records);
@@ -11,8 +11,14 @@ export function TotalsLine({ records }: { readonly records: readonly FlightRecor
     <p class="flight-totals">
       <strong>{words.flights(flights)}</strong>
       {best !== null && <span>{words.best(resultText(best))}</span>}
-      {average !== null && <span>{words.average(resultText(Math.round(average)))}</span>}
+      {average !== null && <span>{words.average(resultText(tenthsDown(average)))}</span>}
       {rounds > 0 && <span>{words.maxima(maxima, rounds)}</span>}
     </p>
   );
+}
+
+/** Rounded down: an average of 179.7 s is no 3:00 min, and is never above the best. */
+function tenthsDown(seconds: number): number {
+  // A sum of tenths has a rounding error.
+  return Math.floor(seconds * 10 + 1e-6) / 10;
 }

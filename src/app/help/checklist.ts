@@ -2,7 +2,7 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 
-/** What is looked at before each flight, what is dangerous last. `classes`: only timers of these have it. */
+/** What to check before each flight, the dangerous things last. `classes`: only timers of these classes have it. */
 const ITEMS = [
   { id: 'memory' },
   { id: 'dtTime' },
@@ -15,9 +15,9 @@ const ITEMS = [
 ] as const satisfies readonly { id: string; classes?: string }[];
 export type ItemId = (typeof ITEMS)[number]['id'];
 
-/** So long a tick stands for the flight that comes, in milliseconds. */
+/** How long a tick counts for the next flight, in milliseconds. */
 const TICK_LIFE = 20 * 60_000;
-/** What a pilot can add, and how long each may be. */
+/** How many items a pilot can add, and how long each may be. */
 const MOST_OWN = 30;
 export const LONGEST_OWN = 120;
 
@@ -26,45 +26,47 @@ const ownSchema = v.pipe(
   v.maxLength(MOST_OWN),
 );
 
-/** Under what a tick of something that was added is kept: no text of a pilot is an id by chance. */
+/** The key of a tick of an added item. The text of a pilot can never be the id of another item. */
 export function ownKey(text: string): string {
   return `own ${text}`;
 }
 
 /**
- * What a pilot goes through before a flight. The ticks are for one flight: they are never kept, and begin afresh where
- * all was done, or where the last one was made too long ago. What a pilot has added is kept.
+ * What a pilot checks before a flight. Ticks are for one flight and are never stored. They start again after the last
+ * one is ticked, or when the latest tick is too old. Items that the pilot has added are stored.
  */
 export class Checklist {
   readonly #ticked = signal<ReadonlySet<string>>(new Set(), { name: 'ticked' });
   readonly #own = signal<readonly string[]>([...new Set(loadSetting('checklist', ownSchema) ?? [])]);
   readonly #timerClass: ReadonlySignal<string | null>;
   #tickedAt = 0;
-  /** What is looked at with any timer, or with the one at hand. */
+  /** The items for any timer, and those for the class of the present one. */
   readonly items: ReadonlySignal<readonly ItemId[]> = computed(() => {
     const timerClass = this.#timerClass.value;
     return ITEMS.filter((item) => timerClass === null || !('classes' in item) || item.classes.includes(timerClass)).map(
       ({ id }) => id,
     );
   });
-  /** What the pilot has added, in the order in which that was done; no two are the same. */
+  /** The pilot's own items, oldest first. No two are equal. */
   readonly own: ReadonlySignal<readonly string[]> = this.#own;
-  /** By id; of what was added by its {@link ownKey}. */
+  /** By id; for an own item by its {@link ownKey}. */
   readonly ticked: ReadonlySignal<ReadonlySet<string>> = this.#ticked;
   readonly left: ReadonlySignal<number> = computed(
     () => [...this.items.value, ...this.own.value.map(ownKey)].filter((item) => !this.#ticked.value.has(item)).length,
   );
-  /** Whether the pilot is in the middle of it. */
+  /** Whether the pilot has begun and not finished it. */
   readonly begun: ReadonlySignal<boolean> = computed(() => this.#ticked.value.size > 0 && this.left.value > 0);
 
-  /** @param timerClass of the timer, or the program, at hand; null where there is none. */
+  /** @param timerClass the class of the timer or program; null for none. */
   constructor(timerClass: ReadonlySignal<string | null>) {
     this.#timerClass = timerClass;
   }
 
-  /** The pilot comes to it. */
+  /** The pilot opens it. */
   enter(): void {
-    const isOld = Date.now() - this.#tickedAt > TICK_LIFE;
+    const since = Date.now() - this.#tickedAt;
+    // With a clock that was put back, nobody knows how long ago it was.
+    const isOld = since > TICK_LIFE || since < 0;
     if (this.#ticked.peek().size > 0 && (this.left.peek() === 0 || isOld)) this.clear();
   }
 
@@ -80,7 +82,9 @@ export class Checklist {
     this.#ticked.value = new Set();
   }
 
-  /** @returns whether it was added: not what is empty, too long, or there already, and not one too many. */
+  /**
+   * @returns whether it was added. Refused: an empty text, one that is too long or already there, or one item too many.
+   */
   add(text: string): boolean {
     const own = [...this.own.peek(), text.trim()];
     if (new Set(own).size < own.length || !v.is(ownSchema, own)) return false;

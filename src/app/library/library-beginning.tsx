@@ -1,6 +1,7 @@
 import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import type { Browse } from './browse.js';
+import { foundText } from './model-list.js';
 import { SettingList } from './setting-list.js';
 import './library-beginning.css';
 
@@ -9,11 +10,23 @@ interface LibraryBeginningProps {
   readonly browse: Browse;
 }
 
-/** Beside the models while none is chosen: what was changed last; in an empty library what it is for. */
+/**
+ * Stands beside the models while none is chosen: what a search finds, the latest changes, or in an empty library what
+ * it is for.
+ */
 export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
   const { empty, models } = libraryMessages.value;
-  // What is searched for stands beside it.
-  if (browse.found.value !== null) return null;
+  const found = browse.found.value;
+  if (found !== null) {
+    return (
+      <>
+        <h2 class="library-latest">
+          <span role="status">{foundText(found.length)}</span>
+        </h2>
+        <SettingList {...{ session, browse }} records={found} chosen={null} withModel />
+      </>
+    );
+  }
   const records = browse.latest.value;
   if (records.length > 0) {
     return (
@@ -34,7 +47,7 @@ export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
   );
 }
 
-/** A model with its settings, as they will look: for the eye alone. */
+/** A sample of a model with settings, for the eye only. */
 function Sample() {
   const { sample } = libraryMessages.value.empty;
   return (

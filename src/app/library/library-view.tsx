@@ -18,19 +18,19 @@ export interface LibraryViewProps {
   /** The place in the library, see `placeOf`. */
   readonly path: string;
   readonly places: Places;
-  /** What was opened is to be seen. */
+  /** Shows the program that was opened. */
   readonly onProgram: () => void;
-  /** Another place of the library is to be seen. */
+  /** Goes to another place of the library. */
   readonly onGo: (path: string) => void;
 }
 
-/** So wide that models, settings and one of them stand side by side; so wide that two do. */
+/** From this width on, models, settings and one setting stand side by side; from the second width on, two of them. */
 const WIDE = '(min-width: 1100px) and (min-height: 480px)';
 const MIDDLE = '(min-width: 760px)';
 
 /**
- * The pilot's models and their settings. Side by side as far as there is room: the models, the settings of one, and
- * what is chosen; on a phone one of these, and the way back.
+ * The pilot's models and settings. Side by side where there is room: the models, the settings of one, and what is
+ * chosen. On a phone one of these, with a way back.
  */
 export function LibraryView({ session, browse, path, places, onProgram, onGo }: LibraryViewProps) {
   const words = libraryMessages.value;
@@ -64,7 +64,13 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
       {unread && <Unread library={library} />}
       <div class={`library columns-${columns} ${place.model === null ? 'no-model' : ''}`}>
         {shows(0) && (
-          <ModelList {...{ session, browse, places, onGo }} alone={one} chosen={place.model} setting={place.setting} />
+          <ModelList
+            {...{ session, browse, places, onGo }}
+            alone={one}
+            foundBeside={!one && depth === 0 && !unread}
+            chosen={place.model}
+            setting={place.setting}
+          />
         )}
         {shows(1) && (columns < 3 || place.model !== null) && (
           <ModelColumn
@@ -100,7 +106,7 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
   );
 }
 
-/** What is not seen is not said to be missing. */
+/** Entries that were not read must not look as if they were missing. */
 function Unread({ library }: { readonly library: Session['library'] }) {
   const words = libraryMessages.value;
   return (
@@ -114,8 +120,8 @@ function Unread({ library }: { readonly library: Session['library'] }) {
 }
 
 /**
- * Whoever comes to another place finds the keyboard there, unless it is somewhere in sight. On a phone each place
- * begins at its top, and is scrolled as it was for who comes back.
+ * Moves the focus to a new place, unless it is in sight already. On a phone each place begins at its top; a pilot who
+ * comes back finds it scrolled as before.
  */
 function usePlaces(path: string, scrolls: boolean): void {
   const places = useRef(new Map<string, number>());

@@ -1,12 +1,13 @@
 import { LIMITS } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { libraryMessages } from '../messages/library.js';
+import { plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { TextField } from './text-field.js';
 import './memory-names.css';
 
-/** As most timers have them. */
+/** The number of memories of most timers. */
 const USUAL_MEMORIES = 4;
 
 interface MemoryNamesProps {
@@ -15,7 +16,7 @@ interface MemoryNamesProps {
   readonly onChange: (names: readonly string[]) => void;
 }
 
-/** What the pilot calls the memories of the model's timer. */
+/** The pilot's names for the memories of the model's timer. */
 export function MemoryNames({ session, record, onChange }: MemoryNamesProps) {
   const { model: words } = libraryMessages.value;
   const { memoryName } = messages.value;
@@ -30,10 +31,11 @@ export function MemoryNames({ session, record, onChange }: MemoryNamesProps) {
           label={memoryName(memory)}
           value={names[memory] ?? ''}
           longest={LIMITS.name}
+          asKept={plainName}
           onSave={(text) => {
             const now = session.library.models.get(record.key)?.model.memoryNames ?? names;
             const length = Math.max(now.length, memory + 1);
-            onChange(Array.from({ length }, (_, at) => (at === memory ? text.trim() : (now[at] ?? ''))));
+            onChange(Array.from({ length }, (_, at) => (at === memory ? text : (now[at] ?? ''))));
           }}
         />
       ))}
@@ -42,7 +44,7 @@ export function MemoryNames({ session, record, onChange }: MemoryNamesProps) {
   );
 }
 
-/** How many memories its timer has, as far as anything that is kept of it says so. */
+/** How many memories its timer has, as far as the library shows it. */
 function memoriesOf({ library }: Session, { key, verified }: ModelRecord): number {
   const programs = [
     ...verified.map(({ program }) => program),

@@ -5,6 +5,7 @@ import { timerName } from '../messages/index.js';
 import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
+import { BackSign } from '../ui/back-sign.js';
 import { ArrangeButton } from './arrange.js';
 import type { Browse } from './browse.js';
 import { ArchiveButton } from './model-list.js';
@@ -16,15 +17,15 @@ interface ModelColumnProps {
   readonly session: Session;
   readonly browse: Browse;
   readonly places: Places;
-  /** Null: it is none of the library, or these are the settings of no model. */
+  /** Null when it is not in the library, or for the settings of no model. */
   readonly model: ModelRecord | null;
   readonly isLoose: boolean;
   /** The id of the setting that is chosen. */
   readonly chosen: string | null;
-  /** The models are not in sight: here is the way to them. */
+  /** Whether to show a way back to the models, because they are not in sight. */
   readonly back: boolean;
   readonly onGo: (path: string) => void;
-  /** What belongs to the model, where there is no other place for it. */
+  /** What belongs to the model and has no other place. */
   readonly children?: ComponentChildren;
 }
 
@@ -41,7 +42,8 @@ export function ModelColumn(props: ModelColumnProps) {
     <section class="library-model" aria-label={name}>
       {back && (
         <a class="library-back" href="#library">
-          {words.models.back(words.models.all)}
+          <BackSign />
+          {words.models.all}
         </a>
       )}
       {!model && !isLoose ? (

@@ -15,17 +15,19 @@ import { SettingList } from './setting-list.js';
 interface ModelListProps {
   readonly session: Session;
   readonly browse: Browse;
-  /** The id of the model that is chosen, and of its setting. */
+  /** The id of the chosen model, and of its setting. */
   readonly chosen: string | null;
   readonly setting: string | null;
   readonly places: Places;
-  /** Nothing stands beside it. */
+  /** Whether nothing stands beside it. */
   readonly alone: boolean;
+  /** Whether what a search finds stands beside it. */
+  readonly foundBeside: boolean;
   readonly onGo: (path: string) => void;
 }
 
-/** All models, or the settings that are searched for among all of them. */
-export function ModelList({ session, browse, chosen, setting, places, alone, onGo }: ModelListProps) {
+/** All models, or the settings that a search finds in all of them. */
+export function ModelList({ session, browse, chosen, setting, places, alone, foundBeside, onGo }: ModelListProps) {
   const words = libraryMessages.value;
   const making = useSignal(false);
   const found = browse.found.value;
@@ -46,7 +48,7 @@ export function ModelList({ session, browse, chosen, setting, places, alone, onG
         value={browse.text.value}
         onInput={(event) => browse.search(event.currentTarget.value)}
       />
-      {found === null ? (
+      {found === null || foundBeside ? (
         <>
           {isEmpty && alone && !library.unread.value && <p class="hint">{words.empty.lead}</p>}
           <Models {...{ session, browse, chosen }} />
@@ -61,7 +63,7 @@ export function ModelList({ session, browse, chosen, setting, places, alone, onG
       ) : (
         <>
           <p class="hint" role="status">
-            {found.length === 0 ? words.search.nothing : words.search.found(found.length)}
+            {foundText(found.length)}
           </p>
           <SettingList {...{ session, browse }} records={found} chosen={setting} withModel />
         </>
@@ -69,6 +71,12 @@ export function ModelList({ session, browse, chosen, setting, places, alone, onG
       <NewModelDialog open={making.value} session={session} onClose={() => (making.value = false)} onMade={onGo} />
     </section>
   );
+}
+
+/** “12 settings”, or that a search has found none. */
+export function foundText(count: number): string {
+  const { search } = libraryMessages.value;
+  return count === 0 ? search.nothing : search.found(count);
 }
 
 function isArchived({ model }: ModelRecord): boolean {
@@ -137,7 +145,7 @@ function ModelRowContent({ record, count, isChosen, isKept }: ModelRowProps) {
   );
 }
 
-/** What was put away is shown, or not, where there is any. */
+/** Shows or hides archived entries, where there are any. */
 export function ArchiveButton({ browse, count }: { readonly browse: Browse; readonly count: number }) {
   const { models: words } = libraryMessages.value;
   if (count === 0) return null;

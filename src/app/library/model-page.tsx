@@ -1,5 +1,6 @@
 import { LIMITS, type Model } from '../../program/index.js';
 import { libraryMessages } from '../messages/library.js';
+import { plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { ClassChoice } from './class-choice.js';
@@ -14,12 +15,12 @@ interface ModelPageProps {
   readonly session: Session;
   readonly places: Places;
   readonly record: ModelRecord;
-  /** It was deleted: its page is left. */
+  /** The model was deleted: leaves its page. */
   readonly onGone: () => void;
 }
 
 /**
- * All that is said of a model, beside or below its settings, which say its name. Each part is kept as it is changed.
+ * All facts about a model. They stand beside or below its settings, which show its name. Each change is saved at once.
  */
 export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
   const words = libraryMessages.value;
@@ -27,7 +28,7 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
   const { model } = record;
   const change = (changed: Partial<Model>): void => {
     if (library.models.removed.peek().some(({ key }) => key === record.key)) return;
-    // Onto what the library holds by now: another tab may have changed another part of it.
+    // Changes go onto the present record: another tab may have changed another part of it.
     const now = library.models.get(record.key)?.model ?? model;
     void library.keepModel({ ...now, ...changed });
   };
@@ -44,6 +45,7 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
         value={model.name}
         longest={LIMITS.name}
         required
+        asKept={plainName}
         onSave={(name) => change({ name })}
       />
       <ClassChoice value={model.timerClass} onChange={(timerClass) => change({ timerClass })} />

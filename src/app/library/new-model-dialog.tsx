@@ -12,11 +12,11 @@ interface NewModelDialogProps {
   readonly open: boolean;
   readonly session: Session;
   readonly onClose: () => void;
-  /** It is made: its page is to be seen. */
+  /** Shows the page of the new model. */
   readonly onMade: (id: string) => void;
 }
 
-/** Asks what a model is called, and of which class it is. */
+/** Asks for the name and the class of a new model. */
 export function NewModelDialog({ open, session, ...props }: NewModelDialogProps) {
   const { newModel: words } = libraryMessages.value;
   const id = useId();
@@ -45,7 +45,7 @@ function Form({ session, onClose, onMade }: Omit<NewModelDialogProps, 'open'>) {
       <NameField label={fields.name} value={name.value} onChange={(text) => (name.value = text)} />
       <ClassChoice value={timerClass.value} onChange={(letter) => (timerClass.value = letter)} />
       <div class="buttons">
-        <button type="button" onClick={onClose}>
+        <button type="button" class="quiet" onClick={onClose}>
           {words.cancel}
         </button>
         <button type="submit" class="primary">

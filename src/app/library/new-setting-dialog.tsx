@@ -16,14 +16,14 @@ import './library-form.css';
 interface NewSettingDialogProps {
   readonly open: boolean;
   readonly session: Session;
-  /** The model that it is for; null: none. */
+  /** The model that it is for; null for none. */
   readonly model: ModelRecord | null;
   readonly onClose: () => void;
-  /** It is made: its place in the library. */
+  /** Goes to the place of the new setting in the library. */
   readonly onMade: (path: string) => void;
 }
 
-/** Makes a setting without a timer: from usual times, or from nothing. */
+/** Makes a setting without a timer, from usual times or from nothing. */
 export function NewSettingDialog({ open, ...props }: NewSettingDialogProps) {
   const { newSetting: words } = libraryMessages.value;
   const id = useId();
@@ -38,7 +38,7 @@ function Form({ session, model, onClose, onMade }: Omit<NewSettingDialogProps, '
   const { save, newSetting } = libraryMessages.value;
   const { newProgram: words, classNames } = messages.value;
   const group = useId();
-  // As the settings that the model has.
+  // With the layout of the model's other settings.
   const like = session.library.settings.list.peek().find(({ setting }) => setting.model === (model?.key ?? null));
   const known = like?.setting.program.identity;
   const name = useSignal('');
@@ -93,7 +93,7 @@ function Form({ session, model, onClose, onMade }: Omit<NewSettingDialogProps, '
           label={words.functions}
           range={LAYOUTS.functions}
           value={functions.value}
-          // DT is counted as one of them on the wire, and not by a pilot.
+          // The wire counts DT as a function; a pilot does not.
           shown={(count) => count - 1}
           onChoose={(count) => (functions.value = count)}
         />
@@ -114,7 +114,7 @@ function Form({ session, model, onClose, onMade }: Omit<NewSettingDialogProps, '
       />
       <p class="hint">{words.caution}</p>
       <div class="buttons">
-        <button type="button" onClick={onClose}>
+        <button type="button" class="quiet" onClick={onClose}>
           {words.cancel}
         </button>
         <button type="submit" class="primary">

@@ -14,7 +14,7 @@ interface SaveDialogProps {
   readonly saveSetting: SaveSetting;
 }
 
-/** Asks as what the program on the screen is kept, or what becomes of what another tab has saved meanwhile. */
+/** Asks how to save the program on the screen, or what to do with a version that another tab has saved. */
 export function SaveDialog({ session, saveSetting }: SaveDialogProps) {
   const { save: words } = libraryMessages.value;
   const current = saveSetting.current.value;
@@ -33,7 +33,7 @@ export function SaveDialog({ session, saveSetting }: SaveDialogProps) {
   );
 }
 
-/** No id of a model. */
+/** Can be no id of a model. */
 const NEW = ' new';
 const NONE = '';
 
@@ -98,7 +98,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
         </p>
       )}
       <div class="buttons">
-        <button type="button" onClick={() => saveSetting.dismiss()}>
+        <button type="button" class="quiet" onClick={() => saveSetting.dismiss()}>
           {words.cancel}
         </button>
         <button type="submit" class="primary" disabled={!opened.savable.value}>
@@ -109,7 +109,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
   );
 }
 
-/** The model that it is likely for: that of the timer which is connected, or the only one of its class. */
+/** The model that it is probably for: that of the connected timer, or the only one of its class. */
 function suggested({ library, editor, modelAtHand }: Session): string | null {
   const atHand = modelAtHand.peek();
   if (atHand) return atHand.id;
@@ -120,7 +120,7 @@ function suggested({ library, editor, modelAtHand }: Session): string | null {
   return first && more.length === 0 ? first.key : null;
 }
 
-/** So many differences are told one by one. */
+/** How many differences are named. */
 const MOST_TOLD = 6;
 
 function Elsewhere({ session, saveSetting, theirs }: SaveDialogProps & { readonly theirs: Setting }) {
@@ -144,7 +144,7 @@ function Elsewhere({ session, saveSetting, theirs }: SaveDialogProps & { readonl
         </>
       )}
       <div class="buttons">
-        <button type="button" onClick={() => saveSetting.dismiss()}>
+        <button type="button" class="quiet" onClick={() => saveSetting.dismiss()}>
           {save.cancel}
         </button>
         <button type="button" onClick={() => saveSetting.take()}>

@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useCallback, useRef } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
 import { dateText } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
@@ -6,6 +6,7 @@ import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
+import { useNear } from '../ui/use-near.js';
 import { Arrange } from './arrange.js';
 import type { Browse } from './browse.js';
 import { addressOf } from './place.js';
@@ -16,13 +17,13 @@ interface SettingListProps {
   readonly records: readonly SettingRecord[];
   /** The id of the one that is chosen. */
   readonly chosen: string | null;
-  /** They are of many models: each says of which. */
+  /** Whether each setting names its model, because they are of many. */
   readonly withModel?: boolean;
-  /** Whether they can be put into another order now. */
+  /** Whether the rows can be moved now. */
   readonly arranging?: boolean;
 }
 
-/** Settings, one in a row. Of a long list only what is near is drawn. */
+/** Settings, one in a row. Of a long list only the rows nearby are drawn. */
 export function SettingList({ session, browse, records, chosen, withModel, arranging = false }: SettingListProps) {
   const { settings, models } = session.library;
   const room = browse.room.value;
@@ -88,19 +89,14 @@ function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }:
   );
 }
 
-/** The way to the rest of a long list, which takes itself when its place comes near. */
+/** A button for the rest of a long list. It acts without a click when it comes near the window. */
 function More({ browse, left }: { readonly browse: Browse; readonly left: number }) {
   const { list } = libraryMessages.value;
   const place = useRef<HTMLButtonElement>(null);
-  useEffect(() => {
-    const isNear = new IntersectionObserver((seen) => seen.some((each) => each.isIntersecting) && browse.showMore(), {
-      rootMargin: '1200px',
-    });
-    if (place.current) isNear.observe(place.current);
-    return () => isNear.disconnect();
-  }, [browse]);
+  const showMore = useCallback(() => browse.showMore(), [browse]);
+  useNear(place, showMore, 1200);
   return (
-    <button type="button" class="quiet" ref={place} onClick={() => browse.showMore()}>
+    <button type="button" class="quiet" ref={place} onClick={showMore}>
       {list.more(left)}
     </button>
   );

@@ -3,10 +3,11 @@ import { LIMITS, type Setting } from '../../program/index.js';
 import { clockText, dutyName, messages, timerName } from '../messages/index.js';
 import { libraryMessages } from '../messages/library.js';
 import { newId } from '../session/library.js';
-import { beginningOf } from '../session/plain-names.js';
+import { beginningOf, plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
+import { BackSign } from '../ui/back-sign.js';
 import { KeyFigures } from '../ui/key-figures.js';
 import { addressOf, addressPath, NO_MODEL } from './place.js';
 import type { Places } from './places.js';
@@ -17,16 +18,16 @@ import './setting-page.css';
 interface SettingPageProps {
   readonly session: Session;
   readonly places: Places;
-  /** Null: it is not in the library. */
+  /** Null when it is not in the library. */
   readonly setting: SettingRecord | null;
-  /** Where its settings are not in sight, the model that it belongs to, as in the address: the way back. */
+  /** The model in the address, for a way back where its settings are not in sight. */
   readonly back: string | null;
-  /** What was opened is to be seen. */
+  /** Shows the program that was opened. */
   readonly onProgram: () => void;
   readonly onGo: (path: string) => void;
 }
 
-/** One setting: its picture and figures, what was noted, and what can be done with it. */
+/** One setting: its picture and figures, its notes, and what can be done with it. */
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
   const words = libraryMessages.value;
@@ -34,9 +35,8 @@ export function SettingPage(props: SettingPageProps) {
   const { library } = session;
   const way = back !== null && (
     <a class="library-back" href={addressOf(back)}>
-      {words.models.back(
-        back === NO_MODEL ? words.models.loose : (library.models.get(back)?.model.name ?? words.models.all),
-      )}
+      <BackSign />
+      {back === NO_MODEL ? words.models.loose : (library.models.get(back)?.model.name ?? words.models.all)}
     </a>
   );
   if (!record) {
@@ -56,7 +56,7 @@ export function SettingPage(props: SettingPageProps) {
   });
   const change = (changed: Partial<Setting>): void => {
     if (library.settings.removed.peek().some(({ key }) => key === record.key)) return;
-    // Onto what the library holds by now: another tab may have changed another part of it.
+    // Changes go onto the present record: another tab may have changed another part of it.
     const now = library.settings.get(record.key)?.setting ?? setting;
     void library.keepSetting({ ...now, ...changed });
   };
@@ -87,6 +87,7 @@ export function SettingPage(props: SettingPageProps) {
         value={setting.name}
         longest={LIMITS.name}
         required
+        asKept={plainName}
         onSave={(name) => change({ name })}
       />
       <TextField
@@ -94,6 +95,7 @@ export function SettingPage(props: SettingPageProps) {
         value={tagsText(setting.tags)}
         longest={LIMITS.tags * (LIMITS.tag + 2)}
         hint={words.setting.tagsHint}
+        asKept={(text) => tagsText(asTags(plainName(text)))}
         onSave={(text) => change({ tags: asTags(text) })}
       />
       <label class="library-field">
@@ -186,7 +188,7 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
   );
 }
 
-/** What timer it is for. One that was made here is of no firmware. */
+/** The timer that it is for. A setting that was made here has no firmware. */
 function originText({ identity, memory }: Setting['program']): string {
   const { setting } = libraryMessages.value;
   const firmware = identity.firmware === '000' ? null : identity.firmware;

@@ -1,15 +1,18 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useRef } from 'preact/hooks';
 import { libraryMessages } from '../messages/library.js';
+import { useUnsaved } from '../ui/unsaved.js';
 import './text-field.css';
 
 interface TextFieldProps {
   readonly label: string;
-  /** What the library holds. */
+  /** The text in the library. */
   readonly value: string;
   readonly longest: number;
-  /** Keeps what was typed; an empty text may be refused. */
+  /** Saves a text. */
   readonly onSave: (text: string) => void;
+  /** The form in which the library keeps a typed text, such as a name without spaces around it. Default: as typed. */
+  readonly asKept?: (text: string) => string;
   readonly lines?: number;
   readonly required?: boolean;
   readonly hint?: string;
@@ -17,15 +20,22 @@ interface TextFieldProps {
   readonly hiddenLabel?: boolean;
 }
 
-/** So long after the last key a text is kept, in milliseconds: also when the page is left, and with the field. */
+/**
+ * How long after the last key a text is saved, in milliseconds. It is also saved when the page or the field goes away.
+ */
 const REST = 600;
 
-/** A text of the library that is kept as it is typed. What another tab saves in the same place meanwhile is told. */
+const asTyped = (text: string): string => text;
+
+/**
+ * A text of the library that is saved while it is typed.
+ * Says when another tab has saved something else in the same place.
+ */
 export function TextField(props: TextFieldProps) {
-  const { label, value, longest, onSave, lines, required, hint, placeholder, hiddenLabel } = props;
+  const { label, value, longest, onSave, lines, required, hint, placeholder, hiddenLabel, asKept = asTyped } = props;
   const words = libraryMessages.value;
   const id = useId();
-  /** What is typed, and what the library held then; null while the library is shown. */
+  /** The typed text, and the last text in the library that is known here; null while the library's text is shown. */
   const typed = useSignal<{ readonly text: string; readonly from: string } | null>(null);
   const theirs = useSignal<string | null>(null);
   const rest = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
@@ -33,12 +43,14 @@ export function TextField(props: TextFieldProps) {
   latest.current = props;
   const keep = (): void => {
     clearTimeout(rest.current);
-    const { value: held, required: must, onSave: save } = latest.current;
+    const { value: held, required: must, onSave: save, asKept = asTyped } = latest.current;
     const now = typed.peek();
-    if (!now || (must && now.text.trim() === '')) return;
-    if (held !== now.from && held !== now.text) theirs.value = held;
-    if (held !== now.text) save(must ? now.text.trim() : now.text);
-    typed.value = { text: now.text, from: now.text };
+    if (!now) return;
+    const kept = asKept(now.text);
+    if (must && kept === '') return;
+    if (held !== now.from && held !== kept) theirs.value = held;
+    if (held !== kept) save(kept);
+    typed.value = { text: now.text, from: kept };
   };
   const leave = (): void => {
     keep();
@@ -66,6 +78,8 @@ export function TextField(props: TextFieldProps) {
     },
     onBlur: leave,
   };
+  // A reload would take the field from under the pilot's fingers.
+  useUnsaved(typed.value !== null);
   const other = theirs.value;
   return (
     <div class="text-field">
@@ -74,7 +88,7 @@ export function TextField(props: TextFieldProps) {
       </label>
       {lines ? <textarea {...given} rows={lines} /> : <input type="text" {...given} autocomplete="off" />}
       {hint && <p class="hint">{hint}</p>}
-      {required && typed.value?.text.trim() === '' && <p class="bad-text">{words.nameNeeded}</p>}
+      {required && typed.value && asKept(typed.value.text) === '' && <p class="bad-text">{words.nameNeeded}</p>}
       {other !== null && (
         <p class="text-theirs" role="status">
           {words.theirs(other)}{' '}

@@ -1,11 +1,12 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useCallback, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import type { LineRecord } from '../session/line-record.js';
+import { useNear } from '../ui/use-near.js';
 import type { LineGroup, LineView } from './line-view.js';
 import { rowText } from './row-text.js';
 import './line-table.css';
 
-/** What was on the line, newest first: when, which way, what it means, its bytes. */
+/** What was on the line, newest first: time, direction, meaning, bytes. */
 export function LineTable({ view }: { readonly view: LineView }) {
   const { line } = messages.value;
   const found = view.found.value.length;
@@ -39,7 +40,7 @@ interface GroupProps {
   readonly timeText: TimeText;
 }
 
-/** It reads the words alone: while its group is the same object it is not drawn again. */
+/** It reads nothing but the language: while its group is the same object, it is not drawn again. */
 function Group({ group, timeText }: GroupProps) {
   const { line } = messages.value;
   return (
@@ -72,21 +73,16 @@ function LineRow({ record, way, timeText }: LineRowProps) {
   );
 }
 
-/** The way to older entries, which takes itself when its place comes near. */
+/** A button for older entries. It acts without a click when it comes near the window. */
 function Older({ view }: { readonly view: LineView }) {
   const { line } = messages.value;
   const place = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    const isNear = new IntersectionObserver((seen) => seen.some((each) => each.isIntersecting) && view.showOlder(), {
-      rootMargin: '400px',
-    });
-    if (place.current) isNear.observe(place.current);
-    return () => isNear.disconnect();
-  }, [view]);
+  const showOlder = useCallback(() => view.showOlder(), [view]);
+  useNear(place, showOlder, 400);
   return (
     <div ref={place} class="line-end">
       <p class="hint">{line.more(view.shownCount.value, view.found.value.length)}</p>
-      <button type="button" onClick={() => view.showOlder()}>
+      <button type="button" onClick={showOlder}>
         {line.older}
       </button>
     </div>
@@ -100,7 +96,7 @@ function clockTime(time: number): string {
   return `${two(date.getHours())}:${two(date.getMinutes())}:${seconds}`;
 }
 
-/** Seconds since a recording began, as they stand in its file. */
+/** Seconds since a recording began, as in its file. */
 function sinceBegin(time: number): string {
   return (time / 1000).toFixed(3);
 }

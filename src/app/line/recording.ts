@@ -10,29 +10,31 @@ import {
 } from '../../protocol/index.js';
 import { describeFrame, frameName } from '../messages/frame-text.js';
 import { type LineRecord, recorder } from '../session/line-record.js';
+import { plainName } from '../session/plain-names.js';
 
-/** A line that was recorded, here or elsewhere. */
+/** A recording of a line, from this page or another source. */
 export interface Recording {
   /** The name of the file. */
   readonly name: string;
-  /** As they stand in the file: what a replay needs. */
+  /** The entries of the file, which a replay needs. */
   readonly entries: readonly CaptureEntry[];
-  /** The frames in them, and the bytes between. Times are milliseconds since the recording began. */
+  /** Their frames, and the bytes between them. Times are milliseconds since the recording began. */
   readonly records: readonly LineRecord[];
-  /** Whether the timer says in it what it is: without that nothing can connect to a replay. */
+  /** Whether the timer states its identity in it: otherwise nothing can connect to a replay. */
   readonly replayable: boolean;
 }
 
 /**
- * Why a file is no recording: it begins with another line, one of its lines is of another form, or it has no entries.
+ * Why a file is no recording: another first line (`heading`), a line of another form, no entries, too many bytes, or an
+ * unreadable file.
  */
 export type RecordingFault = 'heading' | 'line' | 'empty' | 'too-large' | 'unreadable';
 
-/** A file that cannot be taken for a recording. */
+/** A file that is no recording. */
 export class RecordingError extends Error {
   override readonly name = 'RecordingError';
   readonly fault: RecordingFault;
-  /** Counts from 1; 0 where the fault is of no one line. */
+  /** The line with the fault, counted from 1; 0 when the fault is in no single line. */
   readonly line: number;
 
   constructor(fault: RecordingFault, line = 0, cause?: unknown) {
@@ -42,11 +44,11 @@ export class RecordingError extends Error {
   }
 }
 
-/** Bytes of the largest file that is read: hours of a busy line. */
+/** The largest file that is read, in bytes: hours of a busy line. */
 const LARGEST = 10_000_000;
-/** Milliseconds without a byte after which a frame that is not whole is given up. */
+/** Milliseconds without a byte after which an unfinished frame is given up. */
 const SILENCE = 60;
-/** The letters that may come with a bare checksum: see row 5 of the protocol page. */
+/** The letters that may come with a bare checksum: see row 5 of docs/protocol.md. */
 const BARE = [COMMANDS.GETLOWRPM.reply, COMMANDS.SETMEMORY.request, COMMANDS.SETLOWRPM.request];
 
 /** @throws RecordingError */
@@ -55,7 +57,7 @@ export async function readRecording(file: File): Promise<Recording> {
   const text = await file.text().catch((error: unknown) => {
     throw new RecordingError('unreadable', 0, error);
   });
-  return parseRecording(file.name, text);
+  return parseRecording(plainName(file.name), text);
 }
 
 /** @throws RecordingError `heading`, `line` or `empty`. */
@@ -79,7 +81,7 @@ function parsed(text: string): CaptureEntry[] {
   }
 }
 
-/** Finds the frames in bytes that may have been recorded in any pieces. */
+/** Finds the frames in the recorded bytes, whatever pieces they came in. */
 function recordsOf(entries: readonly CaptureEntry[]): LineRecord[] {
   const records: LineRecord[] = [];
   const record = recorder();
@@ -106,8 +108,8 @@ function recordsOf(entries: readonly CaptureEntry[]): LineRecord[] {
 }
 
 /**
- * Entries of a line as text, in the format of a capture: what each one means stands above it, and `notes` stand at the
- * top. Times count from the first entry, so that nothing tells when it was.
+ * Writes entries of a line as text in the format of a capture. The meaning of each stands above it, and `notes` at the
+ * top. Times count from the first entry, so nothing shows the date.
  */
 export function captureText(records: readonly LineRecord[], notes: readonly string[]): string {
   const [heading = '', ...lines] = formatCapture(captureOf(records)).split('\n');

@@ -16,10 +16,10 @@ import type { MemoriesStep, MemoryJobs } from './memory-jobs.js';
 import { nextFlightText } from './next-flight-line.js';
 import { isGood, type MemoriesOutcome, type MemoryChange, type MemoryEnd, type Plan } from './plan.js';
 
-/** So many values that are not certain are named. */
+/** How many uncertain values are named. */
 const SHOWN = 4;
 
-/** A job over several memories: what it is, how far it has come, what became of it. */
+/** A job over several memories: its plan, its progress, its result. */
 export function MemoriesDialog({ session, jobs }: { readonly session: Session; readonly jobs: MemoryJobs }) {
   const current = jobs.current.value;
   const { plans } = messages.value.memories;
@@ -68,8 +68,8 @@ function Review({ session, jobs, current: { plan, changes, crossing } }: ReviewP
         onAcknowledge={(wanted) => jobs.cross(wanted)}
       />
       {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
-      {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
       <div class="buttons">
+        {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
         <button type="button" class="quiet" onClick={() => jobs.dismiss()}>
           {write.cancel}
         </button>
@@ -171,7 +171,7 @@ function Result({ session, jobs, current }: ResultProps) {
   );
 }
 
-/** Which memory flies next after all this, as soon as that is known. */
+/** Which memory flies next after the job, as soon as that is known. */
 function Current({ session }: { readonly session: Session }) {
   const { nextFlight } = messages.value;
   const { nextFlight: next, connection, runner, editor } = session;

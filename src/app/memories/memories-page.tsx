@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
@@ -10,14 +11,16 @@ import './memories-page.css';
 export interface MemoriesPageProps {
   readonly session: Session;
   readonly memories: Memories;
-  /** The servos follow what is edited: a backup that is loaded would be stored at once. */
+  /** Whether the servos follow edits: a loaded backup would be stored at once. */
   readonly following: boolean;
-  /** The program is to be shown: of the memory that was picked last, or with what was loaded into it. */
+  /** Shows the program: of the memory that was picked last, or with what was loaded into it. */
   readonly onProgram: () => void;
+  /** The button that connects a timer. */
+  readonly connect: ComponentChildren;
 }
 
-/** All memories of the timer at a glance, or two of them side by side; and what was kept of timers. */
-export function MemoriesPage({ session, memories, following, onProgram }: MemoriesPageProps) {
+/** All memories of the timer at a glance, or two of them side by side; and the backups. */
+export function MemoriesPage({ session, memories, following, onProgram, connect }: MemoriesPageProps) {
   const { overview: words, memories: all, views } = messages.value;
   const compared = memories.compared.value;
   const place = useRef<HTMLDivElement>(null);
@@ -25,7 +28,7 @@ export function MemoriesPage({ session, memories, following, onProgram }: Memori
   useEffect(() => {
     if (compared) left.current = compared.first;
     else if (left.current !== null) {
-      // Back where one came from.
+      // Puts the focus back where the pilot came from.
       place.current?.querySelector<HTMLElement>(`[data-compare='${left.current}']`)?.focus();
       left.current = null;
     }
@@ -51,7 +54,10 @@ export function MemoriesPage({ session, memories, following, onProgram }: Memori
       {baseline ? (
         <MemoryCards session={session} memories={memories} onProgram={onProgram} />
       ) : (
-        <p class="hint">{views.noTimer.memories}</p>
+        <>
+          <p class="hint">{views.noTimer.memories}</p>
+          <div>{connect}</div>
+        </>
       )}
       {baseline && session.editor.dirty.value && (
         <p class="hint">

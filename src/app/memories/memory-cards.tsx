@@ -15,11 +15,11 @@ import './memory-cards.css';
 interface MemoryCardsProps {
   readonly session: Session;
   readonly memories: Memories;
-  /** The program is to be shown: of the memory that was picked last. */
+  /** Shows the program of the memory that was picked last. */
   readonly onProgram: () => void;
 }
 
-/** A card for each memory: what was last read of it, which one flies next, and what can be done with it. */
+/** A card for each memory: its last reading, whether it flies next, and what can be done with it. */
 export function MemoryCards({ session, memories, onProgram }: MemoryCardsProps) {
   const baseline = session.editor.baseline.value;
   if (!baseline) return null;
@@ -40,7 +40,7 @@ export function MemoryCards({ session, memories, onProgram }: MemoryCardsProps) 
 
 interface CardProps extends MemoryCardsProps {
   readonly memory: number;
-  /** The memory that is current in the timer; null when that is not known. */
+  /** The current memory of the timer; null when it is not known. */
   readonly current: number | null;
   /** How many memories the timer has. */
   readonly count: number;
@@ -65,12 +65,12 @@ function Card({ session, memories, memory, current, count, known, onProgram }: C
             </span>
           )}
           {program && <Figures known={known} program={program} />}
+          {known.state === 'uncertain' ? (
+            <p class="bad-text">{words.notCertain}</p>
+          ) : (
+            <p class="hint">{known.state === 'read' ? words.readAt(clockText(known.at)) : words.notRead}</p>
+          )}
         </header>
-        {known.state === 'uncertain' ? (
-          <p class="bad-text">{words.notCertain}</p>
-        ) : (
-          <p class="hint">{known.state === 'read' ? words.readAt(clockText(known.at)) : words.notRead}</p>
-        )}
         {program ? <SmallLanes program={program} /> : <Unread {...{ session, memories, memory, current }} />}
         <Actions {...{ session, memories, memory, current, count, onProgram }} isRead={program !== null} />
       </article>
@@ -78,13 +78,13 @@ function Card({ session, memories, memory, current, count, known, onProgram }: C
   );
 }
 
-/** What a memory held when it was last read whole. */
+/** What a memory held at its last complete reading. */
 export function lastRead(known: Known): TimerProgram | null {
   if (known.state === 'unread') return null;
   return known.state === 'read' ? known.program : known.before;
 }
 
-/** “DT 3:00 min · motor stop 10.0 s”; both where a write that was cut off leaves two. */
+/** “DT 3:00 min · motor stop 10.0 s”. After an interrupted write there may be two of each. */
 function Figures({ known, program: { identity } }: { readonly known: Known; readonly program: TimerProgram }) {
   const { overview: words } = messages.value;
   return (
@@ -108,14 +108,14 @@ interface UnreadProps {
   readonly current: number | null;
 }
 
-/** In the place of the picture of a memory that nobody has read: the way to it and back. */
+/** In place of a picture, for a memory that nobody has read: a button that reads it and comes back. */
 function Unread({ session, memories, memory, current }: UnreadProps) {
   const { look, memoryName } = messages.value;
   const isBusy = !session.runner.ready.value;
   const name = memoryName(memory);
   return (
     <div class="card-unread">
-      {/* Not disabled: it would lose the focus while the timer is asked. */}
+      {/* Not disabled: it would lose the focus during the reading. */}
       <button
         type="button"
         aria-disabled={isBusy || current === null}
@@ -124,7 +124,7 @@ function Unread({ session, memories, memory, current }: UnreadProps) {
         {look.look(name)}
       </button>
       {current !== null && <p class="hint">{look.hint(name, memoryName(current))}</p>}
-      {/* On the way through other memories it is open which one is current: that is no fault of the timer. */}
+      {/* During a job the current memory is not known, but that is not the timer's fault. */}
       {current === null && !session.runner.busy.value && <p class="hint">{look.noWayBack}</p>}
     </div>
   );
@@ -139,10 +139,10 @@ function Actions({ session, memories, memory, current, count, isRead, onProgram 
   const copying = useSignal(false);
   const ready = session.runner.ready.value;
   const name = memoryName(memory);
-  // Which card it is of, for who does not see it.
+  // Says which card it belongs to, for screen readers.
   const label = (text: string): string => words.of(text, name);
   const others = Array.from({ length: count }, (_, other) => other).filter((other) => other !== memory);
-  // With the one that flies next; and that one with the first of the others.
+  // With the memory that flies next; that one with the first of the others.
   const against = memory === current || current === null ? others[0] : current;
   const isCopying = copying.value;
   const box = useRef<HTMLDivElement>(null);
@@ -150,7 +150,7 @@ function Actions({ session, memories, memory, current, count, isRead, onProgram 
   useEffect(() => {
     if (drawn.current === isCopying) return;
     drawn.current = isCopying;
-    // The button that had the focus has gone.
+    // The button with the focus has gone.
     box.current?.querySelector<HTMLElement>(isCopying ? '.picks button' : '.copy-to')?.focus();
   }, [isCopying]);
   return (

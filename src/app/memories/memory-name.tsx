@@ -5,9 +5,10 @@ import { messages } from '../messages/index.js';
 import { modelMessages } from '../messages/which-model.js';
 import { givenName, nameMemory } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
+import { useUnsaved } from '../ui/unsaved.js';
 import './memory-name.css';
 
-/** What the pilot calls a memory of his model; a press lets him change it. Nothing where the model is not known. */
+/** The pilot's name for a memory of the model. A press edits it. Shows nothing while the model is not known. */
 export function MemoryName({ session, memory }: { readonly session: Session; readonly memory: number }) {
   const { memoryNames: words } = modelMessages.value;
   const { memoryName } = messages.value;
@@ -21,9 +22,20 @@ export function MemoryName({ session, memory }: { readonly session: Session; rea
     const input = box.current?.querySelector('input');
     input?.focus();
     input?.select();
-    // The field that had the focus has gone; not where the pilot has gone elsewhere.
+    // The field with the focus has gone. Not when the pilot has gone elsewhere.
     if (!input && document.activeElement === document.body) box.current?.querySelector('button')?.focus();
   }, [isEditing]);
+  useUnsaved(isEditing);
+  useEffect(() => {
+    if (!isEditing) return undefined;
+    // What was typed is kept when the page goes, as when the field is left.
+    const keep = (): void => {
+      const text = box.current?.querySelector('input')?.value;
+      if (text !== undefined) void nameMemory(session, memory, text);
+    };
+    addEventListener('pagehide', keep);
+    return () => removeEventListener('pagehide', keep);
+  }, [isEditing, session, memory]);
   const model = session.modelAtHand.value;
   if (!model) return null;
   const given = givenName(model, memory);
@@ -43,6 +55,8 @@ export function MemoryName({ session, memory }: { readonly session: Session; rea
           maxLength={LIMITS.name}
           autocomplete="off"
           onKeyDown={(event) => {
+            // These keys are for the list of characters that the keyboard offers.
+            if (event.isComposing) return;
             if (event.key === 'Enter') end(event.currentTarget.value);
             if (event.key === 'Escape') end(null);
           }}

@@ -1,12 +1,12 @@
 import { plural } from './plural.js';
 
-/** Servos and motor moved from the page. */
+/** Moving servos and motor from the page. */
 export const bench = {
   title: 'Bench',
   lead: 'Moves the servos of the timer in front of you.',
   slots: 'Move to',
-  grid: 'What the timer holds of each function',
-  /** What the timer holds, and what waits. */
+  grid: 'What the timer holds for each function',
+  /** The position in the timer, and the one that waits. */
   pending: (held: string, wanted: string) => `${held} → ${wanted}`,
   trim: (slot: string) => `Trim at ${slot}`,
   step: {
@@ -30,15 +30,15 @@ export const bench = {
   bring: (slot: string) => `Move the servos to ${slot}`,
   follow: 'Servos follow the positions',
   followHint:
-    'First the timer is read and backed up. Then each position that you change is stored in the timer at once and its servo moves, as long as the servos stand at that function.',
+    'First the page reads the timer and keeps a backup. Then you change a position of the function where the servos stand: the timer stores it at once, and its servo moves.',
   followingNow:
-    'Following: a position of the function where the servos stand is stored in the timer as soon as you change it.',
+    'Following: when you change a position of the function where the servos stand, the timer stores it at once.',
   starting: 'Reading the timer and keeping a backup.',
-  unkept: 'This device could not keep a backup. Without one you cannot bring back later what the timer holds now.',
+  unkept: 'This device could not keep a backup. Without it you cannot bring back what the timer holds now.',
   followUnkept: 'Follow without a backup',
   stopFollowing: 'Stop following',
   going: 'Go to the function I edit',
-  goingHint: 'The servos move there without asking. This switches itself off when following stops.',
+  goingHint: 'The servos move there, and the page does not ask first. This switches off when following stops.',
   followPending: 'Earlier edits are not sent: they wait for Write.',
   timesWait: 'Times wait for Write.',
   ended: {
@@ -49,8 +49,8 @@ export const bench = {
     lost: 'Following has stopped: the connection ended.',
     failed: 'Following has stopped: the timer did not acknowledge a command.',
   },
-  endRead: 'The timer has been read since.',
-  endUnread: 'The timer has not been read since.',
+  endRead: 'The timer has been read since then.',
+  endUnread: 'The timer has not been read since then.',
   tried: (count: number) =>
     count === 0 ? 'Nothing has been tried yet.' : `Tried: ${plural(count, 'position', 'positions')}.`,
   triedAndWaiting: (tried: number, waiting: number) =>
@@ -65,7 +65,7 @@ export const bench = {
   unlockHold: 'Keep holding',
   unlockHint: 'The propeller may start. Hold the model, keep your hands away from the propeller, then press and hold.',
   experimental: 'Experimental',
-  jumpHint: 'Jumps to the function after an early DT. What it does exactly is not documented: servos may move.',
+  jumpHint: 'Jumps to the function after an early DT. Its exact effect is not documented: servos may move.',
   jump: 'Jump…',
   jumpSure: 'Send the jump now',
   cancel: 'Cancel',

@@ -3,7 +3,7 @@ import type { UnreadableReason } from '../editing/units.js';
 
 type Params = Readonly<Record<string, string>>;
 
-/** What is unusual, or cannot be written. */
+/** Values that are unusual, or cannot be written. */
 export const findings: Record<FindingCode, (params: Params) => string> = {
   'time-not-whole': () => 'A time must be a whole number of hundredths of a second.',
   'time-out-of-range': ({ max }) => `A time can be at most ${max}.`,
@@ -12,8 +12,8 @@ export const findings: Record<FindingCode, (params: Params) => string> = {
   'throttle-not-whole': () => 'The idle throttle must be a whole number.',
   'throttle-out-of-range': ({ min, max }) => `The idle throttle must be ${min} to ${max}.`,
   'position-as-read': ({ value, max }) =>
-    `Read as ${value}, past the last step ${max}. It stays as it is unless you change it.`,
-  'time-falls': ({ previous }) => `This comes before the function above it, at ${previous}.`,
+    `Read as ${value}, above the last step, ${max}. It stays as it is unless you change it.`,
+  'time-falls': ({ previous }) => `This comes before the function above it (${previous}).`,
   'time-repeats': ({ previous }) => `The same time as the function above it, ${previous}.`,
   'position-never-reached': ({ previous }) =>
     `The same time as the function above it, ${previous}. The positions of the function above are never reached.`,

@@ -1,6 +1,7 @@
+import { apart } from './apart.js';
 import { plural } from './plural.js';
 
-/** Any two programs that are at hand, side by side. */
+/** Two programs side by side. */
 export const compare = {
   title: 'Compare',
   open: 'Compare…',
@@ -12,14 +13,14 @@ export const compare = {
   screenOf: (name: string) => `On the screen: ${name}`,
   timer: (memory: string) => `Timer, ${memory}`,
   groups: { now: 'Now', settings: 'Settings', backups: 'Backups' },
-  setting: (model: string | null, name: string) => (model === null ? name : `${model} · ${name}`),
+  setting: (model: string | null, name: string) => (model === null ? name : `${apart(model)} · ${apart(name)}`),
   backup: (memory: string, when: string, model: string | null) =>
-    model === null ? `${memory} · ${when}` : `${model} · ${memory} · ${when}`,
+    model === null ? `${memory} · ${when}` : `${apart(model)} · ${memory} · ${when}`,
   nothing: 'There is nothing to compare with: this device has no other program of this class and layout.',
   picture: (first: string, second: string) => `Timeline of ${first} and ${second}`,
-  /** A button beside a value of the other one. */
+  /** A button beside a value of the other program. */
   take: 'Take',
-  /** The same for who does not see the row. */
+  /** The same for a screen reader, which does not know the row. */
   takeOf: (field: string, value: string) => `Take ${value} for ${field}`,
   takeHint: 'Take copies a value of the other program into the one on the screen. Undo takes it back.',
   following: 'Values cannot be taken while the servos follow.',
@@ -29,8 +30,8 @@ export const compare = {
 /** The backups of a model, on its page. */
 export const modelBackups = {
   title: 'Backups',
-  empty: 'What the timer of this model holds is kept here before each write.',
-  hint: 'All backups of today are kept, then one for each day of a month, then one for each month.',
+  empty: 'Before each write, the page keeps here what the timer of this model holds.',
+  hint: 'The page keeps all backups of today, one for each day of the month before, and one for each month before that.',
   same: 'as the timer holds it now',
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')} from what it holds now`,
   sameThen: (when: string) => `as the timer held it ${when}`,
@@ -40,7 +41,7 @@ export const modelBackups = {
   load: 'Load into the table',
   loadOf: (what: string) => `Load into the table: ${what}`,
   compareOf: (what: string) => `Compare: ${what}`,
-  cannot: 'It does not fit the timer that is connected.',
+  cannot: 'It does not fit the connected timer.',
   more: (count: number) => `Show ${count} more`,
 };
 

@@ -1,7 +1,8 @@
 import type { CodecErrorCode } from '../../protocol/index.js';
+import { apart } from './apart.js';
 import { plural } from './plural.js';
 
-/** So many of each, as far as there are any: “2 models, 1 setting”. */
+/** “2 models, 1 setting”: only kinds that there are. */
 const counted = ({ models, settings, flights }: { models: number; settings: number; flights: number }): string =>
   [
     models > 0 && plural(models, 'model', 'models'),
@@ -11,9 +12,9 @@ const counted = ({ models, settings, flights }: { models: number; settings: numb
     .filter(Boolean)
     .join(', ');
 
-const BROKEN = 'A value in it cannot be right.';
+const BROKEN = 'A value in the file cannot be right.';
 
-/** The library as files: export, import, and the word that it is time for an export. */
+/** The library as files: export, import, and the reminder to export. */
 export const files = {
   counted,
   export: {
@@ -22,10 +23,10 @@ export const files = {
     again: (name: string) => `Save to ${name}`,
     another: 'Export to another file…',
     saving: (name: string) => `Saving ${name}`,
-    /** It is in a file that the pilot has chosen. */
-    saved: (name: string, what: string) => `Saved to ${name}: ${what}.`,
-    /** The browser has it. */
-    downloaded: (name: string, what: string) => `${name} is in your downloads: ${what}.`,
+    /** Saved to a file that the pilot has chosen. */
+    saved: (name: string, what: string) => `Saved to ${apart(name)}: ${what}.`,
+    /** Given to the browser as a download. */
+    downloaded: (name: string, what: string) => `${apart(name)} is in your downloads: ${what}.`,
     notWritten: (name: string) => `${name} could not be written. This browser puts it into your downloads instead.`,
     tooLarge: 'The library is too large for one file. Export its models one by one.',
     nothing: 'There is nothing to export yet.',
@@ -36,29 +37,29 @@ export const files = {
     title: (name: string) => `Import ${name}`,
     reading: 'Reading the file',
     drop: 'Drop the file to see what is in it',
-    lead: (date: string, by: string) => `Written ${date}${by === '' ? '' : ` by ${by}`}.`,
+    lead: (date: string, by: string) => `Written ${date}${by === '' ? '' : ` by ${apart(by)}`}.`,
     holds: (what: string) => (what === '' ? 'There is nothing in it.' : `In it: ${what}.`),
     ignored: (count: number) =>
-      `${plural(count, 'entry', 'entries')} of a kind that this version of the page does not know will be left out.`,
+      `This version of the page does not know what ${plural(count, 'entry is', 'entries are')}. The import leaves ${count === 1 ? 'it' : 'them'} out.`,
     nothing: 'You have all of this already.',
     differs: 'What differs',
     ways: { newer: 'Take the newer', both: 'Keep both', skip: 'Leave out' },
-    /** Of a model of which nothing differs: in place of the first. */
+    /** For a model without differences: in place of the first choice. */
     bring: 'Import',
-    /** What differs of a model by itself: its name, notes, servos. */
+    /** The facts of a model: its name, notes, servos. */
     itself: 'the model itself',
     flightOf: (day: string) => `flight of ${day}`,
     more: (count: number) => `and ${count} more`,
-    /** What becomes of what differs. */
+    /** What happens to entries that differ. */
     wayText: {
-      newer: 'Where yours is newer, yours stays.',
-      both: 'The one from the file comes beside yours, with a number behind its name.',
+      newer: 'What is newer here stays as it is.',
+      both: 'Both stay. The one from the file gets a number after its name.',
       skip: 'Nothing of these models is imported.',
     },
     loose: 'Without a model',
     unknownModel: 'A model that is not here',
     group: {
-      way: (name: string) => `${name}: what becomes of it`,
+      way: (name: string) => `${name}: what to do with it`,
       fresh: (what: string) => `New: ${what}`,
       same: (what: string) => `The same: ${what}`,
       fileNewer: (what: string) => `Newer in the file: ${what}`,
@@ -67,13 +68,14 @@ export const files = {
     take: (count: number) => `Import ${count}`,
     cancel: 'Cancel',
     close: 'Close',
-    shut: 'This browser does not give the library back just now. An import could replace newer settings with older ones.',
-    importing: (name: string, done: number, of: number) => `Importing ${name}: ${done} of ${of}`,
-    done: (what: string, name: string) => `Imported from ${name}: ${what}.`,
-    unkept: 'This browser has not kept all of it: what is on the screen lasts until the page is closed.',
+    shut: 'The browser cannot read the library now. An import could replace newer settings with older ones.',
+    importing: (name: string, done: number, of: number) => `Importing ${apart(name)}: ${done} of ${of}`,
+    done: (what: string, name: string) => `Imported from ${apart(name)}: ${what}.`,
+    unkept: 'This browser could not store all of it. What you see is lost when you close this page.',
     undo: 'Undo the import',
     undone: 'The import was undone.',
-    partlyUndone: 'The import was undone. What was changed since then stays.',
+    partlyUndone: 'The import was undone. What has changed since then stays.',
+    undoUnkept: 'This browser could not store that. When you load the page again, the import may be back.',
     dismiss: 'Dismiss',
   },
   refused: {
@@ -85,36 +87,36 @@ export const files = {
     characters: (min: number, max: number) => `It must have ${min} to ${max} characters.`,
     files: {
       'too-large': 'The file is too large for a library.',
-      'no-text': 'The file is no text.',
+      'no-text': 'The file is not text.',
       gone: 'The file could not be read. Is it still there?',
       several: 'Import one file at a time.',
       failed: 'The file could not be read. Load the page again and try once more.',
     },
-    /** Of a file that cannot be read, by what is wrong with it. */
+    /** Why a file cannot be read, by the kind of fault. */
     kinds: {
       format: 'This is not a library file of Sidus Timer.',
       text: 'The text of the file is broken.',
-      end: 'The file is not whole: it ends too early.',
+      end: 'The file is not complete: it ends too early.',
       encoding: 'The letters of the file cannot be read. Save it as UTF-8.',
     } as Readonly<Record<string, string>>,
     codes: {
       'newer-version': 'A newer version of this page made this file. Load the page again to get that version.',
-      'too-large': 'The file is too large, or nested too deep, for a library.',
-      duplicate: 'Something stands twice that must stand once.',
+      'too-large': 'The file is too large or too deeply nested for a library.',
+      duplicate: 'Something is there twice that may be there only once.',
       'out-of-range': 'A value is out of its range.',
-      'wrong-count': 'A list does not have as many entries as the timer wants.',
-      'bad-identity': 'No timer is as it says here.',
+      'wrong-count': 'A list has too many or too few entries for the timer.',
+      'bad-identity': 'No timer can describe itself like this.',
       'wrong-type': 'A value is missing, or of the wrong kind.',
       'not-an-integer': 'A value must be a whole number.',
-      'unknown-word': 'A word stands here that does not belong here.',
+      'unknown-word': 'This word is not allowed here.',
     } as Readonly<Partial<Record<CodecErrorCode, string>>>,
     other: BROKEN,
   },
   reminder: {
     text: (changes: number, days: number) =>
-      `${plural(changes, 'change', 'changes')} since the last export, ${days} days ago. Models, settings and flights are on this device alone.`,
+      `${plural(changes, 'change', 'changes')} since the last export, ${days} days ago. Models, settings and flights are only on this device.`,
     never: (entries: number) =>
-      `${plural(entries, 'entry', 'entries')} of your library ${entries === 1 ? 'is' : 'are'} on this device alone. If the device is lost, only a file brings them back.`,
+      `${plural(entries, 'entry', 'entries')} of your library ${entries === 1 ? 'is' : 'are'} only on this device. If you lose the device, only a file brings them back.`,
     later: 'Not now',
   },
 };

@@ -1,5 +1,5 @@
-/** Before the other sentences are there. */
+/** For the time before the other sentences are loaded. */
 export const first = {
-  failed: 'The page could not be loaded whole. Is there a network?',
+  failed: 'A part of the page could not be loaded. Is there a network?',
   again: 'Load it again',
 };

@@ -1,24 +1,24 @@
 import { dotted } from './dotted.js';
 import { plural } from './plural.js';
 
-/** The log of flights. These words come with it, not with the first picture. */
+/** The log of flights. It loads these sentences with itself. */
 export const flights = {
   title: 'Flights',
   about: 'What was flown, and how it went',
   /** Back to the models and settings. */
-  library: '‹ Library',
+  library: 'Library',
   empty: {
     title: 'No flight is logged yet.',
     advice: 'Read or write a timer, then click “Flying this”: the log keeps what the timer holds, with date and place.',
   },
   loading: 'Loading the flights',
-  failed: 'This browser does not give out the flights that it may keep.',
+  failed: 'The browser cannot read the flights that it may have kept.',
   again: 'Try again',
   nothingFound: 'No flight fits this filter.',
   day: (date: string, place: string) => dotted([date, place]),
   dayCount: (count: number) => plural(count, 'flight', 'flights'),
   flying: {
-    /** One tap: what the timer holds is flown now. */
+    /** One tap logs a flight with what the timer holds. */
     button: 'Flying this',
     /** @param figures such as “DT 3:00 min”. */
     held: (memory: string | null, figures: readonly string[]) => dotted([memory, ...figures]),
@@ -27,7 +27,7 @@ export const flights = {
     undo: 'Undo',
     again: 'Fly this again',
     unkept:
-      'This browser does not keep the log: its storage is full or switched off. It is gone when you close this page.',
+      'This browser does not keep the log: its storage is full or switched off. The log is lost when you close this page.',
   },
   row: {
     noModel: 'No model',

@@ -1,4 +1,4 @@
-/** The help inside of the page. Only the parts that show it need these sentences. */
+/** The help inside the page. Only its own parts need these sentences. */
 export const guide = {
   pages: {
     checklist: 'Before the flight',
@@ -18,17 +18,17 @@ export const guide = {
   nav: 'Help pages',
 };
 
-/** What a pilot is told who comes here for the first time. */
+/** What a new pilot is told. */
 export const firstSteps = {
   of: (at: number, count: number) => `First steps, ${at} of ${count}`,
   steps: {
     read: {
       title: 'Read the timer',
-      text: 'Click Connect, wake the timer and hold it close. The page reads what it holds. Reading changes nothing and moves nothing.',
+      text: 'Click Connect, wake the timer and hold it close. The page reads what the timer holds. Reading changes nothing and moves nothing.',
     },
     write: {
       title: 'Change and write',
-      text: 'Type over a value: what differs from the timer is marked. Write shows every difference first. The page says Verified only when it has read the timer again and found what you wanted.',
+      text: 'Type a new value: the page marks what differs from the timer. Write shows every difference first. The page says Verified only when it has read the timer again and found what you wanted.',
     },
     fly: {
       title: 'Before you fly',
@@ -41,7 +41,7 @@ export const firstSteps = {
   skip: 'Skip',
 };
 
-/** What the values of a program are, with unit and range. */
+/** The values of a program, with unit and range. */
 export const words = {
   title: 'What the values are',
   close: 'Close',
@@ -51,7 +51,7 @@ export const words = {
     function: {
       name: 'Function',
       short: 'A step of the flight. At its time each servo goes to its position.',
-      more: 'The functions come one after the other: start, function 1, function 2 and so on, then DT. There is no way to switch one off. One that you do not need gets the positions of the one before: then nothing moves.',
+      more: 'The functions come one after the other: start, function 1, function 2 and so on, then DT. A function cannot be switched off. Give one that you do not need the positions of the one before: then nothing moves.',
       range: 'Usually start, nine functions and DT',
     },
     time: {
@@ -63,64 +63,67 @@ export const words = {
     },
     after: {
       name: 'After',
-      short: 'How long after the function before it a function begins.',
-      more: 'A value that is typed here moves all later functions with it, but not DT.',
+      short: 'The time between the function before and this one.',
+      more: 'When you type a value here, all later functions move with it. DT does not move.',
       range: 'Seconds, as for the time',
     },
     position: {
       name: 'Position',
       short: 'Where a servo stands: S1 is the first servo, S2 the second.',
-      more: 'What angle a step is, nobody knows: it depends on the servo and the linkage. Try it on the bench. Name the servos tells the page what each one moves.',
+      more: 'The angle of one step is not known: it depends on the servo and the linkage. Try it on the bench. Under “Name the servos” you tell the page what each one moves.',
       range: '0 to 130 steps',
     },
     motorStop: {
       name: 'Motor stop',
       short: 'F1Q only: when the motor stops, counted from launch.',
-      more: 'It is no function: no servo moves with it. It may come anywhere between start and DT.',
+      more: 'It is not a function: no servo moves with it. It may come at any time between start and DT.',
       range: 'By the manual 0.1 to 99.9 s in steps of 0.1 s',
     },
     dt: {
       name: 'DT',
       short: 'The dethermaliser: the time at which it brings the model down.',
-      more: 'It is counted from launch. A DT shorter than your own limit is shown in red: it is right for a test flight, and wrong for all others.',
-      range: 'By the manual 1 to 720 s in whole seconds. No timer can be sent more than 655 s, which is 10:55 min',
+      more: 'It is counted from launch. The page shows a DT in red when it is shorter than your own limit. A short DT is right for a test flight, and wrong for all others.',
+      range: 'By the manual 1 to 720 s in whole seconds. More than 655 s (10:55 min) cannot be sent to any timer',
     },
     idleThrottle: {
       name: 'Idle throttle',
-      short: 'F1Q only: likely how fast the motor turns while the start switch is held.',
-      more: 'It is read and written as a number. What the number means is not known.',
+      short: 'F1Q only: probably how fast the motor turns while the start switch is held.',
+      more: 'The page reads and writes it as a number. What the number means is not known.',
       range: '0 to 100 is usual. The unit is not known',
     },
     memory: {
       name: 'Memory',
-      short: 'A timer keeps several programs. The memory that is chosen in it flies next.',
-      more: 'M1 is the first memory. To look at another one does not change which one flies next.',
+      short: 'A timer has several memories. Each holds one program. The one that is selected in the timer flies next.',
+      more: 'M1 is the first memory. Looking at another memory does not change which one flies next.',
       range: 'Usually four, M1 to M4. Older timers have five',
     },
   },
 };
 
-/** What a pilot goes through before a flight. */
+/** What a pilot checks before a flight. */
 export const checklist = {
   title: 'Before the flight',
-  lead: 'Tick as you go. The ticks are for one flight and are not kept.',
+  lead: 'Tick each item. The ticks are for one flight and are not kept.',
   items: {
     memory: { text: 'The right memory flies next.', why: 'A fly-off memory has another DT.' },
     dtTime: { text: 'The DT time was said aloud.', why: 'A short DT from a test flight ends the next flight early.' },
     surfaces: { text: 'Wing, tailplane and rudder sit firmly and stand as they should.', why: '' },
-    battery: { text: 'The battery is charged, and its plug is in all the way.', why: 'Without the timer no DT comes.' },
+    battery: {
+      text: 'The battery is charged, and its plug is in all the way.',
+      why: 'When the timer does not run, no DT comes.',
+    },
     dtSeen: {
-      text: 'I have seen DT move.',
-      why: 'In the Bench view, or with the timer run to its end, propeller off.',
+      text: 'I have seen the servo move to DT.',
+      why: 'Use the Bench view, or take the propeller off and let the timer run to its end.',
     },
     radioDt: { text: 'The radio DT was tried, if there is one.', why: 'This page cannot send it.' },
     switch: {
-      text: 'The start switch springs back by itself, each of five times.',
-      why: 'One that sticks keeps the motor idling: the sequence never begins, and no DT comes.',
+      text: 'I pressed the start switch five times, and it sprang back each time.',
+      why: 'While the switch sticks, the motor idles: the sequence does not begin, and no DT comes.',
     },
     propeller: { text: 'The propeller is tight, turns freely, and nobody is in front of it.', why: '' },
   },
-  /** What is known of the timer at hand. */
+  /** What is known about the connected timer. */
   known: {
     now: (memory: string, dt: string, time: string) => `${memory} flies next, DT ${dt}, read ${time}.`,
     once: (memory: string, dt: string, time: string | null) =>
@@ -130,14 +133,14 @@ export const checklist = {
     simulated: 'This is a simulated timer.',
     nothing: 'No timer has been read. Connect to see its memory and DT here.',
     unwritten: (count: number) =>
-      count === 1 ? '1 change is not written to it.' : `${count} changes are not written to it.`,
+      count === 1 ? '1 change is not in the timer yet.' : `${count} changes are not in the timer yet.`,
   },
-  left: (count: number) => (count === 1 ? '1 to go' : `${count} to go`),
+  left: (count: number) => `${count} left`,
   done: 'All ticked. Good flight.',
-  again: 'Begin afresh',
+  again: 'Start again',
   own: {
-    label: 'Add an item of your own',
-    hint: 'Such as: tracker is on. It stays in the list.',
+    label: 'Add your own item',
+    hint: 'For example: the tracker is on. It stays in the list.',
     add: 'Add',
     refused: 'It is in the list already, or the list is full.',
     remove: (text: string) => `Remove “${text}”`,
@@ -145,7 +148,7 @@ export const checklist = {
   },
 };
 
-/** What is wrong, as a pilot sees it, and what to do. Steps of the connection stand in en-help.ts. */
+/** Problems as a pilot sees them, and what to do. Steps for the connection stand in en-help.ts. */
 export const troubles = {
   title: 'When something is wrong',
   lead: 'Choose what you see.',
@@ -157,28 +160,28 @@ export const troubles = {
       title: 'The values look wrong',
       steps: [
         'Look at the top: it says which memory is shown, and which one flies next. Each memory has its own values.',
-        'Click Read again. On a disturbed line the page believes a reading only when two of them agree.',
-        'Does each time come before the one above it? Then the two bytes of a time may be swapped. The page asks you: compare both with what you know of the timer.',
+        'Click Read again. When bytes were damaged on the way, the page trusts a value only after two readings agree.',
+        'Do the times fall from row to row? Then the two bytes of each time may be swapped. The page shows both orders and asks you: compare them with what you know of the timer.',
         'On F1B and F1E the times may be counted from the function before. Compare them with the handheld programmer.',
-        'What the page shows and what is written is not rounded. A timer may round what is finer than its manual says.',
+        'The page does not round what it shows or writes. A timer may round a value that is finer than its manual allows.',
       ],
     },
     cutOff: {
-      title: 'The write broke off',
+      title: 'The write was interrupted',
       steps: [
         'Do not fly this model yet. Nobody knows what the memory holds until it is read.',
-        'Wake the timer, hold it close, click Connect. The page reads it, and then offers to finish the write or to take it back.',
+        'Wake the timer, hold it close, click Connect. The page reads it. Then it offers to finish the write, or to go back to the old values.',
         'What the timer held before is kept: see the backups under Memories.',
       ],
     },
     noDt: {
-      title: 'DT does not come, or at the wrong time',
+      title: 'DT does not come, or comes at the wrong time',
       steps: [
         'Look at the top: it says which memory flies next, and its DT. Another memory has another DT.',
-        'Does the start switch spring back by itself, each time? While it is held the sequence does not begin, and no DT comes.',
-        'Is the battery charged, and its plug in all the way? Without the timer no DT comes.',
-        'Hold the model safely and click the DT row in the Bench view. Does the servo go there, and does it let go of what it holds?',
-        'Do not fly before you have seen DT move at its time, with the timer run to its end, propeller off.',
+        'Does the start switch spring back each time? While it is held, the sequence does not begin, and no DT comes.',
+        'Is the battery charged, and its plug in all the way? When the timer does not run, no DT comes.',
+        'Hold the model safely and click the DT row in the Bench view. Does the servo go there, and does it release what it holds?',
+        'Take the propeller off and let the timer run to its end. Do not fly before you have seen the servo move at the time of DT.',
       ],
     },
     noMove: {
@@ -187,35 +190,35 @@ export const troubles = {
         'Has this function the same position as the one before? Then nothing moves.',
         'Is the plug of the servo in, and the battery charged? When the battery is plugged in, the servos go to their DT position.',
         'Hold the model safely and click the row of the function in the Bench view. The servo goes there if the timer reaches it.',
-        'Does it go elsewhere than the table says? Some timers keep a position only where the servo stands. The page then offers to let the servos move while it writes.',
+        'Does it go to another place than the table says? Some timers store a position only for the function at which the servos stand. The page then offers to move the servos while it writes.',
         'Does it hum or stop before its end? The linkage may bind: try fewer steps.',
       ],
     },
     noMotor: {
       title: 'The motor does not start',
       steps: [
-        'After a flight the timer locks the motor. Hold to UNLOCK in the Bench view frees it. The propeller may start: hold the model, and keep clear of the propeller.',
-        'Has the start switch sprung back? While it is held the motor only idles.',
+        'After a flight the timer locks the motor. To free it, hold the model and keep your hands away from the propeller: it may start. Then press “Hold to UNLOCK” in the Bench view.',
+        'Has the start switch sprung back? While it is held, the motor only idles.',
         'Is the motor stop longer than 0.1 s?',
       ],
     },
     noLibrary: {
       title: 'My models and settings are not here',
       steps: [
-        'Is something in the search field, or was it put into the archive? Empty the field, and click Archive.',
-        'Each browser keeps a library of its own. Open this page in the browser, the profile and at the address where you kept them.',
+        'Is there text in the search field? Empty it. Is the model in the archive? Click Archive.',
+        'Each browser keeps its own library, one for each profile and each address. Open this page in the same browser and profile, and at the same address, as when you saved them.',
         'Does the page say that its storage does not answer, or that another tab holds it? Close the other tabs of this page, and load it again.',
-        'A private window forgets all of it when it is closed, and so does a browser that deletes its data.',
-        'On another device, or when they are gone: click Import in the library, and choose the file of your last export.',
+        'A private window deletes the library when you close it. Some browsers are set to do the same.',
+        'On another device, or when the library is lost: click Import in the library, and choose the file of your last export.',
       ],
     },
   },
 };
 
-/** The energy that the rules of F1Q leave for the motor. */
+/** How much energy the rules of F1Q leave for the motor. */
 export const energy = {
   title: 'Energy for F1Q',
-  lead: 'How long may the motor run? From the weight of the model and the power that the motor takes.',
+  lead: 'How long may the motor run? The page works it out from the weight of the model and the power of the motor.',
   weight: 'Weight of the model',
   grams: 'g',
   power: 'Power',
@@ -224,13 +227,13 @@ export const energy = {
   volts: 'V',
   current: 'Battery current',
   amperes: 'A',
-  by: 'Power known as',
+  by: 'Power given in',
   ways: { watts: 'Watts', product: 'Volts and amperes' },
   measured: 'Measure at the battery while the motor runs at full power.',
   events: { rounds: 'Rounds', flyOff: 'Fly-off' },
   event: 'Flight',
-  wrong: (least: string, most: string) => `A figure from ${least} to ${most}.`,
-  missing: 'Type the weight and the power: the motor run is worked out here.',
+  wrong: (least: string, most: string) => `Type a figure from ${least} to ${most}.`,
+  missing: 'Type the weight and the power. The motor run is then shown here.',
   allowed: 'Allowed energy',
   joules: (joules: number) => `${joules} J`,
   run: 'Motor run',
@@ -250,5 +253,6 @@ export const energy = {
   told: (year: number) =>
     `These figures are the rules of F1Q as pilots told them around ${year}. Rules change: check the current Sporting Code of the FAI before a contest.`,
   flyOffTold: 'The figures for a fly-off were less certain even then.',
-  limiter: 'With an energy limiter on board the motor stops earlier when the limit is reached. DT keeps its time.',
+  limiter:
+    'With an energy limiter on board, the motor stops when the limit is reached, even before the motor stop. DT keeps its time.',
 };

@@ -11,11 +11,11 @@ const systems: Record<System, string> = {
   other: 'another system',
 };
 
-/** What to do, one sentence for each step. A step that is not here does not exist: its code is typed from this list. */
+/** One sentence for each step. Its code exists only by standing in this list. */
 const steps = {
   'close-tabs': 'Close other tabs and windows that show this page, or click Disconnect in them.',
   'programs-windows':
-    'Close programs that use serial ports: Arduino IDE, PuTTY, Tera Term, RealTerm, CoolTerm, Betaflight Configurator, Cura, PrusaSlicer. Some go on running in the corner of the taskbar: end them there or in the Task Manager.',
+    'Close programs that use serial ports: Arduino IDE, PuTTY, Tera Term, RealTerm, CoolTerm, Betaflight Configurator, Cura, PrusaSlicer. Some go on running after you close their window: end them in the corner of the taskbar or in the Task Manager.',
   'programs-mac':
     'Close programs that use serial ports: Arduino IDE, CoolTerm, Serial, Cura, PrusaSlicer, and a Terminal that runs “screen”.',
   'programs-linux':
@@ -37,7 +37,7 @@ const steps = {
   'linux-container':
     'The Linux of a Chromebook may have taken the adapter. Switch the adapter off in the Settings, under Linux development environment, Manage USB devices.',
   replug:
-    'Unplug the adapter, count to five, plug it in again and click Connect. If that does not help, restart the computer.',
+    'Unplug the adapter, wait five seconds, plug it in again and click Connect. If that does not help, restart the computer.',
   cable: 'Plug the adapter in directly, without a hub, and try another cable. Many USB cables only charge.',
   'drivers-windows':
     'Open the Device Manager. A yellow mark on the adapter means that its driver is missing. Connect the computer to the internet: Windows Update often brings the driver. The makers have it, too: CP210x at silabs.com, VCP at ftdichip.com, CH341SER (for CH340) at wch-ic.com, PL2303 at prolific.com.tw.',
@@ -50,7 +50,7 @@ const steps = {
   'kernel-linux':
     'The drivers are built in. Plug the adapter in. This command shows whether Linux has seen it, as ttyUSB0 or ttyACM0:',
   brltty:
-    'If the adapter disappears at once, brltty may have taken it. That program is for Braille displays, and takes CH340, CP210x and some FTDI adapters for one. If nobody needs a Braille display here, remove brltty, then unplug the adapter and plug it in again:',
+    'If the adapter disappears at once, brltty may have taken it. That program is for Braille displays. It mistakes CH340, CP210x and some FTDI adapters for such a display. If nobody needs a Braille display here, remove brltty, then unplug the adapter and plug it in again:',
   'android-cable': cableOnAndroid,
   'pair-windows':
     'Over Bluetooth: pair the adapter first, in Settings, Bluetooth & devices. The code is often 1234 or 0000.',
@@ -68,7 +68,7 @@ const steps = {
   'bluetooth-again':
     'Is the adapter switched on, charged, and not more than a few metres away? Switch it off and on, wait until it blinks, then click Connect.',
   'usb-power':
-    'If it happens again and again, open the Device Manager, USB Root Hub, Power Management. There, do not let the computer switch the device off.',
+    'If it happens again and again, open the Device Manager, USB Root Hub, Power Management. There, clear the box that lets the computer turn the device off.',
   wake: 'The timer falls asleep after one or two minutes. Press its switch briefly. Nothing is lost.',
   near: 'Hold the infra-red head closer than 20 cm, pointed at the timer, and shade both from the sun.',
   battery:
@@ -83,7 +83,7 @@ const steps = {
     'If it happens again with the timer awake and near, copy the report under Line and send it to the maintainers.',
   'ask-again': 'Click Connect again, and allow the port when the browser asks.',
   'site-permission':
-    'If this page is listed there as one that may not use serial ports, remove it. Open this address in a tab:',
+    'This address lists the pages that may not use serial ports. Open it in a tab. If this page is in the list, remove it:',
   'site-permission-firefox':
     'When you allow it, Firefox adds a small permission for this page. To see what it has added, open this address in a tab:',
   'site-permission-mobile':
@@ -95,7 +95,7 @@ const steps = {
   https: 'Open this address instead:',
   'this-computer':
     'Without https, serial ports work only where the page comes from this computer itself, as http://localhost. Everything but the connection works here too.',
-  'own-tab': 'Open this address in a tab of its own, not inside another page:',
+  'own-tab': 'Open this address in its own tab, not inside another page:',
   'policy-header': 'For the owner of the server: if it sends a Permissions-Policy, this one allows serial ports:',
   'policy-frame':
     'For the owner of the page around this one: its frame needs this attribute. Everything but the connection works here too.',
@@ -104,13 +104,13 @@ const steps = {
 /** What to do, step by step, when a timer cannot be reached. */
 export const help = {
   title: 'What to do',
-  /** Whose steps are folded up here. */
+  /** The heading over the folded steps of another system. */
   on: (system: string) => `On ${system}`,
   systems,
   unsupported,
   steps,
   copy: 'Copy',
   copied: 'Copied',
-  /** The browser has no clipboard for us: the text is marked, to be copied by hand. */
+  /** The browser has no clipboard for this page. The text is selected, so that the pilot can copy it. */
   marked: 'Marked',
 };

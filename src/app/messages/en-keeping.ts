@@ -2,7 +2,7 @@ import type { Lack } from '../browser/doors.js';
 import type { SHELVES, StorageErrorCode } from '../storage/index.js';
 import { plural } from './plural.js';
 
-/** While the browser does not keep, or give back, what it should. */
+/** For when the browser does not store, or give back, what it should. */
 export const keeping = {
   title: 'This browser does not keep everything.',
   export: 'Export the library…',
@@ -20,13 +20,13 @@ export const keeping = {
   } satisfies Record<StorageErrorCode, string>,
   lacks: {
     locks: 'This page cannot tell its tabs apart. Use one tab only.',
-    channel: 'This page does not notice its other tabs. Close them before you connect.',
+    channel: 'This page cannot reach its other tabs. Close them before you connect.',
     settings: 'Colours, presets and other choices last only while this page is open.',
     offline: 'The page itself is not kept: you cannot open it without a network.',
   } satisfies Record<Lack, string>,
 };
 
-/** What was stored and cannot be read. */
+/** Stored data that cannot be read. */
 export const aside = {
   title: (count: number) =>
     count === 1
@@ -63,7 +63,7 @@ const places = {
   offline: 'the page for use without a network',
 };
 
-/** Everything that is kept on this device goes. */
+/** Deletes everything that this device keeps. */
 export const erase = {
   open: 'Delete everything on this device…',
   title: 'Delete everything on this device',
@@ -88,9 +88,9 @@ export const erase = {
     `This could not be deleted: ${left.map((place) => places[place]).join(', ')}. Close other tabs of this page and try again, or delete its data in the settings of the browser.`,
 };
 
-/** Inside of another page. */
+/** For a page that is shown inside another page. */
 export const framed = {
-  title: 'Sidus Timer works only in a tab of its own.',
+  title: 'Sidus Timer works only in its own tab.',
   why: 'Here it is inside another page, which could cover what you see of your timer.',
-  open: 'Open Sidus Timer in a tab of its own',
+  open: 'Open Sidus Timer in its own tab',
 };

@@ -1,24 +1,25 @@
+import { apart } from './apart.js';
 import { plural } from './plural.js';
 
-/** What is known of what a timer holds, and what is not. */
+/** What is known about the content of a timer, and what is not. */
 export const knowledge = {
-  /** While it is not known what a memory holds. */
+  /** For a memory whose content is uncertain. */
   title: 'Not certain',
   uncertain: (memory: string, values: string) => `It is not known what ${memory} holds: ${values}.`,
   noFly: 'Do not fly before it is read.',
   since: (time: string) => `A write was cut off on ${time}.`,
   thisMemory: 'the current memory',
-  /** Of a timer that is not connected. */
+  /** For a timer that is not connected. */
   memoryOf: (memory: string, timer: string) => `${memory} of ${timer}`,
   timer: (name: string, firmware: string, simulated: boolean) =>
     `the ${simulated ? 'simulated ' : ''}${name} ${firmware}`,
-  /** As above, where one of the same kind is connected. */
+  /** The same, while another timer of the same kind is connected. */
   otherTimer: (name: string, firmware: string, simulated: boolean) =>
     `another ${simulated ? 'simulated ' : ''}${name} ${firmware}`,
   dt: 'DT',
   motorStop: 'motor stop',
   either: (name: string, before: string, goal: string) => `${name} is ${before} or ${goal}`,
-  /** @param more how many values are not named. */
+  /** @param more how many further values there are. */
   list: (named: readonly string[], more: number) =>
     more > 0 ? `${named.join(', ')}, and ${plural(more, 'more value', 'more values')}` : named.join(' and '),
   read: 'Read again',
@@ -34,10 +35,10 @@ export const knowledge = {
   readAt: (time: string) => `As in the timer, read ${time}`,
   lastReadAt: (time: string) => `As last read ${time}`,
   asLastRead: 'As last read',
-  /** Of a setting of the library, by its model and its name. */
+  /** For a setting of the library, by its model and name. */
   ofSetting: (name: string, changes: number) =>
-    changes === 0 ? `${name}: saved` : `${name}: ${plural(changes, 'change', 'changes')} not saved`,
-  /** Of a program that was made here. */
+    changes === 0 ? `${apart(name)}: saved` : `${apart(name)}: ${plural(changes, 'change', 'changes')} not saved`,
+  /** For a program that was made here. */
   made: 'New program, in no timer yet',
   unknown: (memory: string) => `Not known what ${memory} holds`,
   unfinished: (count: number) => `${plural(count, 'field has', 'fields have')} no value yet`,
@@ -46,20 +47,20 @@ export const knowledge = {
     once: (time: string | null) => `Marked fields differ from what was last read${time === null ? '' : `, ${time}`}.`,
     not: () => 'Marked fields differ from what was last read. That is not certain now.',
   },
-  /** Under a value that was changed: what it was. */
+  /** Under a changed value: its old value. */
   marks: {
     now: (value: string) => `was ${value}`,
     once: (value: string) => `last read ${value}`,
     not: (value: string) => `last read ${value}`,
   },
-  /** The same in a cell, where there is room for a figure alone. */
+  /** The same in a cell, which has room for a figure only. */
   old: {
     now: (value: string) => value,
     not: (value: string) => `${value}?`,
   },
-  /** For who hears it. */
+  /** For screen readers. */
   notCertain: ', not certain now',
-  /** What is compared with. */
+  /** The program that it is compared with. */
   held: {
     now: 'Timer holds',
     once: 'Last read',

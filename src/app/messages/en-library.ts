@@ -1,7 +1,8 @@
 import type { SettingSource } from '../../program/index.js';
+import { apart } from './apart.js';
 import { plural } from './plural.js';
 
-/** What is kept of a model, a setting or a flight, as two tabs may not agree on it. */
+/** The fields of a model, a setting or a flight on which two tabs may disagree. */
 const FIELDS: Readonly<Record<string, string>> = {
   name: 'Name',
   timerClass: 'Class',
@@ -24,15 +25,15 @@ const FIELDS: Readonly<Record<string, string>> = {
   result: 'Result',
 };
 
-/** Models and their settings. They come with the parts of the page that show them. */
+/** Models and their settings. The parts of the page that show them load these sentences. */
 export const library = {
   title: 'Library',
-  coming: 'Loading what this device keeps',
-  unread: 'This browser does not give out the models and settings that it may keep.',
+  coming: 'Loading the library',
+  unread: 'The browser cannot read the models and settings that it may have kept.',
   readAgain: 'Try again',
   empty: {
     title: 'No model yet',
-    /** Such as it will look. */
+    /** An example of how it looks. */
     sample: {
       model: 'Lancer 07',
       about: 'F1Q · 3 settings',
@@ -54,15 +55,14 @@ export const library = {
   models: {
     title: 'Models',
     all: 'All models',
-    /** The way back to what lies above. */
-    back: (name: string) => `‹ ${name}`,
+    /** The way back to what stands above. */
     make: 'New model…',
     settings: (count: number) => plural(count, 'setting', 'settings'),
     loose: 'Without a model',
     archive: (count: number) => `Archive (${count})`,
     hideArchive: 'Hide the archive',
     archived: 'archived',
-    noClass: 'class not said',
+    noClass: 'class not given',
     choose: 'Choose a model',
     latest: 'Changed last',
   },
@@ -78,23 +78,23 @@ export const library = {
     up: (name: string) => `Move ${name} up`,
     down: (name: string) => `Move ${name} down`,
     signs: { up: '↑', down: '↓', drag: '⠿' },
-    moved: (name: string, place: number, of: number) => `${name}: ${place} of ${of}`,
+    moved: (name: string, place: number, of: number) => `${apart(name)}: ${place} of ${of}`,
   },
   model: {
     name: 'Name',
     timerClass: 'Class',
-    noClass: 'Not said',
+    noClass: 'Not given',
     note: 'Note',
-    /** Where its name stands above its settings. */
+    /** Used where the model's name stands above its settings. */
     facts: 'About this model',
     noSettings: 'No setting yet. Open a program and save it here, or make a new one.',
     makeSetting: 'New setting…',
     memories: 'Names of its memories',
-    memoriesHint: 'What you call them, such as “calm” or “fly-off”. They stand wherever this timer is shown.',
+    memoriesHint: 'Your names for them, such as “calm” or “fly-off”. The page shows them wherever it shows this timer.',
     servos: 'Servos',
     servosHint: 'What each servo moves, and between which steps.',
-    servosUnknown: 'Not said yet.',
-    servosNoProgram: 'Keep a setting of this model first: it says how many servos there are.',
+    servosUnknown: 'Not known yet.',
+    servosNoProgram: 'Save a setting of this model first: it says how many servos there are.',
     servosChange: 'Name the servos…',
     servoWay: (low: number, high: number) => `${low} to ${high} steps`,
     photoOf: (name: string) => `Picture of ${name}`,
@@ -109,7 +109,7 @@ export const library = {
     unarchive: 'Take out of the archive',
     remove: 'Delete the model',
     withSettings: (count: number) =>
-      `If you delete it, its ${plural(count, 'setting goes', 'settings go')} with it. Undo brings all back.`,
+      `If you delete the model, you also delete its ${plural(count, 'setting', 'settings')}. Undo brings all back.`,
   },
   setting: {
     open: 'Open',
@@ -119,7 +119,7 @@ export const library = {
     note: 'Note',
     notePlace: 'Note: what changed, how it flew',
     tags: 'Tags',
-    tagsHint: 'Words with commas between them, such as: calm, fly-off.',
+    tagsHint: 'Words with commas between them, for example: calm, fly-off.',
     from: {
       typed: 'typed',
       timer: 'read from a timer',
@@ -152,20 +152,20 @@ export const library = {
     obstacles: {
       busy: 'Wait until the timer is free.',
       following: 'The servos follow what you edit. Stop that first.',
-      'other-class': 'The timer that is connected is of another class. Disconnect it to open this setting.',
+      'other-class': 'The connected timer is of another class. Disconnect it to open this setting.',
       'other-layout':
-        'The timer that is connected has another number of functions or servos. Disconnect it to open this setting.',
+        'The connected timer has another number of functions or servos. Disconnect it to open this setting.',
     },
   },
   save: {
-    /** Where nothing of the library is open. */
+    /** Used while nothing of the library is open. */
     open: 'Save to library…',
     again: 'Save',
     againOf: (name: string) => `Save “${name}”`,
     asNew: 'Save as new…',
     title: 'Save to library',
     name: 'Name of the setting',
-    namePlace: 'such as: fly-off, calm',
+    namePlace: 'for example: fly-off, calm',
     model: 'Model',
     newModel: 'New model',
     noModel: 'No model',
@@ -176,14 +176,14 @@ export const library = {
     notSavable: 'A field has no value that a timer can hold. Correct it first.',
     state: (name: string, changes: number, unreadable: number) =>
       changes + unreadable === 0
-        ? `${name}: saved`
-        : `${name}: ${plural(changes + unreadable, 'change', 'changes')} not saved`,
+        ? `${apart(name)}: saved`
+        : `${apart(name)}: ${plural(changes + unreadable, 'change', 'changes')} not saved`,
     elsewhere: {
       title: 'Another tab has saved this setting since you opened it.',
       lead: (count: number) =>
         count === 0
-          ? 'It holds what you have on the screen.'
-          : `What it holds differs from your screen in ${plural(count, 'value', 'values')}. Nothing of either is lost until you choose.`,
+          ? 'It is the same as on your screen.'
+          : `It differs from your screen in ${plural(count, 'value', 'values')}. Nothing is lost before you choose.`,
       direction: 'What is saved there → what is on your screen:',
       more: (count: number) => `And ${count} more.`,
       replace: 'Replace it with mine',
@@ -195,8 +195,8 @@ export const library = {
     title: 'Another tab has saved this at the same time',
     lead: (name: string) =>
       `Both tabs have changed “${name}”. What the other tab has saved is kept until you choose. If you leave without choosing, both are kept.`,
-    flightOf: (model: string, day: string) => [model, `flight of ${day}`].filter(Boolean).join(', '),
-    /** @param field by its name in a record of the library. */
+    flightOf: (model: string, day: string) => [apart(model), `flight of ${day}`].filter(Boolean).join(', '),
+    /** @param field its name in a record of the library. */
     field: (field: string) => FIELDS[field] ?? field,
     theirs: 'Saved there',
     mine: 'Yours',
@@ -217,7 +217,7 @@ export const library = {
     mark: 'not kept by this browser',
   },
   nameNeeded: 'A name is needed. The old name stays.',
-  /** Somebody else has changed the same text. */
-  theirs: (text: string) => `Another tab has saved here meanwhile: “${text}”. Yours is kept.`,
+  /** Another tab has changed the same text. */
+  theirs: (text: string) => `Another tab has saved something else here: “${text}”. Yours is kept.`,
   takeTheirs: 'Take that',
 };

@@ -65,7 +65,7 @@ const unreadable: Record<CodecErrorCode, string> = {
   'bad-link': 'it is not a link to a setting, or not all of it',
   'newer-version': 'a newer version of this page made it',
   'too-large': 'it is too large',
-  duplicate: 'something in it stands twice',
+  duplicate: 'something is in it twice',
 };
 
 const filters = {
@@ -105,7 +105,7 @@ export const line = {
   title: 'Line',
   empty: 'Nothing to show.',
   unused:
-    'Nothing has been on the line yet. All that goes to a timer and comes from it will be listed here. You can also load a recording, look at it, and replay it as a timer.',
+    'Nothing has been on the line yet. Here you will see all that goes to a timer and comes from it. You can also load a recording, look at it, and replay it as a timer.',
   time: 'Time',
   direction: 'Direction',
   message: 'Message',

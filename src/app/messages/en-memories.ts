@@ -1,13 +1,13 @@
 import { dotted } from './dotted.js';
 import { plural } from './plural.js';
 
-/** Which memory flies next, and what is known of the others. */
+/** Which memory flies next, and what is known about the others. */
 export const nextFlight = {
   badge: 'flies next',
   named: (memory: string) => `${memory}, flies next`,
   other: (memory: string) => `${memory} flies next.`,
   will: (memory: string) => `${memory} will fly next.`,
-  /** While there is no connection. */
+  /** While no timer is connected. */
   last: (memory: string) =>
     `${memory} was current when the timer last answered. It flies next unless something else has changed that.`,
   original: (original: string) => `When you connected it was ${original}.`,
@@ -21,20 +21,20 @@ export const nextFlight = {
     disconnect: 'Disconnect',
     stay: 'Stay connected',
     as: (memory: string) => `${memory} flies next, as when you connected.`,
-    failed: (original: string) => `Going back to ${original} did not work. The timer is still connected.`,
+    failed: (original: string) => `The timer did not go back to ${original}. It is still connected.`,
   },
 };
 
-/** A memory that is not the current one, by what was last read of it. */
+/** The last reading of a memory that is not current. */
 export const look = {
   read: (memory: string, time: string) => `${memory}, read ${time}`,
   notRead: (memory: string) => `${memory} has not been read`,
   uncertain: (memory: string) => `It is not known what ${memory} holds`,
-  /** Above the two values that a field may have since a write was cut off. */
+  /** Above the two values that a field may have after an interrupted write. */
   either: 'Either',
   or: 'or',
   /** @param current the memory that flies next. */
-  lead: (current: string) => `For looking only. What you edit and write is ${current}, which flies next.`,
+  lead: (current: string) => `For looking only. You edit and write ${current}, which flies next.`,
   look: (memory: string) => `Look at ${memory}`,
   hint: (memory: string, current: string) => `This selects ${memory}, reads it and goes back to ${current}.`,
   noWayBack: 'This timer does not say which memory is current, so this page would not know which one to go back to.',
@@ -45,7 +45,7 @@ export const look = {
   picture: (memory: string) => `Timeline of ${memory}`,
 };
 
-/** Jobs over several memories, and what was kept of them. */
+/** Jobs over several memories, and the backups. */
 export const memories = {
   copyTo: (from: string) => `Copy ${from} to`,
   copy: (from: string, to: string) => `Copy ${from} to ${to}…`,
@@ -54,7 +54,7 @@ export const memories = {
   plans: {
     'back-up': {
       title: 'Read and keep all memories',
-      lead: 'Each memory is selected in turn and read. At the end the memory that flies next now will fly next again.',
+      lead: 'The page selects and reads one memory after the other. At the end the memory that flies next now will fly next again.',
     },
     copy: {
       title: 'Copy a memory',
@@ -102,7 +102,7 @@ export const overview = {
   copyTo: 'Copy to…',
   notCopy: 'Do not copy',
   compareWith: (memory: string) => `Compare with ${memory}`,
-  /** A button of a card, for who does not see the card. */
+  /** A button of a card, for a screen reader, which does not know the card. */
   of: (button: string, memory: string) => `${button}: ${memory}`,
   figure: (label: string, value: string) => `${label} ${value}`,
   readAt: (time: string) => `read ${time}`,

@@ -2,7 +2,7 @@ import type { TimerErrorCode } from '../../client/index.js';
 import type { ConnectionErrorCode } from '../../serial/index.js';
 import { unsupportedHere } from './en-browsers.js';
 
-/** A sentence that says what happened, and one that says what to do. */
+/** One sentence that says what happened, and one that says what to do. */
 export interface Said {
   readonly title: string;
   readonly advice: string;
@@ -12,12 +12,12 @@ export interface Said {
 export const connection: Record<ConnectionErrorCode, Said> = {
   unsupported: unsupportedHere,
   insecure: {
-    title: 'The browser does not give serial ports to this page.',
+    title: 'The browser does not let this page use serial ports.',
     advice: 'Open it by its https address. Everything but the connection works here too.',
   },
   policy: {
     title: 'The server of this page forbids serial ports.',
-    advice: 'Open this page by its own address, in a tab of its own. Everything but the connection works here too.',
+    advice: 'Open this page by its own address, in its own tab. Everything but the connection works here too.',
   },
   'nothing-chosen': {
     title: 'No port was chosen.',
@@ -51,14 +51,14 @@ export const connection: Record<ConnectionErrorCode, Said> = {
   },
 };
 
-/** Why a job on the wire has ended. */
+/** Why a job with the timer has ended. */
 export const timer: Record<TimerErrorCode, Said> = {
   'no-answer': {
     title: 'The timer did not answer.',
     advice: 'Is it awake, and closer than 20 cm? Press its switch briefly and try again. What you typed is kept.',
   },
   'bad-reply': {
-    title: 'The timer answered something that cannot be.',
+    title: 'The answer of the timer cannot be right.',
     advice: 'Try again. If it happens again, copy the line below and send it to the maintainers.',
   },
   unstable: {
@@ -71,16 +71,16 @@ export const timer: Record<TimerErrorCode, Said> = {
       'Answers came that nobody asked for, and no two readings agreed. Keep other timers and programmers out of the beam, and try again.',
   },
   'other-memory': {
-    title: 'Another memory is current than the one on the screen.',
+    title: 'The current memory is not the one on the screen.',
     advice: 'Read again before you write.',
   },
   'memory-unknown': {
     title: 'This timer does not say which memory is current.',
     advice:
-      'So this page selects no other memory: it would not know which one to come back to. You can read and write the current one.',
+      'So this page cannot select another memory: it would not know which one to go back to. You can read and write the current one.',
   },
   'memory-left': {
-    title: 'Another memory may fly next than before.',
+    title: 'The memory that flies next may have changed.',
     advice:
       'This page could not go back to the one that was current. Connect again and make the right memory fly next before you fly.',
   },
@@ -98,7 +98,7 @@ export const timer: Record<TimerErrorCode, Said> = {
   },
   undecided: {
     title: 'It is not certain in which order this timer sends the bytes of a time.',
-    advice: 'The times fall. With the two bytes of each swapped they would rise. Nothing was written.',
+    advice: 'The times fall. They would rise if the two bytes of each were swapped. Nothing was written.',
   },
   busy: {
     title: 'Something else on this page uses the port.',
@@ -112,7 +112,7 @@ export const timer: Record<TimerErrorCode, Said> = {
   closed: { title: 'Disconnected.', advice: 'Click Connect to go on. What you typed is kept.' },
 };
 
-/** What there is to say beside errors. */
+/** Messages that are not about errors. */
 export const notes = {
   'edits-restored': {
     title: 'Your edits are back.',
@@ -127,7 +127,7 @@ export const notes = {
     advice: 'The timer was read and does not hold them. Look at them, then write or undo them.',
   },
   'edits-moved': {
-    title: 'The timer holds something else than when you made your edits.',
+    title: 'The timer does not hold what it held when you made your edits.',
     advice: 'Your edits are kept and marked. Look at the difference before you write: is this the same timer?',
   },
   'edits-set-aside': {
@@ -163,10 +163,10 @@ export const notes = {
   strays: {
     title: 'Answers came that nobody asked for.',
     advice:
-      'Everything was read again until two readings agreed. Keep other timers and programmers out of the beam of the infra-red head.',
+      'The page read everything again until two readings agreed. Keep other timers and programmers out of the beam of the infra-red head.',
   },
   'taken-over': {
-    title: 'Another tab of this page has taken the port over.',
+    title: 'Another tab of this page uses the port now.',
     advice: 'What you typed here is kept.',
   },
   'made-restored': {
@@ -179,7 +179,7 @@ export const notes = {
   },
   'made-put-away': {
     title: 'Your program does not fit this timer.',
-    advice: 'Its class or its layout is another, or a field has no value yet. The program is kept on this device.',
+    advice: 'It is for another class or layout, or a field has no value yet. The program is kept on this device.',
   },
   'not-kept': {
     title: 'This browser does not keep what you type.',

@@ -26,16 +26,16 @@ export const print = {
       ? 'One of these settings is not in the library of this device.'
       : `${count} of these settings are not in the library of this device.`,
   left: (count: number) =>
-    `${plural(count, 'setting is', 'settings are')} not on this print: 100 at a time are set. Print the others after it.`,
+    `${plural(count, 'setting is', 'settings are')} not on this print, which has at most 100. Print the others after it.`,
   choose: (chosen: number) => `Settings on this print: ${chosen}`,
   search: 'Search by model or setting',
   onScreen: 'The program on the screen',
   noModel: 'No model',
   none: 'The library has no such setting.',
   more: (count: number) => `And ${count} more: search for them.`,
-  clear: 'Take all off',
+  clear: 'Remove all',
 
-  /** What stands on the paper. */
+  /** The words on the paper. */
   model: 'Model',
   setting: 'Setting',
   memory: 'Memory',
@@ -44,11 +44,11 @@ export const print = {
   shortDt: 'Short DT',
   after: 'After',
   positions: 'Times in s, from a minute on in min:s. Positions in steps.',
-  timelineOf: (lanes: readonly string[]) => `Servo positions over time, a lane each: ${lanes.join(', ')}`,
+  timelineOf: (lanes: readonly string[]) => `Servo positions over time, one lane for each: ${lanes.join(', ')}`,
   warnings: 'Look at this before you fly',
   notes: 'Notes',
   code: 'QR code of this setting',
-  codeHint: 'The camera of a phone reads this setting from here, without its note.',
+  codeHint: 'The camera of a phone can read this setting here, without its note.',
   flights: 'Flights',
   columns: ['Date', 'Round', 'Wind m/s', 'Temp. °C', 'Time', 'Remarks'],
   printed: (date: string) => `printed ${date}`,

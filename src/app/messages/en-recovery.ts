@@ -9,7 +9,7 @@ export const recovery = {
   part: (written: number, missing: number) =>
     `The timer holds ${plural(written, 'value', 'values')} of that write; ${plural(missing, 'value is', 'values are')} still as before.`,
   foreign: (count: number) =>
-    `The timer holds ${plural(count, 'value', 'values')} that neither was there before nor came from that write. Is it another timer, or did something else change it?`,
+    `${plural(count, 'value', 'values')} in the timer ${count === 1 ? 'is' : 'are'} neither old nor from that write. Is it another timer, or did something else change it?`,
   sure: 'This page cannot tell timers of one kind apart. Go on only if this is the timer of that write.',
   finish: 'Finish it…',
   goBack: 'Go back…',
@@ -23,7 +23,7 @@ export const recovery = {
   elsewhere: (memory: string) =>
     `A write into ${memory} of a timer of this kind was interrupted. To see what ${memory} holds now, make it fly next.`,
   show: (memory: string) => `Make ${memory} fly next and look`,
-  leftTitle: 'Another memory flies next than before',
+  leftTitle: 'The memory that flies next has changed',
   left: (original: string, current: string) =>
     `A job on several memories was interrupted. Now ${current} flies next. Before the job it was ${original}.`,
   makeCurrent: (memory: string) => `Make ${memory} fly next again`,
@@ -32,7 +32,7 @@ export const recovery = {
 
 export const backups = {
   title: 'Backups',
-  empty: 'Before each write this page keeps here what the timer holds.',
+  empty: 'Before each write, this page keeps here what the timer holds.',
   reasons: { write: 'before a write', memories: 'all memories' },
   entry: (timer: string, memory: string) => `${timer}, ${memory}`,
   set: (timer: string, count: number) => `${timer}, ${plural(count, 'memory', 'memories')}`,

@@ -1,12 +1,12 @@
-/** A DT for trimming that is about to be flown: asked before the pilot disconnects, and with a round of a contest. */
+/** A DT for trimming that is about to be flown. The page asks before the pilot disconnects, and at a contest round. */
 export const shortDt = {
   /** @param memory null where the timer does not say which one is current. */
   held: (memory: string | null, dt: string) => (memory === null ? `DT is ${dt}.` : `DT of ${memory} is ${dt}.`),
   ask: (back: string) => `Put back to ${back}?`,
   putBack: (back: string) => `Put back to ${back}…`,
   flyWith: (dt: string) => `Fly with ${dt}`,
-  /** Something that was typed stands in the way of every write. */
-  blocked: 'Something that you typed cannot be written yet. Put it right before you put DT back.',
+  /** Something that was typed prevents every write. */
+  blocked: 'Something that you typed cannot be written yet. Correct it before you put DT back.',
   settings: {
     title: 'Short DT',
     limit: 'A DT is short below',

@@ -1,6 +1,6 @@
 import { plural } from './plural.js';
 
-/** Before anything was read. */
+/** The start, before anything was read. */
 export const start = {
   title: 'Set your Sidus timer',
   lead: 'Read what it holds, change it, write it, and see it verified. Nothing leaves this device.',
@@ -9,17 +9,17 @@ export const start = {
     wake: 'Wake the timer: press its switch briefly',
     near: 'Hold it closer than 20 cm',
   },
-  /** What Firefox does in its own way. */
+  /** What Firefox does differently. */
   firefox: {
-    /** Where the page comes by https. */
+    /** For a page that was loaded over https. */
     addOn: 'Firefox first asks to add a permission for this page: allow it, then choose the port.',
-    port: 'Firefox asks for the port anew each time this page is loaded.',
+    port: 'Firefox asks for the port again each time this page is loaded.',
   },
   readyOffline: 'Ready offline',
   install: 'Install',
   help: 'Help',
   settings: 'Settings',
-  /** The program that is drawn. */
+  /** The program in the picture. */
   picture: {
     example: 'Example: an F1Q',
     notKept: 'no backup is kept here yet',
@@ -27,7 +27,7 @@ export const start = {
   },
   models: {
     title: 'My models',
-    none: 'Keep programs under the model that they are for, with notes.',
+    none: 'Keep the programs of each model together, with notes.',
     settings: (count: number) => plural(count, 'setting', 'settings'),
     library: 'Open the library',
     all: (count: number) => `All ${count} models`,
@@ -39,35 +39,35 @@ export const start = {
     /** A program that was made here. */
     made: (timer: string) => `${timer}, new`,
     madeAt: (time: string) => `made ${time}`,
-    /** Changes that no timer has. */
+    /** Changes that are in no timer. */
     changesOf: (timer: string) => `${timer}, changes`,
     changedAt: (time: string) => `changed ${time}`,
-    /** Before its name, for who hears it. */
+    /** Before the name of the program, for screen readers. */
     open: 'Open',
     remove: 'Delete',
     removeOf: (what: string, when: string) => `Delete ${what}, ${when}`,
     sure: 'Delete it for good?',
     keep: 'Keep it',
   },
-  simulatedTitle: 'No timer at hand?',
+  simulatedTitle: 'No timer with you?',
   simulatedLead: 'A simulated one answers like a real one, byte for byte.',
   simulated: (name: string) => `Try a simulated ${name} timer`,
   backups: {
     title: 'Backups',
-    none: 'Before every write, what the timer held is kept here.',
+    none: 'Before each write, the page keeps here what the timer held.',
     kept: (count: number, last: string) =>
       `${plural(count, 'backup', 'backups')}, kept before a write. The last: ${last}.`,
     look: 'Look at them',
   },
 };
 
-/** That the page can be installed. */
+/** The hint that the page can be installed. */
 export const installHint = {
-  title: 'Keep Sidus Timer at hand.',
+  title: 'Install Sidus Timer.',
   ways: {
-    button: 'Installed, it has a window and an icon of its own.',
+    button: 'It then has its own window and icon.',
     share:
-      'Tap Share, then Add to Home Screen. In a tab, what is kept here may be deleted when you do not come back for seven days. On the Home Screen the page may begin with an empty library: export yours to a file first.',
+      'Tap Share, then Add to Home Screen. In a tab, the browser may delete what you keep here when you do not open the page for seven days. On the Home Screen the page may begin with an empty library: export yours to a file first.',
     dock: 'In Safari, choose File, then Add to Dock. The page may begin with an empty library there: export yours to a file first.',
   },
   notNow: 'Not now',

@@ -1,6 +1,6 @@
 import { plural } from './plural.js';
 
-/** What a timeline shows, in the words of one sentence. */
+/** The content of a timeline, for one sentence. */
 export interface TimelineFacts {
   readonly servos: number;
   readonly functions: number;
@@ -13,7 +13,7 @@ export const timeline = {
   title: 'Timeline',
   compareWith: 'Compare with',
   compareNothing: 'nothing',
-  /** What the timer holds, as far as that is known. */
+  /** What the timer holds, as far as it is known. */
   compareHeld: { now: 'the timer', once: 'the last reading', not: 'the last reading, not certain' },
   picture: 'Servo positions over time',
   description: ({ servos, functions, dt, motorStop }: TimelineFacts) =>
@@ -25,7 +25,7 @@ export const timeline = {
   /** While a handle is moved: the further away the pointer is, the finer. */
   finer: 'Finer',
   finest: 'Step by step',
-  front: 'Servo in hand',
+  front: 'Selected servo',
   stands: (servo: string, position: number | string) => `${servo} ${position}`.trim(),
   steps: (position: number) => plural(position, 'step', 'steps'),
   stepsUnit: 'steps',

@@ -1,9 +1,9 @@
 /** A new version of the page. */
 export const update = {
-  /** @param version null where it does not say. */
+  /** @param version null when the new version does not say. */
   ready: (version: string | null) =>
     version === null ? 'A new version is ready.' : `A new version is ready: ${version}.`,
-  /** It was taken, and cannot begin yet. */
+  /** The pilot has accepted it, but it cannot start yet. */
   waits: (version: string | null) =>
     version === null ? 'The new version waits.' : `The new version ${version} waits.`,
   take: 'Use it now',
@@ -17,15 +17,15 @@ export const update = {
   close: 'Close',
 };
 
-/** Which version of the page this is. */
+/** The version of this page. */
 export const aboutPage = {
   title: 'This page',
   version: (version: string) => `Sidus Timer ${version}.`,
-  offline: 'All of it is on this device: it works without a network.',
-  notOffline: 'It is not kept on this device yet: open it once with a network.',
+  offline: 'The whole page is on this device: it works without a network.',
+  notOffline: 'The page is not kept on this device yet: open it once with a network.',
   take: (version: string | null) =>
     version === null ? 'Use the new version now' : `Use the new version ${version} now`,
   licences: 'Licences',
-  madeWith: 'This page, and the work of others that it contains. Each opens with its licence in full.',
+  madeWith: 'This page, and the work of others that it contains. Open one to read its whole licence.',
   package: (name: string, version: string, licence: string) => `${name} ${version}, ${licence}`,
 };

@@ -1,4 +1,4 @@
-/** The views of the page, and the way from one to the other. */
+/** The views of the page and the links between them. */
 export const views = {
   title: 'Views',
   names: {
@@ -22,7 +22,7 @@ export const views = {
   },
 };
 
-/** What stands in every view: the timer, its memory, DT, motor stop, and what is known. */
+/** The strip above every view: the timer, its memory, DT, motor stop, and what is known. */
 export const strip = {
   close: 'Close the large figures',
   panel: 'Large figures',
@@ -30,9 +30,9 @@ export const strip = {
   asInTimer: '✓',
   notCertain: 'not certain',
   asRead: 'last read',
-  /** Of a setting of the library. */
+  /** For a setting of the library. */
   ofSetting: (changes: number) => (changes === 0 ? 'saved' : `${changes} not saved`),
-  /** Of a program that was made here, and is in no timer. */
+  /** For a program that was made here and is in no timer. */
   made: 'new',
 };
 
@@ -40,7 +40,7 @@ export const strip = {
 export const palette = {
   title: 'Commands',
   search: 'Type what you want to do',
-  nothing: 'Nothing is called that, or it cannot be done now.',
+  nothing: 'No command has this name, or it cannot be done now.',
   shift: (rows: string) => `Shift: ${rows}`,
   preset: (time: string) => `DT ${time}`,
   moveTo: (slot: string) => `Move the servos: ${slot}`,
@@ -57,9 +57,12 @@ export const palette = {
   theme: (name: string) => `Colours: ${name}`,
 };
 
-/** In the place of a part of the page that is fetched. */
+/** In place of a part of the page that is being loaded. */
 export const parts = {
   coming: 'Loading',
   failed: 'This part of the page could not be loaded.',
+  /** Without them nothing opens that a click, a file or a link asks for. */
+  dialogsFailed:
+    'The dialogs of this page could not be loaded. Without them you cannot write to a timer, import a file, or see the setting in a link.',
   again: 'Try again',
 };

@@ -1,20 +1,22 @@
+import { apart } from './apart.js';
 import { plural } from './plural.js';
 
-/** So many are called by name in one sentence. The list of models has all of them. */
+/** How many models one sentence names. The list of models has all of them. */
 const NAMED = 6;
 
-/** One of them: “Lancer, Vega or 3 more”. */
+/** A choice in one phrase: “Lancer, Vega or 3 more”. */
 const either = (names: readonly string[]): string => {
-  const all = names.length <= NAMED ? names : [...names.slice(0, NAMED - 1), `${names.length - NAMED + 1} more`];
+  const own = names.map(apart);
+  const all = names.length <= NAMED ? own : [...own.slice(0, NAMED - 1), `${names.length - NAMED + 1} more`];
   return all.length < 2 ? (all[0] ?? '') : `${all.slice(0, -1).join(', ')} or ${all.at(-1)}`;
 };
 
-/** Whose timer is connected: by what it holds, or by the pilot's word. */
+/** Which model the connected timer belongs to: as its content shows, or as the pilot says. */
 const recognition = {
   /** @param when a day, or a time of today. */
-  same: (model: string, when: string) => `This is ${model}, as seen ${when}.`,
+  same: (model: string, when: string) => `This is ${apart(model)}, as seen ${when}.`,
   like: (model: string, count: number) =>
-    `This is like ${model}, ${plural(count, 'value differs', 'values differ')}. Is it ${model}?`,
+    `This is like ${apart(model)}, ${plural(count, 'value differs', 'values differ')}. Is it ${apart(model)}?`,
   several: (models: readonly string[]) => `This may be ${either(models)}. Which model is it?`,
   unknown: 'This timer is not known here. Which model is it?',
   yes: (model: string) => `Yes, ${model}`,
@@ -24,12 +26,12 @@ const recognition = {
   ok: 'OK',
   dialog: {
     title: 'Which model is it?',
-    lead: 'Nothing in a timer names its model. This device compares what it holds with what it last saw in each model.',
+    lead: 'A timer does not know the name of its model. The page compares what this timer holds with what it last saw in each model.',
     said: (model: string) => `You have said that it is ${model}.`,
     moreMemories: 'Read the other memories, too: they may tell the models apart.',
     list: 'Models',
     search: 'Search',
-    nothing: 'No model is called that.',
+    nothing: 'No model has this name.',
     none: 'This device keeps no other model of this class yet.',
     /** Under a name in the list. */
     holds: (when: string) => `the same as ${when}`,
@@ -41,25 +43,25 @@ const recognition = {
   },
 };
 
-/** The names of the memories, where they are given. */
+/** The names of the memories, in the place where they are typed. */
 const memoryNames = {
   label: (memory: string) => `Name of ${memory}`,
   give: 'Name it',
-  /** A button of a card, for who does not see the card. */
+  /** A button of a card, for a screen reader, which does not know the card. */
   of: (button: string, memory: string) => `${button}: ${memory}`,
   /** A button that shows the name. */
-  change: (memory: string, name: string) => `${name}, the name of ${memory}: change it`,
+  change: (memory: string, name: string) => `${apart(name)}, the name of ${memory}: change it`,
 };
 
 /** Values of one model that are about to be written into the timer of another. */
 const crossing = {
-  /** @param to the models that the timer may be of. */
+  /** @param to the models to which the timer may belong. */
   title: (from: string, to: readonly string[]) =>
-    `These are values of ${from}, and this timer looks like that of ${either(to)}.`,
-  advice: 'Values of another model can cost this one. Look at the model in front of you.',
+    `These are values of ${from}, but this timer looks like that of ${either(to)}.`,
+  advice: 'With the values of another model you can lose this one. Look at the model in front of you.',
   confirm: (from: string, to: readonly string[]) => `Write values of ${from} into the timer of ${either(to)}.`,
   /** @param memory with its name. */
-  memoryOf: (memory: string, model: string) => `${memory} of ${model}`,
+  memoryOf: (memory: string, model: string) => `${memory} of ${apart(model)}`,
 };
 
 export const whichModel = { recognition, memoryNames, crossing };

@@ -1,7 +1,7 @@
 import { dotted } from './dotted.js';
 import { plural } from './plural.js';
 
-/** From the difference that is shown to the verdict. */
+/** A write, from the difference to the verdict. */
 export const write = {
   title: 'Write to the timer',
   lead: (memory: string) => `This is what changes in ${memory}. Everything else stays as it is.`,
@@ -13,11 +13,11 @@ export const write = {
   wasRead: 'Was read',
   moved: {
     timer: {
-      title: 'The timer holds something else than was shown.',
+      title: 'The timer does not hold what was shown.',
       advice: 'Nothing was written. This is what a write would change now.',
     },
     model: {
-      title: 'Whose timer this is has changed since this was shown.',
+      title: 'This timer seems to belong to another model now.',
       advice: 'Nothing was written. Look at the names of the models.',
     },
     edits: {
@@ -29,14 +29,14 @@ export const write = {
     title: 'This device could not keep a backup of what the timer holds now.',
     advice: 'Nothing was written yet. Write without it?',
   },
-  /** What a table of values is called: by what its columns are of. */
+  /** The name of a table of values, made from its columns. */
   sideBySide: (names: readonly string[]) => `Values: ${names.join(', ')}`,
   withoutCopy: 'Write without a backup',
   notWithout: 'Do not write',
   safety: 'The propeller is off or the model is held, and the timer is not armed.',
   acknowledge: 'I have read this and want to write it anyway.',
   move: {
-    why: 'This timer seems to keep positions only where its servos stand. Unless the servos move, it will probably not keep these.',
+    why: 'This timer seems to keep positions only where its servos stand. If the servos do not move, it will probably not keep these.',
     label: 'Move the servos to each function before its positions are stored',
     hint: 'The servos will move then: hold the model safely, with nothing in their way.',
     notHeld: {
@@ -71,7 +71,8 @@ export const write = {
   },
   unknown: {
     title: 'It is not certain what the timer holds.',
-    advice: 'The write was not read back to its end. Read again, then write what still differs. Your changes are kept.',
+    advice:
+      'The timer could not be read back completely. Read again, then write what still differs. Your changes are kept.',
   },
   refused: 'Nothing was written.',
   held: 'Timer holds now',

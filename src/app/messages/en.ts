@@ -23,7 +23,7 @@ import { plural } from './plural.js';
 const slotName = (slot: number, kind: 'start' | 'function' | 'dt'): string =>
   kind === 'start' ? 'Start' : kind === 'dt' ? 'DT' : `Function ${slot}`;
 
-/** Everything that a person reads. Its type is what every language must give. */
+/** Everything that a person reads. Every language must have this type. */
 export const en = {
   name: 'Sidus Timer',
   classNames: { Q: 'F1Q', B: 'F1B', E: 'F1E' } as Readonly<Record<string, string>>,
@@ -31,10 +31,10 @@ export const en = {
   memoryName: (memory: number) => `M${memory + 1}`,
   servoName: (servo: number) => `S${servo + 1}`,
   slotName,
-  /** Where there is little room: the number alone. */
+  /** Where there is little room: only the number. */
   slotShort: (slot: number, kind: 'start' | 'function' | 'dt') =>
     kind === 'function' ? String(slot) : slotName(slot, kind),
-  /** What stands before a sentence about it. */
+  /** Before a sentence about something. */
   about: (name: string) => `${name}:`,
   seconds: (time: string) => (time.includes(':') ? time : `${time} s`),
   times: {
@@ -44,9 +44,9 @@ export const en = {
     units: { s: 's', min: 'min' },
     /** “10.0 s”, “3:00 min”. */
     figure: (text: string, unit: string) => `${text} ${unit}`,
-    /** What was typed as seconds and is minutes by now: “230 s, 3:50”. */
+    /** A time that was typed as seconds and is a minute or more: “230 s, 3:50”. */
     asSeconds: (seconds: string, clock: string) => `${seconds} s, ${clock}`,
-    /** Around the two answers. */
+    /** The label of the two answers. */
     meaning: (field: string) => `What ${field} means`,
   },
 
@@ -56,7 +56,7 @@ export const en = {
     connect: 'Connect',
     choosePort: 'Choose a port',
     simulatedTimer: 'Simulated',
-    putAway: 'Close program',
+    closeProgram: 'Close program',
     disconnect: 'Disconnect',
     stop: 'Stop',
   },
@@ -94,12 +94,11 @@ export const en = {
     write: (count: number) => (count === 0 ? 'Write…' : `Write ${count}…`),
     picture: 'Picture',
     table: 'Table',
-    /** What is in the way of a write; its button leads there. */
+    /** What prevents a write. Its button goes there. */
     blocked: (field: string, why: string) => `Nothing can be written yet. ${field}: ${why}`,
     findings: 'Checks',
     noFindings: 'Nothing unusual.',
-    absolute:
-      'Times are shown as counted from launch. The manuals of this class do not say clearly whether they are intervals.',
+    absolute: 'Times are shown from launch. The manuals do not say clearly whether they are intervals.',
     severity: { error: 'Cannot be written', serious: 'Serious', warning: 'Unusual' },
     reading: 'Reading the timer',
     selecting: 'Changing the memory',
@@ -108,9 +107,9 @@ export const en = {
   line,
   report,
   byteOrder: {
-    title: 'The times of this timer fall.',
+    title: 'The times of this timer fall from row to row.',
     advice:
-      'With the two bytes of each time swapped they would rise. Compare both with what you know of the timer, and choose before you write times.',
+      'They would rise if the two bytes of each time were swapped. Compare both with what you know of the timer, and choose before you write times.',
     keep: 'They are right as shown',
     exchange: 'Swap them and read again',
   },
@@ -118,13 +117,13 @@ export const en = {
   aboutPage,
   help,
   otherTab: {
-    /** @param what empty while that tab has not read a timer. */
+    /** @param what empty until that tab has read a timer. */
     holds: (what: string, since: string) =>
       `Another tab of this page holds the port${what === '' ? '' : `: ${what}`}, since ${since}.`,
     takeOver: 'Take over',
     asking: 'Asking the other tab',
-    writing: 'It is writing just now. Wait until it has finished.',
-    gone: 'It does not answer. Close it, then click Connect again.',
+    writing: 'The other tab is writing. Wait until it has finished.',
+    gone: 'The other tab does not answer. Close it, then click Connect again.',
   },
   link,
   ports,

@@ -18,21 +18,22 @@ import {
 } from '../editing/units.js';
 import { dateFormat } from './date-format.js';
 import { en } from './en.js';
+import { isToday } from './today.js';
 
 export type { Said } from './en-notices.js';
 export type { TimelineFacts } from './en-timeline.js';
 
-/** What every language must give: a missing sentence does not compile. */
+/** What every language must have. A missing sentence does not compile. */
 export type Messages = typeof en;
 
-/** The language in force. Components read it, so that all of them follow when it changes. */
+/** The current language. Components read this signal, so all of them follow a change. */
 export const messages = signal<Messages>(en);
 
 export function slotLabel(identity: Identity, slot: number): string {
   return messages.value.slotName(slot, slotKind(identity, slot));
 }
 
-/** What a field is called: “DT time”, “Motor stop time”, “Function 3, S1”. */
+/** The name of a field: “DT time”, “Motor stop time”, “Function 3, S1”. */
 export function fieldLabel(identity: Identity, field: ProgramField): string {
   const { program, servoName } = messages.value;
   if (field.kind === 'idleThrottle') return program.idleThrottle;
@@ -41,19 +42,19 @@ export function fieldLabel(identity: Identity, field: ProgramField): string {
   return field.slot === 0 && identity.timerClass === 'Q' ? program.motorStopTime : program.timeOf(slot);
 }
 
-/** What a servo moves, by the name that the pilot gave it or by that of its duty. */
+/** What a servo moves: the pilot's name for it, or the name of its duty. */
 export function dutyName({ duty, name }: { duty: keyof Messages['preview']['duties']; name: string }): string {
   return name || messages.value.preview.duties[duty];
 }
 
-/** A time as it is said: “2 min 30 s”, “20 s”, “2.3 s”; one before launch with a minus. */
+/** A time in spoken form: “2 min 30 s”, “20 s”, “2.3 s”. Before launch with a minus. */
 export function spokenTime(hundredths: number): string {
   const { minutes, seconds } = spokenParts(Math.abs(hundredths));
   const said = messages.value.times.spoken(minutes, seconds);
   return hundredths < 0 ? `-${said}` : said;
 }
 
-/** What a text may mean, to choose from: “2 min 30 s” and “2.3 s”, or “230 s, 3:50”. */
+/** The possible meanings of a text, to choose from: “2 min 30 s” and “2.3 s”, or “230 s, 3:50”. */
 export function eitherTexts(either: Ambiguous['either']): readonly string[] {
   const asSeconds = either.length - 1;
   return either.map((value, at) =>
@@ -63,7 +64,9 @@ export function eitherTexts(either: Ambiguous['either']): readonly string[] {
   );
 }
 
-/** A value as a large figure, apart from its unit; of what is no time, or cannot be one, all that there is to say. */
+/**
+ * A value as a large figure, with its unit apart. For a value that is no time, or an impossible one, the whole text.
+ */
 export function figureOf(
   identity: Identity,
   field: ProgramField,
@@ -80,18 +83,18 @@ export function figureText(identity: Identity, field: ProgramField, value: numbe
   return unit ? inUnit({ text, unit }) : text;
 }
 
-/** A DT to choose: “20 s”, “3 min”, “1:30 min”. */
+/** A DT on a button: “20 s”, “3 min”, “1:30 min”. */
 export function presetText(value: number): string {
   if (value % 6000 === 0) return spokenTime(value);
   return inUnit(formatFigure(value, 100));
 }
 
-/** A DT as it is said of a program: “20 s”, “3:00 min”. */
+/** The DT of a program: “20 s”, “3:00 min”. */
 export function dtText(value: number): string {
   return inUnit(formatFigure(value, 100));
 }
 
-/** A time of a flight: “10.60 s”, “3:00 min”. */
+/** A moment of a flight: “10.60 s”, “3:00 min”. */
 export function momentText(hundredths: number): string {
   const text = formatTime(hundredths);
   return inUnit({ text, unit: text.includes(':') ? 'min' : 's' });
@@ -113,7 +116,7 @@ export function findingText({ code, params, field }: Finding): string {
   return findings[code](Object.fromEntries(shown));
 }
 
-/** What a cell of the table is called, also that of an interval. */
+/** The name of a cell in the table, intervals included. */
 export function gridLabel(identity: Identity, field: GridField): string {
   if (field.kind !== 'interval') return fieldLabel(identity, field);
   return messages.value.edits.table.intervalOf(slotLabel(identity, field.slot));
@@ -132,7 +135,7 @@ export function portName({ kind, info }: Pick<KnownPort, 'kind' | 'info'>): stri
   return `${portNames.usb} ${portNumbers(hex(info.usbVendorId), hex(info.usbProductId))}`;
 }
 
-/** The same for a port of which only the name is left under which it is remembered, see `portKey`. */
+/** The same for a port of which only the remembered name is left; see `portKey`. */
 export function portKeyName(key: string): string {
   const [bus, vendor = '', product = ''] = key.split(':');
   if (bus === 'bluetooth') return messages.value.link.portNames.bluetooth;
@@ -146,37 +149,36 @@ export function readable(bytes: Uint8Array): string {
   return Array.from(bytes, (byte) => (byte >= 0x20 && byte < 0x7f ? String.fromCharCode(byte) : '·')).join('');
 }
 
-/** A day and a time of day, as they are written in this language. */
+/** A day and a time of day, in the form of this language. */
 export function dateText(time: number): string {
   const { locale, dateTime } = messages.value;
   return dateFormat(locale, dateTime).format(time);
 }
 
-/** A time of today as its hour and minute, any other as its day alone: “12 Nov”, “12 Nov 2025”. */
+/** For today the hour and minute, for any other day the day alone: “12 Nov”, “12 Nov 2025”. */
 export function dayText(time: number): string {
   const { locale } = messages.value;
   const day = new Date(time);
   const now = new Date();
-  if (day.toDateString() === now.toDateString()) return clockText(time);
+  if (isToday(day)) return clockText(time);
   const year = day.getFullYear() === now.getFullYear() ? {} : ({ year: 'numeric' } as const);
   return dateFormat(locale, { day: 'numeric', month: 'short', ...year }).format(time);
 }
 
-/** A time of today as its hour and minute, any other with its day. */
+/** For today the hour and minute, for any other day also the day. */
 export function clockText(time: number): string {
   const { locale, dateTime } = messages.value;
-  const isToday = new Date(time).toDateString() === new Date().toDateString();
-  return isToday ? dateFormat(locale, { timeStyle: dateTime.timeStyle }).format(time) : dateText(time);
+  return isToday(new Date(time)) ? dateFormat(locale, { timeStyle: dateTime.timeStyle }).format(time) : dateText(time);
 }
 
-/** A value as it is said in a sentence: “3:00”, “10.0 s”, “65”; what is not known says so. */
+/** A value inside a sentence: “3:00”, “10.0 s”, “65”, or that it is not known. */
 export function valueText(identity: Identity, field: ProgramField, value: number | null): string {
   if (value === null) return messages.value.write.status.unknown;
   const { text, unit } = figureOf(identity, field, value);
   return unit === 's' ? inUnit({ text, unit }) : text;
 }
 
-/** What a step is called: “shift from Function 3 by 0.50 s”. */
+/** The name of a step: “shift from Function 3 by 0.50 s”. */
 export function stepText(identity: Identity, { code, params }: StepName): string {
   const { edits, servoName, seconds } = messages.value;
   const shown = Object.entries(params).map(([name, value]): [string, string] => {
@@ -193,7 +195,7 @@ export function stepText(identity: Identity, { code, params }: StepName): string
   return edits.steps[code](Object.fromEntries(shown));
 }
 
-/** The sentence for why an edit was not done. */
+/** The sentence that says why an edit was not done. */
 export function obstacleText(identity: Identity, obstacle: Obstacle): string {
   const { edits, about } = messages.value;
   const where = about(fieldLabel(identity, obstacle.field));
@@ -202,12 +204,12 @@ export function obstacleText(identity: Identity, obstacle: Obstacle): string {
   return `${where} ${reasonText(obstacle.code, obstacle.params, obstacle.field.kind === 'time')}`;
 }
 
-/** The sentence for what is wrong with a pasted cell. */
+/** The sentence that says what is wrong with a pasted cell. */
 export function pasteProblemText({ code, params, field }: PasteProblem): string {
   return reasonText(code, params, field !== null && field.kind !== 'position');
 }
 
-/** A reason stands where it was needed first: with the checks, with the fields, or with the edits. */
+/** Each reason stands in one place: with the checks, the fields, or the edits. */
 function reasonText(
   code: Exclude<Obstacle['code'], 'unreadable'> | PasteProblem['code'],
   params: Readonly<Record<string, number>>,

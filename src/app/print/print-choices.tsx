@@ -1,10 +1,11 @@
 import { useId } from 'preact/hooks';
 import { print as words } from '../messages/en-print.js';
+import { Check } from '../ui/check.js';
 import { SHEET_PARTS } from './galley.js';
 import { PAPERS } from './paper.js';
 import type { Print } from './print.js';
 
-/** What is in the printer, and what is to be on the sheet. */
+/** Chooses the paper, and the parts of the sheet. */
 export function PrintChoices({ print }: { readonly print: Print }) {
   const id = useId();
   return (
@@ -29,10 +30,9 @@ export function PrintChoices({ print }: { readonly print: Print }) {
         <legend>{words.what}</legend>
         <div class="print-papers">
           {SHEET_PARTS.map((part) => (
-            <label key={part} class="check">
-              <input type="checkbox" checked={print.parts.value.has(part)} onChange={() => print.togglePart(part)} />
+            <Check key={part} checked={print.parts.value.has(part)} onChange={() => print.togglePart(part)}>
               {words.parts[part]}
-            </label>
+            </Check>
           ))}
         </div>
       </fieldset>

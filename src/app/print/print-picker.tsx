@@ -1,27 +1,28 @@
 import { useEffect, useMemo } from 'preact/hooks';
 import { print as words } from '../messages/en-print.js';
+import { Check } from '../ui/check.js';
 import type { Print } from './print.js';
 import { ON_SCREEN } from './print-order.js';
 
-/** More are not listed: they are searched for. */
+/** How many are listed. The search finds the others. */
 const MOST = 40;
 
 interface PrintPickerProps {
   readonly print: Print;
 }
 
-/** Which settings are printed: any of the library, of several models, and the program on the screen. */
+/** Chooses what to print: any settings of the library, and the program on the screen. */
 export function PrintPicker({ print }: PrintPickerProps) {
   const { order } = print;
   const { value: chosen } = order.keys;
   const { value: found } = print.found;
   useEffect(() => void print.load(), [print]);
-  // Where there is nothing to print, this is the next step.
+  // With nothing to print, this is the next step.
   const isFirst = useMemo(
     () => !print.hasProgram.peek() && order.keys.peek().every((key) => key === ON_SCREEN),
     [print, order],
   );
-  // What is chosen stands first, whatever is searched for.
+  // Chosen settings stand first, whatever the search says.
   const first = found.filter(({ key }) => chosen.includes(key));
   const listed = [...first, ...found.filter(({ key }) => !chosen.includes(key))].slice(0, Math.max(MOST, first.length));
   return (
@@ -66,9 +67,8 @@ interface ChoiceProps {
 
 function Choice({ name, on, onToggle }: ChoiceProps) {
   return (
-    <label class="check">
-      <input type="checkbox" checked={on} onChange={onToggle} />
+    <Check checked={on} onChange={onToggle}>
       {name}
-    </label>
+    </Check>
   );
 }

@@ -5,14 +5,14 @@ import { setValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { fixFor } from '../editing/fixes.js';
 import { fieldLabel, figureText, messages } from '../messages/index.js';
-import { useLate } from '../timeline/hooks.js';
+import { useLate } from '../ui/use-late.js';
 import { allNotes } from './field-notes.js';
 import './checks-panel.css';
 
-/** Everything that is to be said about the program, with what puts it right where that is obvious. */
+/** All notes about the program, each with its correction where that is obvious. */
 export function ChecksPanel({ editor }: { readonly editor: Editor }) {
   const { program } = messages.value;
-  // As the picture above it: the field that was typed into is seen first, with its own notes.
+  // A frame later, like the picture above it: the field that was typed into is drawn first, with its own notes.
   const said = useMemo(() => computed(() => ({ identity: editor.identity.value, notes: allNotes(editor) })), [editor]);
   const [late] = useLate(said);
   const { identity, notes } = late.identity === editor.identity.value ? late : said.peek();
@@ -25,7 +25,7 @@ export function ChecksPanel({ editor }: { readonly editor: Editor }) {
       ) : (
         <ul>
           {notes.map(({ field, severity, text, finding }) => (
-            // The figures in its text follow each digit: it stays the same element.
+            // The figures in its text change with each digit, but the element stays the same.
             <li key={`${field ? fieldKey(field) : ''} ${finding?.code}`} class={severity}>
               <strong>{program.severity[severity]}</strong>
               {field && <span class="where">{fieldLabel(identity, field)}</span>}

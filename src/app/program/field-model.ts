@@ -12,72 +12,104 @@ import type { EditedValue } from './hand.js';
 /** Which of several fields for the same value this is. */
 export type FieldPlace = 'table' | 'large';
 
+/** What stands in a field, and its colours. */
+export interface FieldFace {
+  readonly text: string;
+  readonly unit: Figure['unit'] | null;
+  readonly isChanged: boolean;
+  /** Whether a write has just changed it and the read back has confirmed it. */
+  readonly isConfirmed: boolean;
+  readonly isWrong: boolean;
+  readonly either: Ambiguous['either'] | null;
+  readonly marks: FieldMarks;
+}
+
+/** What is said about the value of a field. */
+export interface FieldMarks {
+  /** The value in spoken form, where a wrong minute would be costly. */
+  readonly spoken: string | null;
+  /** The old value in the timer, if it differs and is known. */
+  readonly was: string | null;
+  /** The same without a unit. */
+  readonly old: string;
+  readonly notes: string;
+}
+
+const UNCHANGED = { spoken: null, was: null, old: '' };
+
 /**
- * What one field shows. Each part tells of its own changes alone: a keystroke elsewhere draws the field anew only where
- * it says something else.
+ * What one field shows. The face stays the same object while nothing in it changes, so typing elsewhere draws the field
+ * again only where its content changes. It is one signal: with one for each part, each key would look into a thousand.
  */
 export class FieldModel implements EditedValue {
   readonly #editor: Editor;
   readonly #field: ProgramField;
+  readonly #key: string;
+  readonly #isLarge: boolean;
+  #last: FieldFace | null = null;
   readonly kind: EditedValue['kind'];
-  readonly text: ReadonlySignal<string>;
-  readonly unit: ReadonlySignal<Figure['unit'] | null>;
-  /** The value as it is said, where a wrong minute would be dear. */
-  readonly spoken: ReadonlySignal<string | null>;
-  readonly isChanged: ReadonlySignal<boolean>;
-  /** A write has just changed it, and the reading back has confirmed it. */
-  readonly isConfirmed: ReadonlySignal<boolean>;
-  /** The value that the timer held, where it was another and is known. */
-  readonly was: ReadonlySignal<string | null>;
-  /** The same without a unit. */
-  readonly old: ReadonlySignal<string>;
-  readonly isUnreadable: ReadonlySignal<boolean>;
-  readonly canPutBack: ReadonlySignal<boolean>;
-  readonly either: ReadonlySignal<Ambiguous['either'] | null>;
-  readonly isWrong: ReadonlySignal<boolean>;
-  readonly notes: ReadonlySignal<string>;
-  readonly stepSize: ReadonlySignal<number>;
+  readonly face: ReadonlySignal<FieldFace> = computed(() => this.#look());
+  readonly text: EditedValue['text'] = computed(() => this.face.value.text);
+  readonly unit: EditedValue['unit'] = computed(() => this.face.value.unit);
+  readonly was: EditedValue['was'] = computed(() => this.face.value.marks.was);
+  readonly either: EditedValue['either'] = computed(() => this.face.value.either);
+  readonly notes: EditedValue['notes'] = computed(() => this.face.value.marks.notes);
+  readonly canPutBack: EditedValue['canPutBack'] = computed(
+    () => this.face.value.isChanged || this.#editor.unreadable.value.has(this.#key),
+  );
+  readonly stepSize: EditedValue['stepSize'] = computed(() => {
+    const { value: identity } = this.#editor.identity;
+    return identity ? stepSize(identity, this.#field) : 1;
+  });
 
   constructor(editor: Editor, field: ProgramField, place: FieldPlace) {
     this.#editor = editor;
     this.#field = field;
+    this.#key = fieldKey(field);
+    this.#isLarge = place === 'large';
     this.kind = field.kind === 'time' ? 'time' : 'steps';
-    const key = fieldKey(field);
-    const isLarge = place === 'large';
-    const { identity } = editor;
-    const value = computed(() => editor.working.value && valueAt(editor.working.value, field));
-    /** What the timer held; undefined where it holds the same. */
-    const from = computed(() => editor.changed.value.get(key)?.from);
-    const isTyped = computed(() => editor.isTyped(field));
-    const figure = computed(() =>
-      identity.value && value.value !== null && !isTyped.value ? figureOf(identity.value, field, value.value) : null,
-    );
-    const isSaid = computed(
-      () =>
-        isLarge &&
-        field.kind === 'time' &&
-        (field.slot === identity.value?.functions || figure.value?.unit === 'min') &&
-        this.isChanged.value &&
-        !this.isUnreadable.value,
-    );
-    this.text = computed(() => (isLarge && figure.value ? figure.value.text : editor.textOf(field)));
-    this.unit = computed(() => figure.value?.unit ?? null);
-    this.spoken = computed(() => (isSaid.value && value.value !== null ? spokenTime(value.value) : null));
-    this.isChanged = computed(() => from.value !== undefined);
-    this.isConfirmed = computed(() => editor.confirmed.value.has(key));
-    this.was = computed(() =>
-      identity.value && typeof from.value === 'number' ? wasText(identity.value, field, from.value, isLarge) : null,
-    );
-    this.old = computed(() =>
-      identity.value && typeof from.value === 'number' ? formatValue(identity.value, field, from.value) : '',
-    );
-    this.isUnreadable = computed(() => editor.unreadable.value.has(key));
-    this.canPutBack = computed(() => this.isChanged.value || this.isUnreadable.value);
-    this.either = computed(() => editor.asked.value.get(key) ?? null);
-    const notes = computed(() => notesFor(editor, field));
-    this.isWrong = computed(() => notes.value.some(({ severity }) => severity === 'error'));
-    this.notes = computed(() => notes.value.map(({ text }) => text).join(' '));
-    this.stepSize = computed(() => (identity.value ? stepSize(identity.value, field) : 1));
+  }
+
+  #look(): FieldFace {
+    const editor = this.#editor;
+    const field = this.#field;
+    const key = this.#key;
+    const working = editor.working.value;
+    const value = working && valueAt(working, field);
+    const isTime = field.kind === 'time' && value !== null && !editor.isTyped(field);
+    const figure = working && isTime ? figureOf(working.identity, field, value) : null;
+    const unit = figure?.unit ?? null;
+    const from = editor.changed.value.get(key)?.from;
+    const notes = notesFor(editor, field);
+    const marks: FieldMarks = { ...this.#marksOf(from, value, unit), notes: notes.map(({ text }) => text).join(' ') };
+    const face: FieldFace = {
+      text: this.#isLarge && figure ? figure.text : editor.textOf(field),
+      unit,
+      isChanged: from !== undefined,
+      isConfirmed: editor.confirmed.value.has(key),
+      isWrong: notes.some(({ severity }) => severity === 'error'),
+      either: editor.asked.value.get(key) ?? null,
+      marks: this.#last ? same(this.#last.marks, marks) : marks,
+    };
+    this.#last = this.#last ? same(this.#last, face) : face;
+    return this.#last;
+  }
+
+  /** @param from the value in the timer: undefined when it is the same, null when it is not known. */
+  #marksOf(from: number | null | undefined, value: number | null, unit: FieldFace['unit']): Omit<FieldMarks, 'notes'> {
+    const field = this.#field;
+    const identity = this.#editor.identity.value;
+    if (from === undefined || !identity) return UNCHANGED;
+    const isSaid =
+      this.#isLarge &&
+      field.kind === 'time' &&
+      (field.slot === identity.functions || unit === 'min') &&
+      !this.#editor.unreadable.value.has(this.#key);
+    return {
+      spoken: isSaid && value !== null ? spokenTime(value) : null,
+      was: from === null ? null : wasText(identity, field, from, this.#isLarge),
+      old: from === null ? '' : formatValue(identity, field, from),
+    };
   }
 
   step(direction: 1 | -1, options?: StepOptions): void {
@@ -97,6 +129,11 @@ export class FieldModel implements EditedValue {
     this.#editor.leave(this.#field);
     return !this.#editor.asked.value.has(fieldKey(this.#field));
   }
+}
+
+/** The old object, if the new one says the same. */
+function same<T extends object>(last: T, found: T): T {
+  return (Object.keys(found) as (keyof T)[]).every((name) => last[name] === found[name]) ? last : found;
 }
 
 /** An old value in the form of the new one above it, with its unit. */

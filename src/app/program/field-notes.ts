@@ -2,30 +2,31 @@ import { type Finding, fieldKey, fieldsOf, type ProgramField, type Severity } fr
 import type { Editor } from '../editing/editor.js';
 import { findingText, messages } from '../messages/index.js';
 
-/** One thing to say about a field. */
+/** One note about a field. */
 export interface FieldNote {
   readonly field: ProgramField;
   readonly severity: Severity;
   readonly text: string;
 }
 
+const NONE: readonly FieldNote[] = [];
+
 export function isSameNote(a: FieldNote, b: FieldNote): boolean {
   return a.text === b.text && a.severity === b.severity && fieldKey(a.field) === fieldKey(b.field);
 }
 
-/** What is to be said about one field: that its text is not a value, else what the check found. */
-export function notesFor(editor: Editor, field: ProgramField): FieldNote[] {
+/** The notes about one field: that its text is not a value, or else what the check found. */
+export function notesFor(editor: Editor, field: ProgramField): readonly FieldNote[] {
   const key = fieldKey(field);
   const unreadable = editor.unreadable.value.get(key);
-  // While it is typed, `2` may become `2:30`.
-  if (unreadable?.either && !editor.asked.value.has(key)) return [];
+  // While somebody types, `2` may become `2:30`.
+  if (unreadable?.either && !editor.asked.value.has(key)) return NONE;
   if (unreadable) return [{ field, severity: 'error', text: messages.value.unreadable[unreadable.reason] }];
-  return editor.findings.value
-    .filter((finding) => finding.field && fieldKey(finding.field) === key)
-    .map((finding) => ({ field, severity: finding.severity, text: findingText(finding) }));
+  const found = editor.findingsAt.value.get(key);
+  return found ? found.map((finding) => ({ field, severity: finding.severity, text: findingText(finding) })) : NONE;
 }
 
-/** The first field, start to DT, that cannot be written as it is, and why; null when none is in the way of a write. */
+/** The first field that prevents a write, and why; null for none. */
 export function firstInTheWay(editor: Editor): { readonly field: ProgramField; readonly text: string } | null {
   const identity = editor.identity.value;
   for (const field of identity ? fieldsOf(identity) : []) {
@@ -38,7 +39,7 @@ export function firstInTheWay(editor: Editor): { readonly field: ProgramField; r
   return null;
 }
 
-/** Everything that is to be said about the fields, and about the program as a whole. */
+/** All notes about the fields, and about the program as a whole. */
 export function allNotes(
   editor: Editor,
 ): { field: ProgramField | null; severity: Severity; text: string; finding: Finding | null }[] {

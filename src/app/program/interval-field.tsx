@@ -19,18 +19,18 @@ interface IntervalFieldProps {
   readonly label: string;
 }
 
-/** The time since the function before: the same truth as the time, seen from there. */
+/** The time since the function before. It shows the same as the time, only relative. */
 export function IntervalField({ editor, selection, hand, slot, label }: IntervalFieldProps) {
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
   const model = useMemo(() => new IntervalModel(editor, slot), [editor, slot]);
   const { value: problem } = model.notes;
   const { value: either } = model.either;
-  // The sheet says and asks what else stands at the field.
+  // The sheet shows everything else about the field.
   const isHeld = focused.value && hand.isTouch.value;
   const notesId = `interval-notes-${slot}`;
   const step: OnStep = (direction, options) => model.step(direction, options);
-  /** The text gives way when the focus goes, and not when it goes to its question. */
+  /** The text goes away with the focus, unless the focus goes to the field's own question. */
   const leave = ({ relatedTarget, currentTarget }: TargetedFocusEvent<HTMLElement>): void => {
     if (relatedTarget instanceof Node && currentTarget.contains(relatedTarget)) return;
     model.leave();
@@ -61,7 +61,7 @@ export function IntervalField({ editor, selection, hand, slot, label }: Interval
         }}
         onKeyDown={(event) => {
           if (event.defaultPrevented || stepByKey(event, step)) return;
-          // It asks first what was meant; the answers are the next thing that Tab comes to.
+          // First asks what was meant. Tab leads to the answers.
           if (event.key === 'Enter' && either) event.preventDefault();
           if (event.key === 'Escape') model.escape();
         }}
@@ -79,7 +79,7 @@ export function IntervalField({ editor, selection, hand, slot, label }: Interval
           }}
         />
       )}
-      {problem && (
+      {problem !== '' && (
         <span class={isHeld ? 'visually-hidden' : 'notes bad-text'} role="alert" id={notesId}>
           {problem}
         </span>

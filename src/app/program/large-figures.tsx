@@ -1,17 +1,17 @@
-import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { useLateComputed } from '../ui/use-late.js';
 import { EditSheet, useHand } from './edit-sheet.js';
 import { ValueField } from './value-field.js';
 import './large-figures.css';
 
-/** DT is always in sight; on Q the motor stop beside it. */
+/** DT is always in sight, and on Q the motor stop beside it. */
 export function LargeFigures({ session }: { readonly session: Session }) {
   const { program } = messages.value;
   const { editor } = session;
   const identity = editor.identity.value;
   const hand = useHand();
-  const isShort = useComputed(() => editor.findings.value.some(({ code }) => code === 'dt-short')).value;
+  const isShort = useLateComputed(() => editor.findings.value.some(({ code }) => code === 'dt-short'), editor.baseline);
   if (!identity) return null;
   return (
     <div class="figures">

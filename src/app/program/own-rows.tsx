@@ -19,7 +19,7 @@ interface MotorRowProps extends Omit<ProgramRowProps, 'bench' | 'follow'> {
   readonly place: MotorPlace;
 }
 
-/** The motor stop, where it comes before the row of this slot. */
+/** The motor stop, if it comes before the row of this slot. */
 export function MotorRowBefore(props: MotorRowProps) {
   const { place, slot } = props;
   const isHere = useComputed(() => place.before.value === slot).value;
@@ -37,7 +37,7 @@ function MotorRow({ session, tools, identity, servos, selection, hand, marked }:
       <tr class="motor-stop" data-slot="0">
         <th scope="row" data-short={program.motor}>
           <span class="row-name">{name}</span>
-          <RowMenu {...{ tools, identity, name }} slot={0} shifts revert={row.isChanged.value ? revert : null} />
+          <RowMenu {...{ tools, identity, name, revert }} slot={0} shifts isChanged={row.isChanged} />
         </th>
         <td {...cellProps(row, TIME_COLUMN, 'time')}>
           <ValueField
@@ -50,19 +50,19 @@ function MotorRow({ session, tools, identity, servos, selection, hand, marked }:
         <td class="interval" />
         <td colSpan={servos.length} />
       </tr>
-      <RowNotes identity={identity} notes={row.notes.value} width={servos.length + FIRST_SERVO_COLUMN + 1} />
+      <RowNotes identity={identity} notes={row.notes} width={servos.length + FIRST_SERVO_COLUMN + 1} />
     </>
   );
 }
 
 type ThrottleRowProps = Pick<ProgramRowProps, 'session' | 'identity' | 'servos' | 'hand'>;
 
-/** The idle throttle, where the timer has said one: it is no function, and stands below them. */
+/** The idle throttle, if the timer has told one. It is no function, so it stands below them. */
 export function ThrottleRow({ session, identity, servos, hand }: ThrottleRowProps) {
   const { editor } = session;
   const { program } = messages.value;
   const isKnown = useComputed(() => typeof editor.working.value?.idleThrottle === 'number').value;
-  const notes = useMemo(() => computedList(() => notesFor(editor, THROTTLE), isSameNote), [editor]).value;
+  const notes = useMemo(() => computedList(() => notesFor(editor, THROTTLE), isSameNote), [editor]);
   if (!isKnown) return null;
   return (
     <>

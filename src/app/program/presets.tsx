@@ -1,4 +1,4 @@
-import { useComputed, useSignal } from '@preact/signals';
+import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
@@ -6,23 +6,24 @@ import type { Editor } from '../editing/editor.js';
 import { type Ambiguous, formatTime, readTime } from '../editing/units.js';
 import { messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
+import { useLateComputed } from '../ui/use-late.js';
 import { TimeQuestion } from './time-question.js';
 import './presets.css';
 
 interface DtPresetsProps {
   readonly editor: Editor;
   readonly preferences: Preferences;
-  /** That of DT. */
+  /** The slot of DT. */
   readonly slot: number;
 }
 
-/** The DT of a contest or of a trimming flight with one tap; and the pilot's own. */
+/** Buttons for the DT of a contest or a trimming flight, and the pilot's own. */
 export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
   const { presets: words } = messages.value.edits;
   const changing = useSignal(false);
   const field: ProgramField = { kind: 'time', slot };
   const key = fieldKey(field);
-  const current = useComputed(() => editor.working.value?.times[slot]).value;
+  const current = useLateComputed(() => editor.working.value?.times[slot], editor.baseline);
   return (
     <div class="presets">
       <fieldset class="chips">
@@ -75,7 +76,7 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
   );
 }
 
-/** A text that can be read in several ways, and what the chosen one is for. */
+/** An ambiguous text, and what its answer is for. */
 interface Asked {
   readonly label: string;
   readonly either: Ambiguous['either'];
@@ -114,7 +115,7 @@ function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
       class="preset-settings"
       onSubmit={(event) => {
         event.preventDefault();
-        // Enter in the field of the limit: it has taken that, and no preset is asked for.
+        // Enter belonged to the field of the limit; no preset is added.
         if (added.value === '' && document.activeElement === limitInput.current) return;
         take(added.value, words.add, add);
       }}

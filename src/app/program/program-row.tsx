@@ -29,7 +29,7 @@ export interface ProgramRowProps extends Pick<RowSources, 'selection' | 'marked'
   readonly hand: Hand;
 }
 
-/** One slot of the program: its time, its interval and a position for each servo, and what is to be said about them. */
+/** One slot of the program: its time, its interval, a position for each servo, and the notes about them. */
 export function ProgramRow(props: ProgramRowProps) {
   const { session, bench, follow, tools, identity, slot, servos, selection, hand, marked } = props;
   const { editor } = session;
@@ -56,11 +56,7 @@ export function ProgramRow(props: ProgramRowProps) {
         <th scope="row" data-short={slotShort(slot, slotKind(identity, slot))}>
           <span class="row-name">{name}</span>
           <ServosHere bench={bench} follow={follow} slot={slot} />
-          <RowMenu
-            {...{ tools, identity, slot, name }}
-            shifts={slot > 0}
-            revert={row.isChanged.value ? revert : null}
-          />
+          <RowMenu {...{ tools, identity, slot, name, revert }} shifts={slot > 0} isChanged={row.isChanged} />
         </th>
         {hasTime ? (
           <td {...cellProps(row, TIME_COLUMN, 'time')}>
@@ -78,7 +74,7 @@ export function ProgramRow(props: ProgramRowProps) {
           </td>
         ))}
       </tr>
-      <RowNotes identity={identity} notes={row.notes.value} width={width} />
+      <RowNotes identity={identity} notes={row.notes} width={width} />
       <ServosOffer bench={bench} follow={follow} identity={identity} slot={slot} width={width} />
     </>
   );
@@ -86,7 +82,7 @@ export function ProgramRow(props: ProgramRowProps) {
 
 interface TimeCellProps extends Pick<ProgramRowProps, 'session' | 'selection' | 'hand' | 'identity' | 'slot'> {}
 
-/** The time of slot 0 is reserved on B and E: shown, and edited only on purpose. */
+/** The time of slot 0 is reserved on B and E: it is shown, and edited only on purpose. */
 function TimeCell({ session, selection, hand, identity, slot }: TimeCellProps) {
   const { editor } = session;
   const { program } = messages.value;
@@ -94,7 +90,7 @@ function TimeCell({ session, selection, hand, identity, slot }: TimeCellProps) {
   const shown = useComputed(() =>
     editor.working.value ? programKey(editor.working.value, session.simulated.value) : null,
   ).value;
-  // It was asked for in the program that was on the screen then.
+  // The wish to edit it belongs to the program that was on the screen then.
   useEffect(() => {
     unlocked.value = false;
   }, [unlocked, shown]);
@@ -118,7 +114,7 @@ function TimeCell({ session, selection, hand, identity, slot }: TimeCellProps) {
             unlocked.value = true;
             const input = event.currentTarget.closest('td')?.querySelector('input');
             if (!input) return;
-            // It gets the focus before it is drawn anew.
+            // It gets the focus before the next drawing.
             input.readOnly = false;
             input.focus();
           }}

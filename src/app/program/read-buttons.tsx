@@ -1,11 +1,13 @@
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { useLateComputed } from '../ui/use-late.js';
 
-/** Reads the timer once more, and takes back all that was changed. */
+/** Buttons that read the timer again, and take back all changes. */
 export function ReadButtons({ session }: { readonly session: Session }) {
   const { program } = messages.value;
   const { editor, runner } = session;
   const { status } = session.link.state.value;
+  const isDirty = useLateComputed(() => editor.dirty.value, editor.baseline);
   return (
     <>
       {status !== 'off' && (
@@ -18,7 +20,7 @@ export function ReadButtons({ session }: { readonly session: Session }) {
           {program.read}
         </button>
       )}
-      {editor.dirty.value && (
+      {isDirty && (
         <button type="button" class="quiet" disabled={runner.busy.value} onClick={() => editor.revertAll()}>
           {program.undoAll}
         </button>

@@ -1,9 +1,10 @@
-import { useComputed } from '@preact/signals';
+import { type ReadonlySignal, useComputed } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Identity } from '../../protocol/index.js';
 import { media } from '../browser/doors.js';
 import { formatInterval } from '../editing/units.js';
 import { messages } from '../messages/index.js';
+import { Check } from '../ui/check.js';
 import { type RowTools, SHIFTS } from './row-tools.js';
 import './row-menu.css';
 
@@ -11,22 +12,28 @@ interface RowMenuProps {
   readonly tools: RowTools;
   readonly identity: Identity;
   readonly slot: number;
-  /** What the row is called. */
+  /** The name of the row. */
   readonly name: string;
-  /** Whether its time, and those after it, can be shifted. */
+  /** Whether its time, and all later ones, can be shifted. */
   readonly shifts: boolean;
-  /** Puts the row back to what the timer holds; null where nothing differs. */
-  readonly revert: { readonly label: string; readonly act: () => void } | null;
+  /** Whether something in the row differs from the timer. */
+  readonly isChanged: ReadonlySignal<boolean>;
+  /** Puts the row back to what the timer holds. */
+  readonly revert: { readonly label: string; readonly act: () => void };
 }
 
-/** At the name of a row: what can be done from there on. Left of the time for the keys, the whole name for a finger. */
-export function RowMenu({ tools, identity, slot, name, shifts, revert }: RowMenuProps) {
+/**
+ * The menu at the name of a row: edits from that row on. For the keyboard it opens left of the time; for a finger, from
+ * the whole name.
+ */
+export function RowMenu({ tools, identity, slot, name, shifts, isChanged, revert }: RowMenuProps) {
   const { table } = messages.value.edits;
   const opener = useRef<HTMLButtonElement>(null);
-  // The start has no time that could be shifted, and shares its slot with the motor stop.
+  // The start has no time to shift, and shares its slot with the motor stop.
   const at = shifts ? slot : 'start';
-  const isOpen = useComputed(() => tools.open.value === at).value && (shifts || revert !== null);
-  if (!shifts && !revert) return null;
+  const isWanted = shifts || isChanged.value;
+  const isOpen = useComputed(() => tools.open.value === at).value && isWanted;
+  if (!isWanted) return null;
   const close = (): void => {
     tools.close();
     opener.current?.focus();
@@ -55,7 +62,7 @@ export function RowMenu({ tools, identity, slot, name, shifts, revert }: RowMenu
         aria-expanded={isOpen}
         onClick={() => (isOpen ? close() : tools.show(at))}
       />
-      {isOpen && <RowPanel {...{ tools, identity, slot, name, shifts, revert, opener }} onClose={close} />}
+      {isOpen && <RowPanel {...{ tools, identity, slot, name, shifts, isChanged, revert, opener }} onClose={close} />}
     </span>
   );
 }
@@ -65,17 +72,17 @@ interface RowPanelProps extends RowMenuProps {
   readonly onClose: () => void;
 }
 
-function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener }: RowPanelProps) {
+function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onClose, opener }: RowPanelProps) {
   const { table, shift } = messages.value.edits;
   const panel = useRef<HTMLFormElement>(null);
   useEffect(() => {
     const { current } = panel;
     if (!current) return;
-    // In the lower half there is more room above.
+    // In the lower half of the window there is more room above.
     const { top = 0 } = opener.current?.getBoundingClientRect() ?? {};
     current.classList.toggle('above', top > innerHeight / 2);
     current.scrollIntoView?.({ block: 'nearest' });
-    // On a touch screen a field with the focus would bring up a keyboard, which nobody has asked for.
+    // On a touch screen a focused field would open the keyboard, which nobody has asked for.
     const byTouch = media('(pointer: coarse)')?.matches ?? false;
     const first = byTouch ? null : current.querySelector('input');
     first?.select();
@@ -102,16 +109,11 @@ function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener
       {shifts && <ShiftFields tools={tools} />}
       <div class="row-panel-foot">
         {shifts && !isDt && (
-          <label class="check">
-            <input
-              type="checkbox"
-              checked={tools.moveDt.value}
-              onChange={(event) => tools.setMoveDt(event.currentTarget.checked)}
-            />
+          <Check checked={tools.moveDt.value} onChange={(checked) => tools.setMoveDt(checked)}>
             {shift.moveDt}
-          </label>
+          </Check>
         )}
-        {revert && (
+        {isChanged.value && (
           <button
             type="button"
             onClick={() => {
@@ -130,7 +132,7 @@ function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener
   );
 }
 
-/** This row and all that come after it, to earlier or later. */
+/** Shifts this row and all later ones, to earlier or later. */
 function ShiftFields({ tools }: { readonly tools: RowTools }) {
   const { shift } = messages.value.edits;
   const { value: problem } = tools.problem;
@@ -169,7 +171,7 @@ function ShiftFields({ tools }: { readonly tools: RowTools }) {
   );
 }
 
-/** How far all has gone since the tools were opened. */
+/** How far everything has moved since the tools were opened. */
 function Moved({ tools }: { readonly tools: RowTools }) {
   const { value: moved } = tools.moved;
   return (

@@ -5,32 +5,31 @@ import { dateText, dutyName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Standing } from '../session/standing.js';
 import type { OnEdit } from '../timeline/drag.js';
-import { useLate } from '../timeline/hooks.js';
 import type { Player } from '../timeline/preview/player.js';
 import { BehindSwatch, Timeline, type TimelineProps } from '../timeline/timeline.js';
+import { useLate } from '../ui/use-late.js';
 import { PreviewPanel } from './preview-panel.js';
 import { HELD, NOTHING, type ProgramPicture } from './program-picture.js';
 import './timeline-panel.css';
 
-/** So many backups can be chosen, newest first. */
+/** How many backups can be chosen, newest first. */
 const CHOICES = 12;
 
 interface TimelinePanelProps {
   readonly session: Session;
   readonly picture: ProgramPicture;
-  /** The field that has the focus elsewhere on the screen. */
+  /** The focused field elsewhere on the screen. */
   readonly selected: ReadonlySignal<ProgramField | null>;
   readonly onSelect: (field: ProgramField) => void;
-  /** The mouse is over what can be taken hold of, or no longer. */
+  /** The mouse is over a handle, or no longer over one. */
   readonly onPoint: (field: ProgramField | null) => void;
 }
 
-/** The program on the screen over time, with what the timer holds behind it, and the flight to be played. */
+/** The program on the screen over time, with what the timer holds behind it, and the flight preview. */
 export function TimelinePanel({ session, picture, selected: field, onSelect, onPoint }: TimelinePanelProps) {
   const { editor, servoUses } = session;
   const { player, behind } = picture;
-  // All that the picture is made of comes a frame late: it is drawn once, after the field that one has typed into or
-  // come to.
+  // The picture comes one frame late: it is drawn once, after the field that has changed or got the focus.
   const shown = useMemo(
     () =>
       computed(() => ({
@@ -55,10 +54,10 @@ export function TimelinePanel({ session, picture, selected: field, onSelect, onP
         onAsk={(time) => player.ask(time)}
         now={() => editor.working.peek() ?? program}
         onEdit={(edit, phase) => {
-          // A movement that leads back is no step.
+          // A movement that comes back to its beginning is no step.
           const isNone = phase === 'back' && editor.abandon(edit.group);
           if (!isNone) editor.apply(edit);
-          // What is in hand stays in hand.
+          // A handle that is held stays held.
           catchUp();
           if (phase !== 'moving') editor.settle();
         }}
@@ -77,12 +76,12 @@ export function TimelinePanel({ session, picture, selected: field, onSelect, onP
   );
 }
 
-/** Drawn at each frame of a flight, so that nothing around it has to be. */
+/** Drawn at each frame of a flight, so that nothing around it is. */
 function PlayedTimeline({ player, ...props }: TimelineProps & { readonly player: Player; readonly onEdit: OnEdit }) {
   return <Timeline {...props} cursor={player.cursor.value} />;
 }
 
-/** The second program and its name. @param held what the timer holds, where it differs. */
+/** The second program and its name. @param held what the timer holds, if it differs. */
 function useOverlay(
   session: Session,
   program: TimerProgram | null,
@@ -102,7 +101,7 @@ function useOverlay(
 interface CompareWithProps {
   readonly session: Session;
   readonly program: TimerProgram;
-  /** Whether there is a second program in the picture: what the timer holds is not, where nothing differs. */
+  /** Whether the picture shows a second program. It does not where the timer holds the same. */
   readonly isDrawn: boolean;
   readonly chosen: string;
   readonly onChoose: (key: string) => void;

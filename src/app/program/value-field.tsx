@@ -3,6 +3,7 @@ import { useCallback, useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { useAfter } from '../ui/use-late.js';
 import { FieldModel, type FieldPlace } from './field-model.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import type { Hand } from './hand.js';
@@ -17,18 +18,18 @@ interface ValueFieldProps {
   readonly session: Session;
   readonly field: ProgramField;
   readonly label: string;
-  /** It keeps the ids of fields for one value apart. In the table the arrows alone go to other cells. */
+  /** Keeps the ids of fields for the same value apart. In the table, plain arrows go to other cells. */
   readonly place: FieldPlace;
   readonly hand: Hand;
-  /** Of the table; absent elsewhere. */
+  /** The selection of the table; absent elsewhere. */
   readonly selection?: Selection;
   readonly readOnly?: boolean;
 }
 
-/** More letters than there is room for beside a unit on a phone: such a time has a colon. So has an old value. */
+/** How many characters have room beside a unit on a phone. Longer times have a colon. The same for an old value. */
 const LONG = 5;
 
-/** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
+/** A field for one value of the program. A value that differs from the timer is marked, with the old value under it. */
 export function ValueField(props: ValueFieldProps) {
   const { session, field, label, place, hand, selection, readOnly = false } = props;
   const { editor } = session;
@@ -37,18 +38,14 @@ export function ValueField(props: ValueFieldProps) {
   const key = fieldKey(field);
   const isLarge = place === 'large';
   const model = useMemo(() => new FieldModel(editor, field, place), [editor, key, place]);
-  const { value: text } = model.text;
-  const { value: unit } = model.unit;
-  const { value: spoken } = model.spoken;
-  const { value: was } = model.was;
-  const { value: either } = model.either;
-  const { value: notes } = model.notes;
-  const isChanged = model.isChanged.value;
-  const isWrong = model.isWrong.value;
-  const state = isChanged ? 'changed' : model.isConfirmed.value ? 'confirmed' : '';
-  // The sheet says and does what else stands at the field.
+  const { text, unit, isChanged, isConfirmed, isWrong, either, marks } = model.face.value;
+  // Their elements come and go, and the page is laid out again: the digit is drawn before that.
+  const { spoken, was, old, notes } = useAfter(marks, editor.baseline.value);
+  const state = isChanged ? 'changed' : isConfirmed ? 'confirmed' : '';
+  // The sheet shows everything else about the field.
   const isHeld = focused.value && hand.isTouch.value;
-  const filled = text.length > LONG || (!isLarge && was !== null);
+  const isLong = text.length > LONG;
+  const hasOld = !isLarge && was !== null;
   const id = (what: string): string => `${place}-${what}-${key}`;
   const described = [
     unit && id('unit'),
@@ -56,7 +53,7 @@ export function ValueField(props: ValueFieldProps) {
     was !== null && id('was'),
     notes && id('notes'),
   ].filter(Boolean);
-  // The same from key to key: what is given it is not drawn again.
+  // The same function from key to key, so that its reader is not drawn again.
   const putBack = useCallback(() => model.putBack(), [model]);
   const step: OnStep = (direction, options) => {
     if (!readOnly) model.step(direction, options);
@@ -65,7 +62,7 @@ export function ValueField(props: ValueFieldProps) {
   useSwipe(input, step);
   return (
     <span
-      class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''} ${filled ? 'filled' : ''}`}
+      class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''} ${isLong ? 'long' : ''} ${hasOld ? 'has-old' : ''}`}
       {...refuseDrag}
     >
       <input
@@ -98,7 +95,7 @@ export function ValueField(props: ValueFieldProps) {
             else editor.escape(field);
           }
           if (event.key !== 'Enter' && (event.key !== 'Tab' || event.shiftKey || either)) return;
-          // It asks first what was meant; the answers are the next thing that Tab comes to.
+          // First asks what was meant. Tab leads to the answers.
           if (!model.finish()) event.preventDefault();
           if (isLarge && event.key === 'Enter') event.currentTarget.select();
         }}
@@ -141,14 +138,14 @@ export function ValueField(props: ValueFieldProps) {
           id={id('was')}
           standing={session.standing}
           value={was}
-          figure={model.old.value}
-          // Else a click into the field would be taken for it.
+          figure={old}
+          // Otherwise a click into the field would count as a click on it.
           label={focused.value ? messages.value.edits.field.putBack(label) : null}
           onPutBack={putBack}
         />
       )}
-      {/* They are seen in the table, under the row. */}
-      {notes && (
+      {/* In the table the notes stand under the row. */}
+      {notes !== '' && (
         <span class="visually-hidden" id={id('notes')}>
           {notes}
         </span>

@@ -1,8 +1,8 @@
-import { useComputed } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { useLateComputed } from '../ui/use-late.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { firstInTheWay } from './field-notes.js';
 
@@ -11,37 +11,37 @@ const NOTE = 'blocked-note';
 interface WriteButtonProps {
   readonly session: Session;
   readonly write: WriteFlow;
-  /** Where there is little room. */
+  /** For places with little room. */
   readonly brief?: boolean;
 }
 
 /**
- * To the difference, and from there to the timer; where none is connected, by way of Connect. Where a field is in the
- * way it leads to that field.
+ * Opens the difference, and from there the write; without a timer it connects first. When a field prevents the write,
+ * it goes to that field.
  */
 export function WriteButton({ session, write, brief = false }: WriteButtonProps) {
   const { editor } = session;
-  const isBlocked = editor.blocked.value;
-  const count = useComputed(() => editor.changes.value.length).value;
+  const isBlocked = useLateComputed(() => editor.blocked.value, editor.baseline);
+  const count = useLateComputed(() => editor.changes.value.length, editor.baseline);
   const isConnected = session.connection.value !== null;
   const isOff = session.link.state.value.status === 'off';
   const { program } = messages.value;
   const press = async (): Promise<void> => {
-    const cause = isBlocked ? firstInTheWay(editor) : null;
+    const cause = editor.blocked.value ? firstInTheWay(editor) : null;
     if (cause) return lookAt(fieldKey(cause.field));
     if (!isConnected) await session.timer.comeBack();
-    // The timer may have to be waited for: by then the pilot may have something else in mind.
+    // The connection may take long, and by then the pilot may want something else.
     if (session.runner.ready.value) void write.open();
   };
   return (
     <button
       type="button"
       class={isBlocked ? 'blocked' : count > 0 ? 'primary' : ''}
-      // Not while a job runs; but the focus stays, also for when the dialog is closed.
+      // Not during a job. The button keeps the focus, also for when the dialog closes.
       aria-disabled={session.runner.busy.value}
       aria-label={isOff && brief ? program.connectAndWrite : undefined}
       aria-describedby={isBlocked ? NOTE : undefined}
-      // While a timer is looked for, there is one way to it.
+      // While the page looks for a timer, this is not a second way to connect.
       disabled={!isConnected && (!isOff || session.link.unavailable !== null)}
       onClick={() => void press()}
     >
@@ -50,16 +50,16 @@ export function WriteButton({ session, write, brief = false }: WriteButtonProps)
   );
 }
 
-/** What is in the way of a write. A text that is still being typed is not. */
+/** What prevents a write. A text that is still being typed does not. */
 export function BlockedNote({ editor }: { readonly editor: Editor }) {
-  const text = useComputed(() => {
+  const text = useLateComputed(() => {
     const identity = editor.identity.value;
     const cause = identity && firstInTheWay(editor);
     if (!cause) return null;
     const key = fieldKey(cause.field);
     const isTyped = editor.unreadable.value.get(key)?.either && !editor.asked.value.has(key);
     return isTyped ? null : messages.value.program.blocked(fieldLabel(identity, cause.field), cause.text);
-  }).value;
+  }, editor.baseline);
   if (text === null) return null;
   return (
     <p class="hint bad-text" id={NOTE} role="status">

@@ -3,12 +3,23 @@ import type { Keeper } from '../storage/index.js';
 import { type Clash, Clashes } from './clashes.js';
 import { merged } from './merged.js';
 
-/** So long a deleted record can be put back, in milliseconds. */
+/** How long a deleted record can be put back, in milliseconds. */
 const UNDO_WAIT = 10_000;
 
+/** The latest time that a record can have. */
+const LAST = 8.64e15;
+
 /**
- * One list of the library: in memory as it is in the storage, and what was changed here is on the screen at once. What
- * the browser does not keep stays for as long as the page is open, see `unsaved`.
+ * When a record is changed that was changed before: now, but always later than before. The clock may have been put back
+ * since then, or that of another device may have been ahead; the older version must not count as the newer one.
+ */
+export function changeTime(before: { readonly changedAt: number } | undefined): number {
+  return Math.min(LAST, Math.max(Date.now(), (before?.changedAt ?? 0) + 1));
+}
+
+/**
+ * One list of the library, in memory as in the storage. A change is on the screen at once. What the browser does not
+ * keep stays as long as the page is open, see `unsaved`.
  */
 export class Collection<T extends { readonly key: string; readonly changedAt: number }> {
   readonly #list = signal<readonly T[]>([]);
@@ -17,35 +28,35 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   readonly #removed = signal<readonly T[]>([]);
   readonly #unsaved = signal<ReadonlySet<string>>(new Set());
   readonly #refused = signal<ReadonlySet<string>>(new Set());
-  /** In their order, without those that were taken out. */
+  /** In their order, without removed ones. */
   readonly list: ReadonlySignal<readonly T[]> = this.#list;
-  /** Whether the storage has been asked, and has answered in one way or another. */
+  /** Whether the storage has answered, whatever it said. */
   readonly loaded: ReadonlySignal<boolean> = this.#loaded;
-  /** It was asked last and has not given what it holds: what is missing in the list may be there. */
+  /** Whether the storage last failed to give its records: what is missing in the list may be there. */
   readonly failed: ReadonlySignal<boolean> = this.#failed;
-  /** Taken out of the list, and not deleted yet. */
+  /** Removed from the list, and not deleted yet. */
   readonly removed: ReadonlySignal<readonly T[]> = this.#removed;
-  /** What this page has and the storage has not, or not yet, by key. */
+  /** The keys of records that this page has and the storage does not, or not yet. */
   readonly unsaved: ReadonlySignal<ReadonlySet<string>> = this.#unsaved;
-  /** Those of them that the storage did not take. */
+  /** Those among them that the storage has refused. */
   readonly refused: ReadonlySignal<ReadonlySet<string>> = this.#refused;
   readonly #keeper: Keeper<T>;
   readonly #inOrder: (a: T, b: T) => number;
   readonly #onChange: () => void;
   #deleting: ReturnType<typeof setTimeout> | undefined;
   #loading: Promise<boolean> | null = null;
-  /** What was changed here since the storage was asked, by key, null where it was deleted: one for each question. */
+  /** What changed here since the storage was asked, by key (null for deleted): one map for each open question. */
   readonly #since = new Set<Map<string, T | null>>();
-  /** What the storage held when it was heard last, and what it was asked to keep since then, by key. */
+  /** What the storage last said that it holds, and what it was told to keep since then, by key. */
   readonly #held = new Map<string, T>();
   readonly #sent = new Map<string, readonly T[]>();
   readonly #clashes: Clashes<T>;
-  /** Where the pilot has to say what is to be kept. The storage holds what another tab has saved. */
+  /** The records on which the pilot has to choose. The storage holds the version of the other tab. */
   readonly clashes: ReadonlySignal<readonly Clash<T>[]>;
 
   /**
-   * @param copyOf makes another record of one, with a key of its own.
-   * @param onChange called when the storage holds something else than before: for the other tabs.
+   * @param copyOf makes another record of one, with a new key.
+   * @param onChange called when the storage has changed, to tell the other tabs.
    */
   constructor(keeper: Keeper<T>, inOrder: (a: T, b: T) => number, copyOf: (record: T) => T, onChange: () => void) {
     this.#keeper = keeper;
@@ -59,14 +70,17 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     return key === null ? undefined : this.list.value.find((each) => each.key === key);
   }
 
-  /** Reads what is kept, unless that is done. A browser that keeps nothing has none, until it answers again. */
+  /**
+   * Reads the stored records, unless that is done.
+   * Where the browser keeps nothing there are none, until it answers again.
+   */
   async load(): Promise<void> {
     this.#loading ??= this.refresh();
     if (!(await this.#loading)) this.#loading = null;
   }
 
   /**
-   * Reads again what is kept: another tab has changed it. What is not saved here stays, and so does what was changed
+   * Reads the stored records again, because another tab has changed them. Unsaved records stay, and so do changes made
    * here since the storage was asked.
    * @returns whether the storage has answered.
    */
@@ -84,7 +98,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
         if (record) records.set(key, record);
         else records.delete(key);
       }
-      // What somebody has changed elsewhere while it was about to be deleted here is not deleted.
+      // A record that was changed elsewhere while it was about to be deleted here is not deleted.
       this.#removed.value = this.#removed.peek().filter(({ key, changedAt }) => {
         const now = records.get(key);
         return !now || now.changedAt <= changedAt;
@@ -98,25 +112,28 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     return kept !== null;
   }
 
-  /** Reads one record again: another tab may have changed it a moment ago. */
+  /** Reads one record again: another tab may have just changed it. */
   async look(key: string): Promise<void> {
     const before = this.get(key);
     const now = await this.#keeper.load(key).catch(() => undefined);
     if (now && !this.#unsaved.peek().has(key)) this.#held.set(key, now);
-    // What was changed here meanwhile, or is not kept, is newer.
+    // A record that was changed here in the meantime, or is not saved, is newer.
     if (now && this.get(key) === before && !this.#unsaved.peek().has(key)) this.#show([...this.#list.peek(), now]);
   }
 
   /**
-   * Keeps records; they are in the list at once.
+   * Saves records. They are in the list at once, also if they were about to be deleted.
    * @returns whether the storage has all of them.
    */
   async save(...records: readonly T[]): Promise<boolean> {
     this.#note(records, false);
     for (const since of this.#since) for (const record of records) since.set(record.key, record);
+    const keys = new Set(records.map(({ key }) => key));
+    if (this.#removed.peek().some(({ key }) => keys.has(key)))
+      this.#removed.value = this.#removed.peek().filter(({ key }) => !keys.has(key));
     this.#show([...this.#list.peek(), ...records]);
     const saved = await Promise.all(records.map((record) => this.#put(record)));
-    // What was changed again meanwhile has its own turn.
+    // A record that has changed again in the meantime is saved by its own call.
     const present = new Set(this.#list.peek());
     this.#note(
       records.filter((record, at) => saved[at] && present.has(record)),
@@ -128,7 +145,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     return saved.every(Boolean);
   }
 
-  /** Takes some out of the list, and deletes them for good when nobody has put them back for ten seconds. */
+  /** Removes some from the list, and deletes them for good after ten seconds, unless somebody puts them back. */
   remove(...keys: readonly string[]): void {
     clearTimeout(this.#deleting);
     this.#removed.value = [...this.#removed.peek(), ...this.#list.peek().filter(({ key }) => keys.includes(key))];
@@ -136,7 +153,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     this.#deleting = setTimeout(() => void this.#deleteUnchanged(), UNDO_WAIT);
   }
 
-  /** Puts back what was taken out, as long as it has not been deleted. */
+  /** Puts removed records back, if they are not deleted yet. */
   undoRemove(): void {
     clearTimeout(this.#deleting);
     const back = this.#removed.peek();
@@ -144,19 +161,33 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     this.#show([...this.#list.peek(), ...back]);
   }
 
-  /** Deletes for good what was taken out: the time to put it back is over, or the page is left. */
+  /** Deletes the removed records for good: the ten seconds are over, or the pilot leaves the page. */
   flush(): void {
     clearTimeout(this.#deleting);
-    const gone = this.#removed.peek();
-    if (gone.length === 0) return;
+    const gone = this.#removed.peek().map(({ key }) => key);
     this.#removed.value = [];
-    this.#note(gone, true);
-    for (const since of this.#since) for (const { key } of gone) since.set(key, null);
-    const deleted = gone.map(({ key }) => this.#keeper.remove(key));
-    void Promise.allSettled(deleted).then(() => this.#onChange());
+    void this.delete(...gone);
   }
 
-  /** What another tab has changed meanwhile is not deleted, also where nobody has told of it. */
+  /**
+   * Deletes some at once and for good.
+   * @returns whether the storage has deleted all of them.
+   */
+  async delete(...keys: readonly string[]): Promise<boolean> {
+    if (keys.length === 0) return true;
+    const gone = new Set(keys);
+    this.#note(
+      keys.map((key) => ({ key })),
+      true,
+    );
+    for (const since of this.#since) for (const key of keys) since.set(key, null);
+    this.#show(this.#list.peek().filter(({ key }) => !gone.has(key)));
+    const deleted = await Promise.allSettled(keys.map((key) => this.#keeper.remove(key)));
+    this.#onChange();
+    return deleted.every(({ status }) => status === 'fulfilled');
+  }
+
+  /** A record that another tab has changed in the meantime is not deleted, even if that tab has not said so. */
   async #deleteUnchanged(): Promise<void> {
     const gone = this.#removed.peek();
     const held = await Promise.all(gone.map(({ key }) => this.#keeper.load(key).catch(() => undefined)));
@@ -167,28 +198,30 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     if (changed.length > 0) await this.refresh();
   }
 
-  /** Tries again to keep what the browser has not kept. */
+  /** Tries again to save what the browser has not saved. */
   async keepAgain(): Promise<void> {
     const waiting = this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
     if (waiting.length > 0) await this.save(...waiting);
   }
 
-  /** What is not saved here was made of what was held before: that stays known, so that it is put onto the new. */
+  /**
+   * An unsaved record was made from what the storage held before. That stays known, to merge it with the new content.
+   */
   #hear(kept: readonly T[]): void {
     const unsaved = this.#unsaved.peek();
     for (const key of this.#held.keys()) if (!unsaved.has(key)) this.#held.delete(key);
     for (const record of kept) if (!unsaved.has(record.key)) this.#held.set(record.key, record);
   }
 
-  /** The pilot has chosen what is to be kept of the first record on which two tabs do not agree. */
+  /** The pilot has chosen a version of the first record on which two tabs do not agree. */
   async settle(choice: 'mine' | 'theirs'): Promise<void> {
     const [clash] = this.#clashes.list.peek();
     if (!clash) return;
     this.settled(clash.record.key);
-    if (choice === 'mine') await this.save({ ...clash.record, changedAt: Date.now() });
+    if (choice === 'mine') await this.save({ ...clash.record, changedAt: changeTime(clash.record) });
   }
 
-  /** He has chosen elsewhere. */
+  /** The pilot has chosen in another place. */
   settled(key: string): void {
     const copy = this.#clashes.end(key);
     if (!copy) return;
@@ -203,8 +236,8 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   }
 
   /**
-   * Puts a record into the storage, onto what another tab may have put there a moment ago.
-   * @returns whether it is there: false also where the pilot has to choose.
+   * Puts a record into the storage, merged with what another tab may have just put there.
+   * @returns whether it is there; false also when the pilot has to choose.
    */
   async #put(record: T): Promise<boolean> {
     const { key } = record;
@@ -216,14 +249,14 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     try {
       held = await this.#keeper.exchange({ record, known });
     } catch {
-      // It may still come there.
+      // It may still get there.
       return false;
     }
     const later = this.#sent.get(key) ?? [];
     this.#sent.set(key, later.slice(later.indexOf(record) + 1));
     this.#held.set(key, held ?? record);
     if (held === null) return true;
-    // What was changed again meanwhile meets the same.
+    // A newer version of this record will find the same.
     if (this.#list.peek().find((each) => each.key === key) !== record) return false;
     const both = merged(before, record, held);
     if (both.disagreed.length === 0) return await this.save(both.record);
@@ -235,14 +268,14 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     return false;
   }
 
-  /** In their order, each once, the last of one key. */
+  /** In their order. Of records with the same key, only the last one. */
   #show(records: readonly T[]): void {
     const all = new Map(records.map((record) => [record.key, record]));
     for (const { key } of this.#removed.peek()) all.delete(key);
     this.#list.value = [...all.values()].sort(this.#inOrder);
   }
 
-  #note(records: readonly T[], isSaved: boolean): void {
+  #note(records: readonly { readonly key: string }[], isSaved: boolean): void {
     const unsaved = new Set(this.#unsaved.peek());
     for (const { key } of records) {
       if (isSaved) unsaved.delete(key);

@@ -3,44 +3,44 @@ import { type Flight, LIMITS, type Model, type Setting } from '../../program/ind
 import type { TabChannel } from '../browser/other-tabs.js';
 import type { FlightRecord, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
 import type { Clash } from './clashes.js';
-import { Collection } from './collection.js';
+import { Collection, changeTime } from './collection.js';
 import { beginningOf, withPlainNames } from './plain-names.js';
 
-/** What the tabs say to each other when one of them has changed the library. */
+/** The message between tabs when one of them has changed the library. */
 const CHANGED = 'library changed';
 
-/** A record on which two tabs do not agree, and in which list it is. */
+/** A record on which two tabs do not agree, and the list that it is in. */
 export type LibraryClash =
   | ({ readonly kind: 'models' } & Clash<ModelRecord>)
   | ({ readonly kind: 'settings' } & Clash<SettingRecord>)
   | ({ readonly kind: 'flights' } & Clash<FlightRecord>);
 
-/** A new record's id: it never comes twice, on this device or another. */
+/** The id of a new record. It never comes twice, on any device. */
 export function newId(): string {
-  // Without https there is no crypto.randomUUID, and the page must work there too.
+  // Without https there is no crypto.randomUUID, but the page must work all the same.
   const bytes = crypto.getRandomValues(new Uint8Array(16));
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-/** A model of which nothing but its name is known, and perhaps the class of its timer. */
+/** A model of which only the name is known, and perhaps the class of its timer. */
 export function emptyModel(id: string, name: string, timerClass: string | null): Model {
   return { id, name, timerClass, note: '', servos: [], memoryNames: [], photo: null, archived: false };
 }
 
-/** What a pilot keeps: models, their settings, and the log of flights. Without a timer, too; on this device alone. */
+/** What a pilot keeps: models, their settings, and the log of flights. Works without a timer. Stays on this device. */
 export class Library {
   readonly models: Collection<ModelRecord>;
   readonly settings: Collection<SettingRecord>;
   readonly flights: Collection<FlightRecord>;
-  /** Whether all that was typed would be there after a reload. */
+  /** Whether everything that was typed would survive a reload. */
   readonly kept: ReadonlySignal<boolean>;
-  /** Models or settings were asked for and not given: what is missing among them may be there. */
+  /** Whether the storage failed to give models or settings: missing ones may be there. */
   readonly unread: ReadonlySignal<boolean>;
-  /** Another tab has saved something else in the same place a moment before: the pilot has to choose. */
+  /** Set when another tab has just saved something else in the same place: the pilot has to choose. */
   readonly clash: ReadonlySignal<LibraryClash | null>;
   readonly #channel: TabChannel | null;
 
-  /** @param channel between the tabs of this page, of the library alone; null where there is none. */
+  /** @param channel between the tabs of this page, for the library only; null when there is none. */
   constructor(storage: Pick<Storage, 'models' | 'settings' | 'flights'>, channel: TabChannel | null = null) {
     const byOrder = (a: { order: number; key: string }, b: { order: number; key: string }): number =>
       a.order - b.order || (a.key < b.key ? -1 : 1);
@@ -68,23 +68,24 @@ export class Library {
     });
   }
 
-  /** Reads models and settings, unless that is done; the flights come when they are asked for. */
+  /** Reads models and settings, unless that is done. Flights are read when they are needed. */
   async load(): Promise<void> {
     await Promise.all([this.models.load(), this.settings.load()]);
   }
 
-  /** Reads again what has been read before. */
+  /** Reads everything again that was read before. */
   async refresh(): Promise<void> {
     const read = [this.models, this.settings, this.flights].filter(({ loaded }) => loaded.peek());
     await Promise.all(read.map((each) => each.refresh()));
   }
 
-  /** A new model, at the end of the list, or one that has changed. @returns its record. */
+  /** Saves a new model at the end of the list, or a changed one. @returns its record. */
   async keepModel(model: Model, changes: Partial<ModelRecord> = {}): Promise<ModelRecord> {
     const before = this.models.get(model.id);
     const order = before?.order ?? nextOrder(this.models.list.peek());
     const verified = before?.verified ?? [];
-    const record = { key: model.id, order, verified, ...changes, model: withPlainNames(model), changedAt: Date.now() };
+    const changedAt = changeTime(before);
+    const record = { key: model.id, order, verified, ...changes, model: withPlainNames(model), changedAt };
     await this.models.save(record);
     return record;
   }
@@ -95,41 +96,44 @@ export class Library {
     if (model) await this.keepModel({ ...model, servos });
   }
 
-  /** Takes a model out, and its settings with it; see {@link Collection.remove}. */
+  /** Removes a model with its settings; see {@link Collection.remove}. */
   removeModel(id: string): void {
     const settings = this.settings.list.peek().filter(({ setting }) => setting.model === id);
     this.models.remove(id);
     if (settings.length > 0) this.settings.remove(...settings.map(({ key }) => key));
   }
 
-  /** Puts back what was taken out of the three lists, as long as it has not been deleted. */
+  /** Puts back what was removed from the three lists, if it is not deleted yet. */
   undoRemove(): void {
     for (const each of [this.models, this.settings, this.flights]) each.undoRemove();
   }
 
-  /** A new setting, at the end of the list, or one that has changed. @returns its record. */
+  /** Saves a new setting at the end of the list, or a changed one. @returns its record. */
   async keepSetting(setting: Setting, changes: Partial<SettingRecord> = {}): Promise<SettingRecord> {
-    const order = this.settings.get(setting.id)?.order ?? nextOrder(this.settings.list.peek());
-    const record = { key: setting.id, order, ...changes, setting: withPlainNames(setting), changedAt: Date.now() };
+    const before = this.settings.get(setting.id);
+    const order = before?.order ?? nextOrder(this.settings.list.peek());
+    const changedAt = changeTime(before);
+    const record = { key: setting.id, order, ...changes, setting: withPlainNames(setting), changedAt };
     await this.settings.save(record);
     return record;
   }
 
-  /** A new flight, or one that has changed. @returns its record. */
+  /** Saves a new flight, or a changed one. @returns its record. */
   async keepFlight(flight: Flight): Promise<FlightRecord> {
-    const record = { key: flight.id, flight: withPlainNames(flight), changedAt: Date.now() };
+    const changedAt = changeTime(this.flights.get(flight.id));
+    const record = { key: flight.id, flight: withPlainNames(flight), changedAt };
     await this.flights.save(record);
     return record;
   }
 
   /**
-   * Puts some models, or some settings, into another order among themselves.
-   * @param keys all of them, in that order.
+   * Puts some models, or some settings, into another order.
+   * @param keys their keys in the new order.
    */
   async arrange<T extends ModelRecord | SettingRecord>(list: Collection<T>, keys: readonly string[]): Promise<void> {
     const records = keys.flatMap((key) => list.get(key) ?? []);
     const places = records.map(({ order }) => order).sort((a, b) => a - b);
-    // Two of one place would not keep their order.
+    // Two records with the same place would not keep their order.
     const steps = places.map((place, at) => (at > 0 && place <= (places[at - 1] as number) ? null : place));
     const isWhole = !steps.includes(null);
     const moved = records.flatMap((record, at) => {
@@ -139,18 +143,18 @@ export class Library {
     if (moved.length > 0) await list.save(...moved);
   }
 
-  /** The page is left: what was taken out is deleted. */
+  /** The pilot leaves the page: deletes what was removed. */
   flush(): void {
     for (const each of [this.models, this.settings, this.flights]) each.flush();
     this.keepClashes();
   }
 
-  /** The page may not come back: what the pilot has not decided is there twice. */
+  /** The page may not come back: keeps both versions of records on which the pilot has not chosen. */
   keepClashes(): void {
     for (const each of [this.models, this.settings, this.flights]) each.keepClashes();
   }
 
-  /** The storage does again what it did not before: reads what it has not given back, keeps what it has not kept. */
+  /** The storage works again: reads what it did not give, and saves what it did not save. */
   async keepAgain(): Promise<void> {
     const asked = [this.models, this.settings, this.flights].filter(({ loaded }) => loaded.peek());
     await Promise.all(asked.map((each) => each.load()));
@@ -161,7 +165,7 @@ export class Library {
     try {
       this.#channel?.postMessage(CHANGED);
     } catch {
-      // Nobody hears it: other tabs see it when they are opened next.
+      // Nobody hears it: other tabs will see the change when they open next.
     }
   }
 }
@@ -170,7 +174,7 @@ function nextOrder(records: readonly { readonly order: number }[]): number {
   return Math.max(0, ...records.map(({ order }) => order)) + 1;
 }
 
-/** The values of this tab beside those of another one. What its timers hold is known of one model alone. */
+/** The values of this tab as a copy beside those of another one. Only one model keeps what its timer holds. */
 function copyOfModel({ model, ...rest }: ModelRecord): ModelRecord {
   const key = newId();
   return { ...rest, key, verified: [], model: { ...model, id: key, name: secondName(model.name) } };

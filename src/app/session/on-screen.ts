@@ -16,15 +16,15 @@ interface OnScreenParts {
   readonly knowledge: Knowledge;
   readonly notices: Notices;
   readonly connection: ReadonlySignal<TimerConnection | null>;
-  /** Something is under way, or waited for. */
+  /** Whether something is in progress, or waited for. */
   readonly engaged: ReadonlySignal<boolean>;
   readonly origin: Origin;
 }
 
-/** The program on the screen, and what comes there by the pilot's wish: no reading, see `Reader`. */
+/** The program on the screen, and what comes there at the pilot's wish. For readings see `Reader`. */
 export class OnScreen {
   readonly #simulated = signal(false, { name: 'simulated' });
-  /** Whether it is of the simulated timer. */
+  /** Whether it comes from the simulated timer. */
   readonly simulated: ReadonlySignal<boolean> = this.#simulated;
   readonly #parts: OnScreenParts;
   readonly #drafts: Drafts;
@@ -35,7 +35,7 @@ export class OnScreen {
   }
 
   /**
-   * A program that was made on this device comes to the screen, to be edited without a timer.
+   * Shows a program that was made on this device, to edit without a timer.
    * @param from the setting that it is opened from, or the model whose backup it is.
    */
   make(program: TimerProgram, from?: Partial<Pick<Content, 'of' | 'backupOf'>>): void {
@@ -48,14 +48,14 @@ export class OnScreen {
     });
   }
 
-  /** Clears the screen for something else, while no timer is connected. What the pilot wants is kept. */
-  putAway(): void {
+  /** Clears the screen for something else, while no timer is connected. The pilot's changes are kept. */
+  closeProgram(): void {
     if (!this.#isFree()) return;
     this.#parts.notices.dismiss();
     this.clear();
   }
 
-  /** Shows what was kept of earlier work, as the program of no timer. */
+  /** Shows a stored draft, as a program of no timer. */
   showKept(draft: Draft): void {
     if (!this.#isFree()) return;
     this.#parts.notices.dismiss();
@@ -63,10 +63,10 @@ export class OnScreen {
     this.bringBack(this.#drafts.take(draft));
   }
 
-  /** What was kept comes back to a screen on which nothing is. */
+  /** Brings a draft back to an empty screen. */
   bringBack(draft: Draft): void {
     const { editor, knowledge, notices, origin } = this.#parts;
-    // At one stroke: it must not be kept as the work on a real timer in between.
+    // In one step: in between it must not be kept as work on a real timer.
     batch(() => {
       if (!editor.restore(draft)) return;
       this.#simulated.value = draft.simulated;
@@ -76,13 +76,15 @@ export class OnScreen {
     });
   }
 
-  /** Whether a backup can come to the screen: over what is there, or, while no timer is connected, in its place. */
+  /**
+   * Whether a backup can come to the screen: over the present program or, while no timer is connected, in its place.
+   */
   canLoad(program: TimerProgram): boolean {
     const working = this.#parts.editor.working.value;
     return (working !== null && isOfOneShape(working.identity, program.identity)) || this.#isFree();
   }
 
-  /** What was kept becomes what the pilot wants; nothing is written. */
+  /** Takes the values of a backup as what the pilot wants. Writes nothing. */
   showBackup({ program, model }: Backup): void {
     if (!this.canLoad(program)) return;
     const { editor } = this.#parts;
@@ -96,7 +98,7 @@ export class OnScreen {
     editor.apply({ ...replaceAll({ code: 'restore', params: {} }, wanted), backupOf: model });
   }
 
-  /** Nothing is on the screen any more. What the pilot wants is kept. */
+  /** Clears the screen. The pilot's changes are kept. */
   clear(): void {
     const { editor } = this.#parts;
     const madeAt = editor.madeAt.value;
@@ -104,17 +106,17 @@ export class OnScreen {
     editor.clear();
   }
 
-  /** Under what the work on such a program is kept, from the timer that the one on the screen came from. */
+  /** The key of the work on such a program, from the same timer as the one on the screen. */
   workKey(program: TimerProgram): string {
     return this.#drafts.keyOf(program, this.#simulated.value);
   }
 
-  /** @param simulated whether what was read just now is of the simulated timer. */
+  /** @param simulated whether the last reading was of the simulated timer. */
   wasRead(simulated: boolean): void {
     this.#simulated.value = simulated;
   }
 
-  /** Whether the screen is the pilot's alone: no timer is connected, or on its way. */
+  /** Whether no timer is connected or being connected. */
   #isFree(): boolean {
     return !this.#parts.engaged.value && this.#parts.connection.value === null;
   }

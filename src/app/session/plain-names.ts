@@ -1,25 +1,39 @@
 import type { Flight, Model, Setting } from '../../program/index.js';
 
-/** What turns the direction of all text behind it: after such a name a sentence would say 61 in the place of 16. */
+/** Characters that turn the direction of all later text: after such a name a sentence would show 61 in place of 16. */
 const TURNS = /[\u202a-\u202e\u2066-\u2069]/g;
+/** Line breaks, tabs and other signs for machines. A name stands on one line. */
+const CONTROLS = /[\p{Cc}\u2028\u2029]+/gu;
+/** One half of a character: it cannot be saved in a file, nor sent. */
+const HALVES = /\p{Cs}/gu;
+/** Of a text of these alone nobody would see anything. */
+const UNSEEN = /^[\p{Z}\p{Cc}\p{Cf}\p{Default_Ignorable_Code_Point}]*$/u;
 
-const plain = (text: string): string => text.replaceAll(TURNS, '');
-/** Where a name has to be. */
-const named = (text: string): string => plain(text) || '–';
-
-/** As it may stand in a sentence, wherever it comes from. What a pilot writes in Hebrew or Arabic stays as it is. */
-export function withPlainNames<T extends Model | Setting | Flight>(entry: T): T {
-  if ('memoryNames' in entry) {
-    const servos = entry.servos.map((use) => ({ ...use, name: plain(use.name) }));
-    return { ...entry, name: named(entry.name), memoryNames: entry.memoryNames.map(plain), servos };
-  }
-  if ('tags' in entry) return { ...entry, name: named(entry.name), tags: entry.tags.map(plain).filter(Boolean) };
-  const { modelName, settingName, place, round } = entry;
-  const texts = { modelName, settingName, place, round };
-  return { ...entry, ...Object.fromEntries(Object.entries(texts).map(([field, text]) => [field, plain(text)])) };
+/**
+ * A name that is safe in sentences, wherever it comes from. Hebrew or Arabic stays as it is. Empty when there is
+ * nothing to see.
+ */
+export function plainName(text: string): string {
+  const plain = text.replaceAll(TURNS, '').replaceAll(CONTROLS, ' ').replaceAll(HALVES, '\ufffd').trim();
+  return UNSEEN.test(plain) ? '' : plain;
 }
 
-/** The beginning of a name that has no more room, in whole characters: half an emoji is none. */
+/** For a name that must not be empty. */
+const named = (text: string): string => plainName(text) || '–';
+
+/** Makes the names of an entry safe; see {@link plainName}. */
+export function withPlainNames<T extends Model | Setting | Flight>(entry: T): T {
+  if ('memoryNames' in entry) {
+    const servos = entry.servos.map((use) => ({ ...use, name: plainName(use.name) }));
+    return { ...entry, name: named(entry.name), memoryNames: entry.memoryNames.map(plainName), servos };
+  }
+  if ('tags' in entry) return { ...entry, name: named(entry.name), tags: entry.tags.map(plainName).filter(Boolean) };
+  const { modelName, settingName, place, round } = entry;
+  const texts = { modelName, settingName, place, round };
+  return { ...entry, ...Object.fromEntries(Object.entries(texts).map(([field, text]) => [field, plainName(text)])) };
+}
+
+/** The beginning of a name that is too long, in whole characters: half an emoji is none. */
 export function beginningOf(name: string, characters: number): string {
   return [...name].slice(0, characters).join('');
 }

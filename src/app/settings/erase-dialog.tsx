@@ -6,7 +6,7 @@ import { ClosingButtons } from '../write/dialog-steps.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 import type { Erase, KeptCounts } from './erase.js';
 
-/** What would be deleted from this device, asked once. */
+/** Shows what would be deleted from this device, and asks once. */
 export function EraseDialog({ session, erase }: { readonly session: Session; readonly erase: Erase }) {
   const { erase: words } = messages.value;
   const current = erase.current.value;
@@ -38,7 +38,7 @@ export function EraseDialog({ session, erase }: { readonly session: Session; rea
 interface ReviewProps {
   readonly erase: Erase;
   readonly counts: KeptCounts;
-  /** Whether it is not known of some memory what it holds: that would be forgotten, too. */
+  /** Whether the content of some memory is uncertain: that would be forgotten, too. */
   readonly uncertain: boolean;
 }
 
@@ -62,7 +62,7 @@ function Review({ erase, counts, uncertain }: ReviewProps) {
         <button type="button" class="quiet" onClick={() => erase.dismiss()}>
           {write.cancel}
         </button>
-        <button type="button" onClick={() => void erase.start()}>
+        <button type="button" class="danger" onClick={() => void erase.start()}>
           {words.start}
         </button>
       </div>

@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import type { Bench } from '../bench/bench.js';
 import { BenchPanel } from '../bench/bench-panel.js';
 import type { Follow } from '../bench/follow.js';
@@ -12,10 +13,12 @@ export interface BenchViewProps {
   readonly write: WriteFlow;
   readonly bench: Bench;
   readonly follow: Follow;
+  /** The button that connects a timer. */
+  readonly connect: ComponentChildren;
 }
 
-/** Servos and motor of the timer at hand; without one, that there is none. */
-export function BenchView({ session, views, write, bench, follow }: BenchViewProps) {
+/** The bench; without a program, a sentence that asks for a timer, and the button for it. */
+export function BenchView({ session, views, write, bench, follow, connect }: BenchViewProps) {
   const { names, noTimer } = messages.value.views;
   const hasProgram = session.editor.identity.value !== null;
   return (
@@ -24,7 +27,10 @@ export function BenchView({ session, views, write, bench, follow }: BenchViewPro
       {hasProgram ? (
         <BenchPanel {...{ session, write, bench, follow }} expert={views.expert.value} />
       ) : (
-        <p class="hint">{noTimer.bench}</p>
+        <>
+          <p class="hint">{noTimer.bench}</p>
+          <div>{connect}</div>
+        </>
       )}
     </>
   );

@@ -2,30 +2,34 @@ import { useComputed } from '@preact/signals';
 import type { Follow } from '../bench/follow.js';
 import { clockText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { useLateComputed } from '../ui/use-late.js';
 import './known-line.css';
 
-/** How the program on the screen stands to the timer: what differs, or that it is as it was read, and when. */
+/** How the program on the screen differs from the timer; or that it equals the last reading, and when that was. */
 export function KnownLine({ session, follow }: { readonly session: Session; readonly follow: Follow }) {
   const { program, bench, knowledge: words, memoryName, strip } = messages.value;
   const { editor } = session;
-  const count = useComputed(() => editor.changes.value.length).value;
-  const unfinished = useComputed(() => editor.unreadable.value.size).value;
-  const tried = useComputed(() => follow.trials.tried.value.length).value;
+  const of = useComputed(() => [editor.baseline.value, session.standing.value]);
+  // After the field that was typed into. All of these come in the same frame: one sentence uses them together.
+  const count = useLateComputed(() => editor.changes.value.length, of);
+  const unfinished = useLateComputed(() => editor.unreadable.value.size, of);
+  const tried = useLateComputed(() => follow.trials.tried.value.length, of);
   const memory = useComputed(() => editor.working.value?.memory ?? null).value;
   const standing = session.standing.value;
   const time = standing.at === null ? null : clockText(standing.at);
-  // Of no timer, but of the library.
-  const kept = useComputed(() => {
+  // A program that is of no timer, but of the library.
+  const kept = useLateComputed(() => {
     const opened = editor.madeAt.value === null ? null : session.opened.shown.value;
     if (!opened?.setting) return null;
     const { model, setting } = opened;
     return { model: model?.name, setting: setting.name, changes: session.opened.unsaved.value?.changes ?? 0 };
-  }).value;
+  }, of);
   const said = (): string => {
-    // What was tried is in the timer only as far as it is certain what that holds.
+    // Tried positions count as in the timer only while its content is certain.
     if (tried > 0 && standing.sure !== 'not') return bench.triedAndWaiting(tried, count);
-    if (count > 0) return program.changes(count);
+    // What it would be changed from is not known.
     if (standing.sure === 'not') return words.unknown(memory === null ? words.thisMemory : memoryName(memory));
+    if (count > 0) return program.changes(count);
     if (unfinished > 0) return words.unfinished(unfinished);
     if (kept) return words.ofSetting([kept.model, kept.setting].filter(Boolean).join(', '), kept.changes);
     if (editor.madeAt.value !== null) return words.made;
@@ -36,7 +40,7 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
   const open = standing.sure === 'not';
   const differs = tried + count + unfinished > 0;
   const state = open ? 'open' : differs ? 'differs' : standing.sure === 'now' ? 'known' : 'once';
-  // The same in the room that a phone has.
+  // The same, for the room on a phone.
   const short = {
     open: strip.notCertain,
     differs: strip.shortChanges(tried + count + unfinished),

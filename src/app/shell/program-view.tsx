@@ -1,5 +1,5 @@
 import { useComputed, useSignal, useSignalEffect } from '@preact/signals';
-import { useCallback, useMemo } from 'preact/hooks';
+import { useCallback, useEffect, useMemo } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Bench } from '../bench/bench.js';
@@ -18,6 +18,7 @@ import { RowTools } from '../program/row-tools.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
+import { useLateComputed } from '../ui/use-late.js';
 import { NARROW, useQuery } from '../ui/use-query.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { CommandBar } from './command-bar.js';
@@ -33,12 +34,12 @@ export interface ProgramViewProps {
   readonly programPicture: ProgramPicture;
   readonly sharing: Sharing;
   readonly onPrint: () => void;
-  /** Tells what the values of the table are. */
+  /** Explains the values of the table. */
   readonly onExplain: () => void;
   readonly saveSetting: SaveSetting;
 }
 
-/** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
+/** The program on the screen: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramView(props: ProgramViewProps) {
   const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, sharing } = props;
   const { onPrint, onExplain } = props;
@@ -53,7 +54,7 @@ export function ProgramView(props: ProgramViewProps) {
   const point = useCallback((field: ProgramField | null) => {
     pointed.value = field;
   }, []);
-  // What is typed while another memory is asked for would go into the one that is left.
+  // While another memory is being selected, typing would change the one that is left.
   const leaving = useComputed(() => session.runner.job.value?.kind === 'select').value;
   const looking = memories.looking.value;
   const isNarrow = useQuery(NARROW).value;
@@ -68,10 +69,15 @@ export function ProgramView(props: ProgramViewProps) {
   });
   const toggle = (): void => {
     picture.value = !picture.value;
-    // Each of the two begins at its top.
+    // Table and picture each begin at their top.
     document.documentElement.scrollTop = 0;
   };
-  // What was read of a timer that is not connected any more may be something else by now.
+  // The table is seen first: what stands beside it takes as long again to draw, and comes in the next frame.
+  const drawn = useSignal(false);
+  useEffect(() => {
+    drawn.value = true;
+  }, []);
+  // A timer that is no longer connected may hold something else by now.
   const isPast = session.link.state.value.status === 'off' && session.editor.madeAt.value === null;
   if (!identity) return null;
   const side =
@@ -110,7 +116,7 @@ export function ProgramView(props: ProgramViewProps) {
       </div>
       {side && (
         <aside class="program-side" inert={leaving}>
-          {side}
+          {drawn.value && side}
         </aside>
       )}
       {looking === null && (
@@ -124,17 +130,14 @@ export function ProgramView(props: ProgramViewProps) {
   );
 }
 
-/** The ways of the program out of the page. What cannot be carried is not shared. */
+/** Sharing and printing the program. A program that cannot be carried is not shared. */
 function ProgramExits({ session, sharing, onPrint }: Pick<ProgramViewProps, 'session' | 'sharing' | 'onPrint'>) {
   const { views } = messages.value;
+  // Texts that are no value yet come and go while somebody types.
+  const isSavable = useLateComputed(() => session.opened.savable.value, session.editor.baseline);
   return (
     <div class="program-exits">
-      <button
-        type="button"
-        class="quiet"
-        disabled={!session.opened.savable.value}
-        onClick={() => offerScreen(session, sharing)}
-      >
+      <button type="button" class="quiet" disabled={!isSavable} onClick={() => offerScreen(session, sharing)}>
         {views.share}
       </button>
       <button type="button" class="quiet" onClick={onPrint}>
@@ -144,7 +147,7 @@ function ProgramExits({ session, sharing, onPrint }: Pick<ProgramViewProps, 'ses
   );
 }
 
-/** The field that a place on the screen is for. */
+/** The field of an element on the screen. */
 function fieldAt(target: EventTarget | null, identity: Identity): ProgramField | null {
   const key = target instanceof HTMLInputElement ? target.getAttribute('data-field') : null;
   return fieldsOf(identity).find((field) => fieldKey(field) === key) ?? null;

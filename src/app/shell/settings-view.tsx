@@ -10,6 +10,7 @@ import type { Erase } from '../settings/erase.js';
 import { ShortDtLimit } from '../settings/short-dt-limit.js';
 import type { Theme } from '../settings/theme.js';
 import { ThemeChoice } from '../settings/theme-choice.js';
+import { Check } from '../ui/check.js';
 import { AboutPage } from './about-page.js';
 import type { UpdateOffer } from './update-offer.js';
 import type { Views } from './views.js';
@@ -26,7 +27,7 @@ export interface SettingsViewProps {
   readonly update: UpdateOffer;
 }
 
-/** What is set once: how the page looks, the adapters, what this device keeps. */
+/** What is set once: the look of the page, the adapters, what this device keeps. */
 export function SettingsView(props: SettingsViewProps) {
   const { session, preferences, theme, density, erase, views, installation, update } = props;
   const { settings: words, erase: eraseWords, shortDt } = messages.value;
@@ -55,14 +56,9 @@ export function SettingsView(props: SettingsViewProps) {
       )}
       <AboutTimer session={session} />
       <section class="setting">
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={views.expert.value}
-            onChange={(event) => views.setExpert(event.currentTarget.checked)}
-          />
+        <Check checked={views.expert.value} onChange={(checked) => views.setExpert(checked)}>
           {words.expert}
-        </label>
+        </Check>
         <p class="hint">{words.expertHint}</p>
       </section>
       <section class="setting">

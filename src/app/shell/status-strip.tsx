@@ -16,12 +16,13 @@ import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import { onDemand } from '../ui/on-demand.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
+import { useLateComputed } from '../ui/use-late.js';
 import { NARROW, TIGHT, useQuery } from '../ui/use-query.js';
 import { KnownLine } from './known-line.js';
 import { StripModel } from './strip-model.js';
 import './status-strip.css';
 
-/** The figures to be changed: fetched after the first picture. */
+/** The figures to edit, loaded after the first picture. */
 export const figures = onDemand(async () => (await import('./figures-panel.js')).FiguresPanel, { silent: true });
 
 interface StatusStripProps {
@@ -34,8 +35,9 @@ interface StatusStripProps {
 }
 
 /**
- * What is true now, in every view: the timer and its memory, DT and motor stop, and what is known of them. The figures
- * are a button: it opens the large ones with the presets, and on a phone all else that has no room in one line.
+ * What is true now, in every view: the timer and its memory, DT and motor stop, and how certain they are. The figures
+ * are a button that opens the large ones with the presets; on a phone also everything else that has no room in one
+ * line.
  */
 export function StatusStrip({ session, memories, leaving, follow, preferences, saveSetting }: StatusStripProps) {
   const { name, header } = messages.value;
@@ -144,7 +146,7 @@ function MemoryNow({ session }: { readonly session: Session }) {
   );
 }
 
-/** DT, and on a Q the motor stop, as they stand in the program on the screen. */
+/** DT, and on a Q the motor stop, of the program on the screen. */
 function Figures({ session, identity }: { readonly session: Session; readonly identity: Identity }) {
   return (
     <>
@@ -161,26 +163,27 @@ interface FigureProps {
   readonly field: ProgramField;
 }
 
-/** One figure. It is red when it is a short DT, and when it is not known what the timer holds. */
+/** One figure. It is red for a short DT, and when the content of the timer is uncertain. */
 function Figure({ session, identity, field }: FigureProps) {
   const { program } = messages.value;
   const { editor } = session;
   const key = fieldKey(field);
-  const text = useComputed(() => {
+  // The field that is typed into, or the mark that is moved, is drawn first.
+  const text = useLateComputed(() => {
     const value = editor.working.value && valueAt(editor.working.value, field);
     return value === null ? '' : figureText(identity, field, value);
-  }).value;
-  const isShort = useComputed(() => {
+  }, editor.baseline);
+  const isShort = useLateComputed(() => {
     const isDt = field.kind === 'time' && field.slot === identity.functions;
     return isDt && editor.findings.value.some(({ code }) => code === 'dt-short');
-  }).value;
-  /** Red is what is not known, grey what was read of a timer that is not there. */
-  const look = useComputed(() => {
+  }, editor.baseline);
+  /** Uncertain figures are red; readings of a timer that is not connected are grey. */
+  const look = useLateComputed(() => {
     const { sure } = session.standing.value;
     if (sure === 'not') return 'bad';
     if (editor.changes.value.some(({ field: changed }) => fieldKey(changed) === key)) return 'changed';
     return sure === 'once' && editor.madeAt.value === null && !session.connection.value ? 'past' : '';
-  }).value;
+  }, session.standing);
   const [figure, unit] = text.split(' ');
   return (
     <span class={`strip-figure ${isShort ? 'bad' : look}`}>
@@ -192,7 +195,7 @@ function Figure({ session, identity, field }: FigureProps) {
 
 interface LinkStateProps {
   readonly link: Link;
-  /** The name of the model, where there is no room for it beside the class of its timer; null elsewhere. */
+  /** The name of the model, where there is no room for it beside the class of its timer; else null. */
   readonly model: string | null;
 }
 

@@ -4,13 +4,14 @@ import * as v from 'valibot';
 import { service } from '../browser/services.js';
 import { whenIdle } from '../browser/when-idle.js';
 import { withPresentNames } from './former-names.js';
+import { isLeaving } from './leaving.js';
 import { StorageError } from './limit.js';
 import type { AsideRecord } from './records.js';
 import { isSame } from './same.js';
 
 const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside', 'models', 'settings', 'flights'] as const;
 
-/** The shelves of the browser's storage; each record stands under its own key. */
+/** The shelves of the browser's storage. Each record has its own key. */
 export type StoreName = (typeof STORES)[number];
 
 interface Schema extends DBSchema {
@@ -24,45 +25,45 @@ interface Schema extends DBSchema {
   flights: { key: string; value: unknown };
 }
 
-/** A record that is to be kept, and what the shelf may hold of it by now; nothing is always right. */
+/** A record to keep, and the versions that the shelf may hold now. An empty shelf is always right. */
 export interface Exchange<T> {
   readonly record: T;
   readonly known: readonly T[];
 }
 
-/** What the models need of a shelf, so that a test can put another in its place. */
+/** The part of a shelf that the models use, so that a test can put another in its place. */
 export interface Keeper<T extends { readonly key: string }> {
-  /** @param now the page is left: at once, ahead of whatever waits. */
+  /** @param now the pilot leaves the page: saves at once, before everything that waits. */
   save(record: T, now?: boolean): Promise<void>;
   /**
-   * Keeps a record in the place of one that is known here, at one stroke: what another tab has put there is not lost.
-   * @returns what the shelf holds instead of a known one, and still holds; null: the record is kept.
+   * Replaces a version that is known here by this record, in one step, so that another tab's version is not lost.
+   * @returns another version that the shelf holds, and keeps; null when the record was saved.
    */
   exchange(change: Exchange<T>): Promise<T | null>;
   remove(key: string): Promise<void>;
-  /** Undefined when there is none; what is stored and cannot be read is set aside. */
+  /** Undefined when there is none. A stored record that cannot be read is set aside. */
   load(key: string): Promise<T | undefined>;
-  /** All records that can be read, in the order of their keys. */
+  /** All readable records, in the order of their keys. */
   all(): Promise<T[]>;
 }
 
-/** The shelves on which programs lie, of which parts had other names before version 4. */
+/** The shelves with programs, parts of which had other names before version 4. */
 const RENAMED = ['drafts', 'unfinished', 'backups'] as const;
 
-/** The arrangement of the shelves. A browser refuses it when a newer version of this page has been here. */
+/** The version of the shelves. A browser refuses it when a newer version of this page has been here. */
 const VERSION = 5;
 
-/** Gives the storage once it is open; fails while it is not to be had. */
+/** Gives the storage once it is open; rejects while it cannot be had. */
 type Opened = () => Promise<IDBPDatabase<Schema>>;
 
 /**
- * Opens the storage; every use of it fails where the browser keeps nothing, and as long as an old version of this page
- * holds on to it.
+ * Opens the storage. Every use of it fails where the browser keeps nothing,
+ * and while an old version of this page holds it.
  */
 export function openStorage(name = 'sidus-timer'): Opened {
-  /** What was in the way may have gone: it is open then, after all. */
+  /** What prevented the opening may be gone: then it is open after all. */
   let late: IDBPDatabase<Schema> | undefined;
-  // Where storage is switched off, opening may throw at once instead of failing later.
+  // Where storage is switched off, opening may throw at once instead of rejecting later.
   const opened = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
     if (!service('indexedDB')) return reject(new StorageError('missing', 'the browser has no storage for this page'));
     openDB<Schema>(name, VERSION, {
@@ -76,21 +77,21 @@ export function openStorage(name = 'sidus-timer'): Opened {
         }
       },
       blocked: () => reject(new StorageError('blocked', 'another tab holds an older version of the storage')),
-      // A newer version of this page wants to rearrange the storage: it goes first.
+      // A newer version of this page wants to change the storage: closes it for that one.
       blocking: (_, __, event) => (event.target as IDBDatabase).close(),
     }).then((database) => {
       late = database;
       resolve(database);
     }, reject);
   });
-  // Whoever asks is told; nobody has asked yet.
+  // Each user gets the error. At this moment there is none yet.
   opened.catch(() => {});
   return async () => late ?? (await opened);
 }
 
-/** Throws the whole storage away. Other tabs let go of it when they are asked. */
+/** Deletes the whole storage. Other tabs release it when they are asked. */
 export async function deleteStorage(opened: Opened, name = 'sidus-timer'): Promise<void> {
-  // One that could not be opened need not be closed.
+  // A storage that could not be opened need not be closed.
   await opened().then(
     (database) => database.close(),
     () => {},
@@ -98,15 +99,12 @@ export async function deleteStorage(opened: Opened, name = 'sidus-timer'): Promi
   await deleteDB(name);
 }
 
-/**
- * So long a record that is no matter of a moment waits at most for the browser to have nothing else to do, in
- * milliseconds.
- */
+/** How long a record that is not urgent waits at most for an idle browser, in milliseconds. */
 const IDLE_WITHIN = 50;
 
 /**
- * Copying a record takes time: what was typed is drawn first. A page that is left, or put away on a phone, may never be
- * idle again.
+ * Waits until the screen is drawn: copying a record takes time, and what was typed is drawn first. A page that is left,
+ * or in the background on a phone, may never be idle again.
  */
 function drawn(): Promise<void> {
   return new Promise((resolve) => {
@@ -121,19 +119,21 @@ function drawn(): Promise<void> {
   });
 }
 
-/** One shelf of the storage. What is read from it is checked: another version of this page may have written it. */
+/** One shelf of the storage. It checks everything that it reads: another version of this page may have written it. */
 export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   readonly #opened: Opened;
   readonly #name: StoreName;
   readonly #schema: BaseSchema<unknown, T, BaseIssue<unknown>>;
   readonly #durability: IDBTransactionDurability;
   readonly #onLeft: (records: readonly AsideRecord[]) => void;
-  /** What waits until the browser has nothing else to do, by key. */
+  /** Records that wait for an idle browser, by key. */
   readonly #waiting = new Map<string, T>();
+  /** Records that are being exchanged, the latest of each key. */
+  readonly #exchanged = new Map<string, T>();
 
   /**
-   * @param durability `strict`: saved means written to the disk, at the cost of some milliseconds.
-   * @param onLeft told of what cannot be read and cannot be set aside either.
+   * @param durability `strict`: a saved record is on the disk, which costs some milliseconds.
+   * @param onLeft called with records that can neither be read nor be set aside.
    */
   constructor(
     opened: Opened,
@@ -152,34 +152,40 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   async save(record: T, now = false): Promise<void> {
     this.#waiting.set(record.key, record);
     if (this.#durability === 'relaxed' && !now) await drawn();
-    // One that something has overtaken must not undo it.
+    // A newer record has taken its place.
     if (this.#waiting.get(record.key) !== record) return;
     this.#waiting.delete(record.key);
     const options = { durability: this.#durability };
     const writing = (await this.#opened()).transaction(this.#name, 'readwrite', options);
     const put = writing.store.put(record);
-    // Not left to the page, which may be gone when the record has been put.
+    // Commits at once: the page may be gone by the time that the record is stored.
     writing.commit?.();
     await Promise.all([put, writing.done]);
   }
 
   async exchange({ record, known }: Exchange<T>): Promise<T | null> {
+    this.#exchanged.set(record.key, record);
+    if (isLeaving()) {
+      await this.save(record, true);
+      return null;
+    }
     const opened = await this.#opened();
     const changing = opened.transaction(this.#name, 'readwrite', { durability: this.#durability });
-    // Whoever waits for it is told by what follows.
+    // The next promise gives the error to whoever waits.
     changing.done.catch(() => {});
     const left = new AbortController();
     let saving: Promise<void> | null = null;
-    // The page may be gone before the storage has answered: what was typed goes first.
-    const leave = (): void => {
+    // The page may be gone before the storage answers, so what was typed is sent first.
+    const sendNow = (): void => {
       changing.abort();
-      saving = this.save(record, true);
+      // Not this one, if a later one came while the page was left.
+      saving = this.save(this.#exchanged.get(record.key) ?? record, true);
     };
-    addEventListener('pagehide', leave, left);
+    addEventListener('pagehide', sendNow, left);
     try {
       const stored: unknown = await changing.store.get(record.key);
       const held = v.safeParse(this.#schema, stored);
-      // What cannot be read was set aside when it was looked for.
+      // A record that cannot be read was set aside when it was read.
       if (held.success && ![record, ...known].some((each) => isSame(each, held.output))) return held.output;
       left.abort();
       const put = changing.store.put(record);
@@ -192,12 +198,17 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
       return null;
     } finally {
       left.abort();
+      if (this.#exchanged.get(record.key) === record) this.#exchanged.delete(record.key);
     }
   }
 
   async remove(key: string): Promise<void> {
     this.#waiting.delete(key);
-    await (await this.#opened()).delete(this.#name, key);
+    const removing = (await this.#opened()).transaction(this.#name, 'readwrite', { durability: this.#durability });
+    const gone = removing.store.delete(key);
+    // As for a record that is saved.
+    removing.commit?.();
+    await Promise.all([gone, removing.done]);
   }
 
   async load(key: string): Promise<T | undefined> {
@@ -209,7 +220,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     return await this.#read(await (await this.#opened()).getAll(this.#name));
   }
 
-  /** What can be read of this; the rest is set aside. */
+  /** The readable records; sets the others aside. */
   async #read(stored: readonly unknown[]): Promise<T[]> {
     const results = stored.map((record) => v.safeParse(this.#schema, record));
     const bad = stored.filter((_, i) => !results[i]?.success);
@@ -218,7 +229,8 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   }
 
   /**
-   * Puts what cannot be read where nothing takes its place. What cannot be moved stays where it is, and is told anyway.
+   * Moves unreadable records to a place where nothing overwrites them. Those that cannot be moved stay, and are
+   * reported all the same.
    */
   async #setAside(bad: readonly unknown[]): Promise<void> {
     const at = Date.now();
@@ -231,7 +243,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
       for (const { stored, ...record } of records) {
         const { key } = stored as { key: string };
         const now: unknown = await moving.objectStore(this.#name).get(key);
-        // Another tab may have put something good in its place, or have been here first.
+        // Another tab may have put a good record in its place, or set it aside first.
         if (now === undefined || v.is(this.#schema, now)) continue;
         await moving.objectStore('aside').put({ ...record, stored: now });
         await moving.objectStore(this.#name).delete(key);

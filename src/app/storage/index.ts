@@ -1,4 +1,5 @@
 import { deleteStorage, type Keeper, openStorage, Shelf } from './database.js';
+import { isLeaving } from './leaving.js';
 import { StorageQuestions, type StorageWatch } from './limit.js';
 import {
   type AsideRecord,
@@ -36,22 +37,22 @@ export type {
 
 export { isSame } from './same.js';
 
-/** All that is kept in the browser, so that it survives a reload, a crash and a flat battery. */
+/** Everything that the browser keeps, so that it survives a reload, a crash and a flat battery. */
 export interface Storage {
   readonly drafts: Keeper<Draft>;
   readonly unfinished: Keeper<Unfinished>;
   readonly backups: Keeper<Backup>;
   readonly ports: Keeper<PortRecord>;
-  /** What was found on the others and cannot be read. */
+  /** Records of the other shelves that cannot be read. */
   readonly aside: Keeper<AsideRecord>;
   readonly models: Keeper<ModelRecord>;
   readonly settings: Keeper<SettingRecord>;
   readonly flights: Keeper<FlightRecord>;
-  /** Throws all of it away; nothing can be kept after that until the page is loaded again. */
+  /** Deletes everything. Nothing can be stored after that until the page is loaded again. */
   erase(): Promise<void>;
 }
 
-/** The calls of a shelf, and what each does: to all of them the limits apply. */
+/** The calls of a shelf, and what each does. The limits apply to all of them. */
 export const SHELF_CALLS = {
   save: 'change',
   exchange: 'change',
@@ -98,14 +99,14 @@ export function browserStorage(name?: string): Storage {
   };
 }
 
-/** The same storage, each call of which ends in time: with what it gives, or with a StorageError. */
+/** The same storage, but each call ends in time, with its result or a StorageError. */
 export function limited(storage: Storage, watch: StorageWatch): Storage {
   const inTime = <T extends { readonly key: string }>(keeper: Keeper<T>, name: string): Keeper<T> => {
     const questions = new StorageQuestions(watch, name);
     return {
       save: (record, now) => questions.ask(SHELF_CALLS.save, () => keeper.save(record, now), now),
-      exchange: (change) => questions.ask(SHELF_CALLS.exchange, () => keeper.exchange(change)),
-      remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key)),
+      exchange: (change) => questions.ask(SHELF_CALLS.exchange, () => keeper.exchange(change), isLeaving()),
+      remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key), isLeaving()),
       load: (key) => questions.ask(SHELF_CALLS.load, () => keeper.load(key)),
       all: () => questions.ask(SHELF_CALLS.all, () => keeper.all()),
     };

@@ -5,11 +5,11 @@ import { flightEnd, marksOf, motorStopOf, type Stage, stagesOf } from './preview
 import { evenScale, RUN_OUT, type Scale, stretchedScale } from './scale.js';
 import { ticks } from './ticks.js';
 
-/** The measures of a picture in pixels, all but its width. */
+/** The measures of a picture in pixels, without its width. */
 export interface Measures {
   readonly left: number;
   readonly right: number;
-  /** The upper edge of the first lane and the lower edge of the last. */
+  /** The top of the first lane and the bottom of the last one. */
   readonly top: number;
   readonly bottom: number;
   /** The bar that shows how long the motor runs: its middle and its thickness. */
@@ -20,19 +20,19 @@ export interface Measures {
   readonly height: number;
 }
 
-/** The marks stand above the lanes, the motor's bar and the times below them. */
+/** Pixels: the marks stand above the lanes, the motor's bar and the times below them. */
 const FULL = { left: 44, right: 16, top: 36, motor: 18, times: 30 };
 const COMPACT = { left: 28, right: 10, top: 4, motor: 8, times: 24 };
-/** A lane of a small picture, in pixels; of a few servos, and of many. */
+/** The height of a lane in a small picture, in pixels: with few servos, and with many. */
 const COMPACT_LANE = { few: 26, many: 16 };
 const FEW = 4;
 
-/** The least height of a picture that can be worked on. */
+/** The least height of a picture that can be edited, in pixels. */
 export function leastHeightOf(program: TimerProgram): number {
   return FULL.top + leastHeight(program.identity.servos) + belowOf(program, FULL);
 }
 
-/** @param height of the picture; none for a small one, to be looked at and not to be worked on. */
+/** @param height of the picture in pixels; none for a small picture, which cannot be edited. */
 export function measuresOf(program: TimerProgram, height?: number): Measures {
   const { servos } = program.identity;
   const own = height === undefined ? COMPACT : FULL;
@@ -51,16 +51,16 @@ export function measuresOf(program: TimerProgram, height?: number): Measures {
   };
 }
 
-/** What the motor's bar and the times take. */
+/** The height of the motor's bar and the times. */
 function belowOf(program: TimerProgram, { motor, times }: { readonly motor: number; readonly times: number }): number {
   return (motorStopOf(program) === null ? 0 : motor) + times;
 }
 
-/** The least distance of two marks on the stretched axis, and the room of the run-out, in pixels. */
+/** The least distance of two marks on the stretched axis, and the width of the run-out, in pixels. */
 const MARK_GAP = 28;
 const RUN_OUT_ROOM = 16;
 
-/** The axis for a program and what lies behind it. @param width that of the plot, in pixels. */
+/** The axis for a program and the one behind it. @param width of the plot, in pixels. */
 export function scaleOf(program: TimerProgram, overlay: TimerProgram | null, even: boolean, width: number): Scale {
   if (even) return evenScale(Math.max(flightEnd(program), overlay ? flightEnd(overlay) : 0) - RUN_OUT);
   return stretchedScale(marksOf(program), {
@@ -70,21 +70,21 @@ export function scaleOf(program: TimerProgram, overlay: TimerProgram | null, eve
   });
 }
 
-/** A function or DT: where its time is, and where its number stands above it. */
+/** The mark of a function or DT: where its time is, and where its number stands above it. */
 export interface Flag {
   readonly slot: number;
   readonly isDt: boolean;
   readonly at: number;
   readonly x: number;
   readonly radius: number;
-  /** False where there is no room for its number. */
+  /** False when there is no room for its number. */
   readonly labelled: boolean;
-  /** Whether there is room for a figure around its number, and for a dot at each step below. */
+  /** Whether there is room for a circle around its number, and for a dot at each step below. */
   readonly roomy: boolean;
   readonly passedOver: boolean;
 }
 
-/** The number of a mark stands in a circle of this radius, in pixels; where it is narrow, in a smaller one. */
+/** The radius of the circle around a number, in pixels; where it is narrow, a smaller one. */
 const RADIUS = 12;
 const SMALLEST_RADIUS = 8;
 
@@ -106,12 +106,13 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
       left - RADIUS,
       right + RADIUS,
     );
-    return flags.map((flag) => {
-      const x = places[inView.indexOf(flag)] ?? flag.at;
-      return { ...flag, x, radius, labelled: true, roomy: true };
+    let next = 0;
+    return flags.map(({ slot, isDt, at, passedOver }) => {
+      const x = layout.shows(at) ? (places[next++] ?? at) : at;
+      return { slot, isDt, at, passedOver, x, radius, labelled: true, roomy: true };
     });
   }
-  // Too many for each to have its number: DT has it, and whoever is far enough from the last one that has it.
+  // Not every mark has room for its number: DT has it, and each mark far enough from the last one with a number.
   const dt = inView.find(({ isDt }) => isDt)?.at ?? Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
   return flags.map((flag) => {
@@ -122,16 +123,16 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
   });
 }
 
-/** What is to be drawn of the times of a program, in pixels. */
+/** How to draw the times of a program, in pixels. */
 export interface Marks {
   readonly stages: readonly Stage[];
   readonly flags: readonly Flag[];
-  /** The times that are written below the plot. */
+  /** The times that stand below the plot. */
   readonly ticks: readonly number[];
   readonly motorStop: number | null;
 }
 
-/** Everything that is to be drawn for a program, in pixels. */
+/** How to draw a program, in pixels. */
 export interface Geometry extends Marks {
   readonly program: TimerProgram;
   readonly layout: Layout;
@@ -145,9 +146,9 @@ export interface GeometryOptions {
   readonly plot: number;
   readonly measures: Measures;
   readonly servos: number;
-  /** The servo in hand; null where all lanes are alike. */
+  /** The selected servo, whose lane is tall; null when all lanes are equal. */
   readonly front: number | null;
-  /** The position at the upper edge of each lane. */
+  /** The position at the top of each lane. */
   readonly highest: number;
 }
 
@@ -157,12 +158,12 @@ export function layoutOf({ scale, view, plot, measures, servos, front, highest }
   return new Layout(scale, view, box, lanesOf(servos, front, top, bottom), highest);
 }
 
-/** Two times at the axis are this far apart, in pixels. */
+/** The least distance of two times on the axis, in pixels. */
 const TICK_GAP = 52;
 
 /**
- * @param even whether every second has the same length: then round times are written, else those of the marks.
- * @param chosen a time that is written before all others but DT.
+ * @param even whether every second has the same length: then the axis has round times, else those of the marks.
+ * @param chosen a time that goes before all others but DT.
  */
 export function marksIn(program: TimerProgram, layout: Layout, even: boolean, chosen: number | null): Marks {
   const { scale, view, width } = layout;
@@ -178,14 +179,14 @@ export function marksIn(program: TimerProgram, layout: Layout, even: boolean, ch
   };
 }
 
-/** Where a handle is. */
+/** The place of a handle. */
 export interface HandlePlace {
   readonly field: ProgramField;
   readonly x: number;
   readonly y: number;
 }
 
-/** Where the handles are: those of the marks, of the end of the motor, and of the steps of the servo in hand. */
+/** The places of all handles: the marks, the end of the motor run, and the steps of the selected servo. */
 export function handlePlaces(geometry: Geometry, front: number): HandlePlace[] {
   const { program, flags, stages, layout, measures, motorStop } = geometry;
   const places = flags.map(({ slot, x }): HandlePlace => ({ field: { kind: 'time', slot }, x, y: FLAG }));
@@ -200,5 +201,5 @@ export function handlePlaces(geometry: Geometry, front: number): HandlePlace[] {
   return places;
 }
 
-/** How high the numbers of the marks stand. */
+/** The height of the marks' numbers. */
 export const FLAG = 16;

@@ -1,16 +1,16 @@
-import { effect, type ReadonlySignal, useSignal } from '@preact/signals';
+import { useSignal } from '@preact/signals';
 import type { RefObject } from 'preact';
-import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 
 export interface Size {
   readonly width: number;
   readonly height: number;
 }
 
-/** Before anything has been measured, in pixels. */
+/** The size before anything has been measured, in pixels. */
 const USUAL: Size = { width: 640, height: 320 };
 
-/** The size of an element in pixels, as it is and, a frame late, as it changes. */
+/** The size of an element in pixels. Changes come one frame late. */
 export function useSize(element: RefObject<HTMLElement | null>): Size {
   const size = useSignal(USUAL);
   useLayoutEffect(() => {
@@ -23,7 +23,7 @@ export function useSize(element: RefObject<HTMLElement | null>): Size {
     };
     measure();
     let frame = 0;
-    // A note in the table may take some of the room: what was typed is seen before all is drawn for the rest of it.
+    // A note in the table may change the room: what was typed is drawn first, and the rest a frame later.
     const observer = new ResizeObserver(() => {
       cancelAnimationFrame(frame);
       frame = requestAnimationFrame(measure);
@@ -37,7 +37,7 @@ export function useSize(element: RefObject<HTMLElement | null>): Size {
   return size.value;
 }
 
-/** A function that stays the same while what it calls may change at each drawing. */
+/** A function that stays the same, and calls the latest version of another one. */
 export function useStable<F extends ((...args: never[]) => unknown) | undefined>(called: F): F {
   const latest = useRef(called);
   latest.current = called;
@@ -46,45 +46,14 @@ export function useStable<F extends ((...args: never[]) => unknown) | undefined>
 }
 
 /**
- * A signal, a frame late: what is drawn more easily, as the field that was typed into, is seen before.
- * @returns its value, and what makes up for the frame.
- */
-export function useLate<T>(source: ReadonlySignal<T>): [value: T, catchUp: () => void] {
-  const late = useSignal(source.peek());
-  const catchUp = useMemo(
-    () => (): void => {
-      late.value = source.peek();
-    },
-    [source],
-  );
-  useEffect(() => {
-    let frame = 0;
-    const stop = effect(() => {
-      void source.value;
-      cancelAnimationFrame(frame);
-      // The next frame is the one in which the other is drawn.
-      frame = requestAnimationFrame(() => {
-        frame = requestAnimationFrame(catchUp);
-      });
-    });
-    return () => {
-      stop();
-      cancelAnimationFrame(frame);
-    };
-  }, [source]);
-  return [late.value, catchUp];
-}
-
-/**
- * Changes that follow each other faster than this are drawn as they come: who types is not kept waiting. Milliseconds.
- */
+/** Changes that follow each other within this time are drawn at once, so that typing never waits. In milliseconds. */
 const HURRY = 500;
 
 /**
- * Whether what is drawn now goes gently from where it was, so that the eye can follow: the styles do it. Not while a
- * handle is in hand, nor when what is in view or the room for it has changed, nor while one change follows the other.
- * @param drawn all that is drawn; another object whenever it changes.
- * @param frame what lets everything jump when it changes.
+ * Whether the present drawing moves gently from the one before (the styles do it), so that the eye can follow. Not
+ * while a handle is held, not after a change of view or size, and not when changes follow each other quickly.
+ * @param drawn everything that is drawn; another object after each change.
+ * @param frame the things whose change makes everything jump.
  */
 export function useGlides(drawn: unknown, frame: readonly unknown[], held: boolean): boolean {
   const before = useRef({ drawn, frame, at: Number.NEGATIVE_INFINITY, glides: false });

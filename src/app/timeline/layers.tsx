@@ -11,18 +11,18 @@ import './layers.css';
 
 interface PictureProps {
   readonly geometry: Geometry;
-  /** The servo in hand; null for a small picture, of which nothing can be taken in hand. */
+  /** The selected servo; null for a small picture, where nothing can be selected. */
   readonly front: number | null;
   readonly selected: ProgramField | null;
-  /** What lies behind. */
+  /** The program behind it. */
   readonly overlay: TimerProgram | null;
-  /** What the pilot calls what the servos move, for each servo. */
+  /** The pilot's names for what each servo moves. */
   readonly names?: readonly string[] | undefined;
-  /** The id for what keeps the lines inside of the plot. */
+  /** The id of the clip path that keeps the lines inside the plot. */
   readonly clip: string;
 }
 
-/** All that is drawn of a program but its handles: what has not changed is not drawn again. */
+/** The drawing of a program without its handles. Unchanged parts are not drawn again. */
 export function Picture({ geometry, front, selected, overlay, names, clip }: PictureProps) {
   const { program, layout, measures, flags, ticks, stages, motorStop } = geometry;
   const { left, right } = layout.box;
@@ -48,12 +48,15 @@ export function Picture({ geometry, front, selected, overlay, names, clip }: Pic
   );
 }
 
-/** Positions that have a line of their own across the lane in hand: the ends and the middle. */
+/** The positions with a line across the selected lane: the ends and the middle. */
 function levels(highest: number): number[] {
   return highest > 130 ? [0, 65, 130, highest] : [0, 65, highest];
 }
 
-/** Where each lane ends, and in the lane in hand the positions at the left edge and their lines across. */
+/** A handle on the left edge does not touch the position that stands beside it, in pixels. */
+const LEVEL_GAP = 12;
+
+/** The ends of the lanes, and in the selected lane the positions at the left edge with their lines. */
 function Grid({ layout, front }: { readonly layout: Layout; readonly front: number | null }) {
   const { left, right } = layout.box;
   const edges = layout.lanes.slice(0, -1).map(({ until }) => Math.round(until) + 0.5);
@@ -68,7 +71,7 @@ function Grid({ layout, front }: { readonly layout: Layout; readonly front: numb
           return (
             <g key={position}>
               <path d={`M${left} ${y}H${right}`} />
-              <text x={left - 8} y={y} dy="0.35em">
+              <text x={left - LEVEL_GAP} y={y} dy="0.35em">
                 {position}
               </text>
             </g>
@@ -78,10 +81,10 @@ function Grid({ layout, front }: { readonly layout: Layout; readonly front: numb
   );
 }
 
-/** A time that stands nearer to an edge than this does not have its middle there, in pixels. */
+/** A time closer to an edge is not centred, in pixels. */
 const EDGE_ROOM = 16;
 
-/** The times below the plot: DT in strong letters, those of the marks, and round ones where there is room. */
+/** The times below the plot: DT in bold, those of the marks, and round ones where there is room. */
 function TimeAxis({ program, layout, measures, ticks, stages, chosen }: Geometry & { readonly chosen: number | null }) {
   const dt = stages.at(-1)?.from;
   const marks = new Set(marksOf(program));
@@ -93,7 +96,7 @@ function TimeAxis({ program, layout, measures, ticks, stages, chosen }: Geometry
         const at = x < left + EDGE_ROOM ? 'first' : x > right - EDGE_ROOM ? 'last' : '';
         const classes = `${marks.has(time) ? 'mark' : ''} ${time === dt ? 'dt' : ''} ${time === chosen ? 'selected' : ''}`;
         return (
-          // What is moved stays the same element: one that comes and goes costs the styles of the whole page.
+          // Moved times keep their element: adding and removing elements makes the browser restyle the whole page.
           <g key={time === dt ? 'dt' : i} class={classes} transform={`translate(${pixels(x)} 0)`}>
             <path d={`M0 ${bottom}V${bottom + 5}`} />
             <text y={measures.axis} class={at}>
@@ -127,7 +130,7 @@ interface MarksProps extends Pick<MarksOf, 'flags'> {
   readonly small: boolean;
 }
 
-/** The uprights of the functions and of DT, from their numbers down. */
+/** The vertical lines of the functions and DT, from their numbers down. */
 function Marks({ flags, layout, chosen, small }: MarksProps) {
   const { top, bottom } = layout.box;
   return (
@@ -141,10 +144,10 @@ function Marks({ flags, layout, chosen, small }: MarksProps) {
   );
 }
 
-/** What the name of the motor stop needs beside it, in pixels. */
+/** The width of the words for the motor stop beside it, in pixels. */
 const MOTOR_NAME = 150;
 
-/** While the motor runs: a band over all lanes and a bar below them. */
+/** The motor run: a band over all lanes and a bar below them. */
 function MotorRun({ program, motorStop, layout, measures, small }: Geometry & { readonly small: boolean }) {
   if (motorStop === null) return null;
   const start = layout.x(0);
@@ -168,7 +171,7 @@ function MotorRun({ program, motorStop, layout, measures, small }: Geometry & { 
   );
 }
 
-/** Which part of the whole is in view, where it is not all. */
+/** Which part of the whole is in view, when it is not everything. */
 function Extent({ layout, y }: { readonly layout: Layout; readonly y: number }) {
   const { start, span } = layout.view;
   if (span >= 1) return null;
@@ -182,7 +185,7 @@ function Extent({ layout, y }: { readonly layout: Layout; readonly y: number }) 
   );
 }
 
-/** What the position beside the line at one time needs, in pixels. */
+/** The width of the position beside the line at one time, in pixels. */
 const VALUE_ROOM = 40;
 
 interface CrosshairProps {
@@ -191,7 +194,7 @@ interface CrosshairProps {
   readonly small?: boolean;
 }
 
-/** A line at one time of the flight, with a dot on each servo's line and the position that it has there. */
+/** A line at one time of the flight, with a dot and the position on each servo's line. */
 export function Crosshair({ geometry, time, small = false }: CrosshairProps) {
   const { layout, program } = geometry;
   if (time === null || !layout.shows(layout.x(time))) return null;
@@ -220,7 +223,7 @@ export function Crosshair({ geometry, time, small = false }: CrosshairProps) {
   );
 }
 
-/** A place as it is written into the picture. */
+/** A coordinate as text for the picture. */
 function pixels(place: number): number {
   return Math.round(place * 10) / 10;
 }

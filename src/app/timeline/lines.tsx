@@ -26,7 +26,7 @@ export function Lines({ geometry, front }: LinesProps) {
             return (
               <g class={`servo-line ${servoClass(servo)} ${servo === front ? 'front' : ''}`} data-servo={servo}>
                 <path class="line" d={line} />
-                {back && <path class="back" d={back} />}
+                {back !== '' && <path class="back" d={back} />}
               </g>
             );
           }}
@@ -36,7 +36,7 @@ export function Lines({ geometry, front }: LinesProps) {
   );
 }
 
-/** A second program, thin and dashed behind the first: its lines, and where its DT and its motor stop are. */
+/** A second program behind the first, thin and dashed: its lines, its DT and its motor stop. */
 export function Overlay({ program, layout }: { readonly program: TimerProgram; readonly layout: Layout }) {
   const { top, bottom } = layout.box;
   const stages = stagesOf(program);
@@ -54,18 +54,18 @@ export function Overlay({ program, layout }: { readonly program: TimerProgram; r
   );
 }
 
-/** A lane that is lower than this has no room for a word beside its line, in pixels. */
+/** A lower lane has no room for a word beside its line, in pixels. */
 const WORD_ROOM = 40;
 
 interface LaneNamesProps {
   readonly layout: Layout;
-  /** What the pilot calls what the servos move, for each servo. */
+  /** The pilot's names for what each servo moves. */
   readonly names: readonly string[] | undefined;
-  /** A small picture has no buttons at its lanes: their names are written. */
+  /** Whether to write the names of the lanes, because a small picture has no buttons for them. */
   readonly small: boolean;
 }
 
-/** What each lane is: in a small picture the servo, else what it moves. */
+/** The names of the lanes: in a small picture the servo, else what it moves. */
 export function LaneNames({ layout, names, small }: LaneNamesProps) {
   return (
     <g class="lane-names">

@@ -13,8 +13,8 @@ interface MomentProps {
 }
 
 /**
- * The one large figure of the timeline: the value in hand, else the time that is asked about and what it has reached,
- * else the value that is selected.
+ * The one large figure of the timeline: the value of the held handle; else the time in question and what it has
+ * reached; else the selected value.
  */
 export function Moment({ program, model, cursor, selected }: MomentProps) {
   const { timeline, times } = messages.value;
@@ -32,7 +32,7 @@ export function Moment({ program, model, cursor, selected }: MomentProps) {
 interface ValueFigureProps {
   readonly program: TimerProgram;
   readonly field: ProgramField;
-  /** How finely it is moved while it is in hand: 0 as far as the pointer, 1 as finely as can be. */
+  /** How finely it moves while it is held: 0 as far as the pointer, 1 as finely as possible. */
   readonly fineness?: number;
 }
 
@@ -60,7 +60,7 @@ function Figure({ text, unit, what, more = '' }: FigureProps) {
         {text} <small>{unit}</small>
       </strong>{' '}
       <span>{what}</span>
-      {more && <em>{more}</em>}
+      {more !== '' && <em>{more}</em>}
     </p>
   );
 }
@@ -76,7 +76,7 @@ interface SpokenProps {
   readonly model: TimelineModel;
 }
 
-/** What a key has asked about, for who does not see it. */
+/** For screen readers: what a key has asked about. */
 export function Spoken({ program, model }: SpokenProps) {
   const spoken = model.spoken.value;
   return (
@@ -99,7 +99,7 @@ export function descriptionOf(program: TimerProgram): string {
   });
 }
 
-/** A time, what it has reached, and where all servos stand: for who does not see the picture. */
+/** For screen readers: a time, what it has reached, and the positions of all servos. */
 function momentText(program: TimerProgram, time: number): string {
   const { seconds, servoName, timeline } = messages.value;
   const { slot, certain } = reachedAt(program, time);

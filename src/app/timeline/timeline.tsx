@@ -22,55 +22,58 @@ import './timeline.css';
 
 export interface TimelineProps {
   readonly program: TimerProgram;
-  /** The program by now, where `program` may be a moment behind: what is taken hold of begins there. */
+  /** Gives the present program, because `program` may be a moment old. A handle that is taken begins there. */
   readonly now?: (() => TimerProgram) | undefined;
-  /** A second program, drawn faint behind the first: what the timer holds, or a saved one. */
+  /** A second program, drawn faintly behind the first: what the timer holds, or a saved one. */
   readonly overlay?:
     | {
         readonly program: TimerProgram;
         readonly name: string;
-        /** It is drawn dashed: nobody knows whether it is still so. */
+        /** Whether to draw it dashed, because it may be out of date. */
         readonly uncertain?: boolean;
       }
     | null
     | undefined;
-  /** A time of the flight in hundredths of a second, marked by a line; what a pointer asks about goes before it. */
+  /**
+   * A time of the flight in hundredths of a second, marked by a line.
+   * The time that a pointer asks about takes its place.
+   */
   readonly cursor?: number | null | undefined;
   readonly selected?: ProgramField | null | undefined;
   /**
-   * A handle has moved. While it is in hand the calls are not final. The last one is, and gives once more the value
-   * with which the handle was let go, or the first one if it was put back. Absent when nothing can be changed.
+   * A handle has moved. While it is held the calls are not final. The last call gives the value at which it was
+   * released, or the first value if it was put back. Absent when nothing can be changed.
    */
   readonly onEdit?: OnEdit | undefined;
   /** A handle has got the focus. */
   readonly onSelect?: ((field: ProgramField) => void) | undefined;
-  /** The mouse has come over something that it could take hold of, or has left it: null. */
+  /** The mouse is over something that it could take; null when it has left it. */
   readonly onPoint?: ((field: ProgramField | null) => void) | undefined;
-  /** What it is called where there are several. */
+  /** Its name, where there are several. */
   readonly title?: string | undefined;
-  /** What the pilot calls what the servos move, for each servo: “tailplane”. */
+  /** The pilot's names for what each servo moves: “tailplane”. */
   readonly names?: readonly string[] | undefined;
-  /** What is looked at, where that outlasts this picture. */
+  /** What the pilot looks at, when that outlasts this picture. */
   readonly model?: TimelineModel | undefined;
-  /** The pointer or a key has asked about a time of the flight, or no longer: null. */
+  /** The pointer or a key asks about a time of the flight; null when it no longer does. */
   readonly onAsk?: ((time: number | null) => void) | undefined;
-  /** What stands below the picture, as what it is compared with; else the name of what lies behind. */
+  /** The content below the picture, such as what it is compared with. Default: the name of the second program. */
   readonly foot?: ComponentChildren;
-  /** A small picture to be looked at, with nothing to take hold of. */
+  /** A small picture without handles. */
   readonly compact?: boolean | undefined;
 }
 
-/** The program over time: a lane for each servo, marks for functions, motor stop and DT, to be read and to be moved. */
+/** The program over time: a lane for each servo, marks for functions, motor stop and DT. To read and to edit. */
 export function Timeline({ compact = false, ...props }: TimelineProps) {
   return compact ? <SmallTimeline {...props} /> : <WholeTimeline {...props} />;
 }
 
-/** The least width of a plot, in pixels, whatever room there is. */
+/** The least width of a plot, in pixels, however little room there is. */
 const LEAST_WIDTH = 120;
 
 function WholeTimeline({ program, overlay = null, cursor = null, selected = null, names, ...calls }: TimelineProps) {
   const { timeline } = messages.value;
-  // While a flight is played all of this is drawn at each frame: only what has changed is made again.
+  // During a flight this is drawn at each frame, so only changed parts are made again.
   const onEdit = useStable(calls.onEdit);
   const onSelect = useStable(calls.onSelect);
   const onPoint = useStable(calls.onPoint);
@@ -97,7 +100,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   const front = Math.min(model.front.value, servos - 1);
   const highest = highestOf(behind ? [program, behind] : [program]);
   const chosen = selected?.kind === 'time' ? (program.times[selected.slot] ?? null) : null;
-  // A handle that is moved changes little: what is not touched by it stays as it is.
+  // A moved handle changes little; everything else stays as it is.
   const times = program.times.join();
   const scale = useMemo(() => held ?? scaleOf(program, behind, even, plot), [held, times, behind, even, plot]);
   const layout = useMemo(
@@ -123,7 +126,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   });
   useEffect(() => {
     const { current } = svg;
-    // Only a listener that is not passive can keep the page from scrolling.
+    // Only a listener that is not passive can stop the page from scrolling.
     current?.addEventListener('wheel', pointer.wheel, { passive: false });
     current?.addEventListener('touchstart', pointer.touch, { passive: false });
     return () => {
@@ -142,6 +145,10 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
     model.reveal(scale.place(timeOf(program, selected)));
   }, [selectedKey]);
 
+  // While a mark is moved the description stays: nobody can listen to it at each frame.
+  const told = useRef(program);
+  if (!held) told.current = program;
+  const description = useMemo(() => descriptionOf(told.current), [told.current, timeline]);
   const { height } = measures;
   const least = `max(var(--picture), ${leastHeightOf(program)}px)`;
   return (
@@ -158,7 +165,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
       <div
         class="timeline-room"
         ref={room}
-        // What stands below it may need more or less room meanwhile: what is in hand stays under the finger.
+        // The content below may change its height: a held handle must stay under the finger.
         style={held ? { flex: 'none', height: `${height}px` } : { minHeight: least }}
       >
         {/* biome-ignore lint/a11y/useSemanticElements: a picture with handles in it is no fieldset */}
@@ -174,7 +181,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
           onPointerDown={pointer.down}
           onPointerMove={pointer.hover}
           onPointerLeave={pointer.leave}
-          // The handle that is nearest gets the focus, not the one that lies on top.
+          // The nearest handle gets the focus, not the topmost one.
           onMouseDown={(event) => event.preventDefault()}
           onDblClick={pointer.doubleClick}
           onKeyDown={(event) => pictureKey(event, model, geometry, anchor())}
@@ -190,7 +197,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
         <LaneButtons {...{ layout, front, model, names }} />
       </div>
       <p class="visually-hidden" id={`${id}-about`}>
-        {descriptionOf(program)} {onEdit ? timeline.keysToEdit : timeline.keys}
+        {description} {onEdit ? timeline.keysToEdit : timeline.keys}
       </p>
       <Spoken program={program} model={model} />
       <TimelineNotes program={program} />
@@ -208,7 +215,7 @@ function MomentLine(props: { geometry: Geometry; model: TimelineModel; cursor: n
   return <Crosshair geometry={geometry} time={model.asked.value ?? cursor} />;
 }
 
-/** What lies behind, by its name, beside a piece of its line. */
+/** The name of the second program, beside a piece of its line. */
 function Behind({ name }: { name: string }) {
   return (
     <p class="timeline-behind">
@@ -218,7 +225,7 @@ function Behind({ name }: { name: string }) {
   );
 }
 
-/** A piece of the line of what lies behind. */
+/** A piece of the line of the second program. */
 export function BehindSwatch() {
   return (
     <svg class="swatch overlay" width="26" height="8" aria-hidden="true">
@@ -227,7 +234,7 @@ export function BehindSwatch() {
   );
 }
 
-/** Tells of what a signal holds, and of nothing once the picture goes away. */
+/** Reports the value of a signal, and null once the picture goes away. */
 function useTold<T>(source: ReadonlySignal<T | null>, told: ((value: T | null) => void) | undefined): void {
   useEffect(() => {
     if (!told) return;

@@ -1,8 +1,9 @@
 import type { ComponentChildren, RefObject } from 'preact';
+import { BackSign } from './back-sign.js';
 import './back-head.css';
 
 interface BackHeadProps {
-  /** Where the way back leads. */
+  /** The name of the place to which it leads back. */
   readonly back: string;
   readonly onBack: () => void;
   readonly titleId: string;
@@ -11,14 +12,12 @@ interface BackHeadProps {
   readonly children: ComponentChildren;
 }
 
-/** The head of a page that has come in place of another, with the way back to that. */
+/** The head of a page that replaced another, with a way back to that. */
 export function BackHead({ back, onBack, titleId, heading, children }: BackHeadProps) {
   return (
     <div class="back-head">
       <button type="button" class="quiet" onClick={onBack}>
-        <svg class="icon" width="20" height="20" aria-hidden="true">
-          <path d="M12 4L6 10L12 16" />
-        </svg>
+        <BackSign />
         {back}
       </button>
       <h1 id={titleId} ref={heading} tabIndex={-1}>

@@ -3,21 +3,23 @@ import type { ComponentType, FunctionComponent } from 'preact';
 import { useLayoutEffect } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 
-/** A part of the page that is fetched after the page was drawn first. */
+/** A part of the page that is loaded after the first picture. */
 export interface OnDemand<Props> {
-  /** Draws it, or says that it comes. */
+  /** Draws it, or says that it is coming. */
   readonly Part: FunctionComponent<Props>;
-  /** Whether it was asked for: it comes, or is here. */
+  /** Whether it was asked for: it is being loaded, or is here. */
   readonly isAskedFor: boolean;
-  /** Fetches it; asked again it fetches nothing twice. */
+  /** Whether it could not be loaded when it was last tried. For a silent part, which says nothing about that. */
+  readonly hasFailed: boolean;
+  /** Loads it. Asked again, it loads nothing twice. */
   fetch(): Promise<void>;
 }
 
 /**
  * A part of the page that is not needed for the first picture.
  * @param load imports it.
- * @param options with `silent` nothing stands in its place while it is not here, as for a dialog that is shut; with
- * `later` drawing it does not fetch it: what is seen comes first.
+ * @param options `silent`: nothing is shown while it is missing, as for a closed dialog. `later`: drawing does not load
+ * it, because visible parts come first.
  */
 export function onDemand<Props extends object>(
   load: () => Promise<ComponentType<Props>>,
@@ -34,7 +36,7 @@ export function onDemand<Props extends object>(
       },
       () => {
         failed.value = true;
-        // Asked for again it is tried again.
+        // The next request tries again.
         coming = null;
       },
     );
@@ -42,7 +44,7 @@ export function onDemand<Props extends object>(
   };
   const Part: FunctionComponent<Props> = (props) => {
     const here = loaded.value;
-    // At once: an effect would wait for a picture that does not show it.
+    // At once: an effect would wait for the next frame.
     useLayoutEffect(() => void (here || later || fetch()), [here]);
     if (here) return <here.Component {...props} />;
     if (silent) return null;
@@ -63,6 +65,9 @@ export function onDemand<Props extends object>(
     fetch,
     get isAskedFor() {
       return coming !== null;
+    },
+    get hasFailed() {
+      return failed.value;
     },
   };
 }

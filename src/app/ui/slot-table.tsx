@@ -1,19 +1,20 @@
 import type { ComponentChildren } from 'preact';
 import type { TimerProgram } from '../../program/index.js';
 import { figureText, messages, slotLabel } from '../messages/index.js';
+import { SlotHead } from './slot-head.js';
 import './slot-table.css';
 
 interface SlotTableProps {
   readonly program: TimerProgram;
   readonly caption: string;
-  /** What stands between the name of a slot and its positions. */
+  /** The headings between the name of a slot and its positions. */
   readonly headings: readonly string[];
   readonly rows: readonly { readonly slot: number; readonly cells: readonly ComponentChildren[] }[];
   /** Further rows. */
   readonly children?: ComponentChildren;
 }
 
-/** Slots of a program with their positions: to be read, not to be changed. */
+/** A table of slots with their positions, to read only. */
 export function SlotTable({ program, caption, headings, rows, children }: SlotTableProps) {
   const { program: words, servoName } = messages.value;
   const { identity, positions } = program;
@@ -21,15 +22,7 @@ export function SlotTable({ program, caption, headings, rows, children }: SlotTa
   return (
     <table class="slot-table">
       <caption class="visually-hidden">{caption}</caption>
-      <thead>
-        <tr>
-          {[words.slot, ...headings, ...servos].map((heading) => (
-            <th scope="col" key={heading}>
-              {heading}
-            </th>
-          ))}
-        </tr>
-      </thead>
+      <SlotHead slot={words.slot} headings={headings} servos={identity.servos} />
       <tbody>
         {rows.map(({ slot, cells }) => (
           <tr key={slot}>
@@ -48,7 +41,10 @@ export function SlotTable({ program, caption, headings, rows, children }: SlotTa
   );
 }
 
-/** A whole program to be read: when each function comes, where the servos stand. The motor stop stands beside it. */
+/**
+ * A table of a whole program, to read only: when each function comes, and the positions.
+ * The motor stop stands beside it.
+ */
 export function TimesTable({ program, caption }: Pick<SlotTableProps, 'program' | 'caption'>) {
   const { time: heading, origin } = messages.value.program;
   const { identity, times } = program;

@@ -1,43 +1,41 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { slotCount } from '../../protocol/index.js';
 import { figureText, messages, slotLabel } from '../messages/index.js';
+import { SlotHead } from '../ui/slot-head.js';
 import './comparison-grid.css';
 
 interface ComparisonGridProps {
   readonly first: TimerProgram;
   readonly second: TimerProgram;
-  /** What the two are called. */
+  /** The names of the two programs. */
   readonly names: readonly [string, string];
-  /** The first is to take the place of the second. */
+  /** Whether the first will replace the second. */
   readonly replaces?: boolean;
 }
 
-/** Two programs in one grid, whole: a value that both hold stands once, one that differs twice. */
+/** Two programs in one grid. Equal values stand once, different values twice. */
 export function ComparisonGrid({ first, second, names, replaces = false }: ComparisonGridProps) {
-  const { overview: words, program: titles, servoName } = messages.value;
+  const { overview: words, program: titles } = messages.value;
   const { identity } = first;
   const servos = Array.from({ length: identity.servos }, (_, servo) => servo);
   const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
-  // That of the start stands for the motor stop on a Q, and for nothing on the others: it is shown where it differs.
+  // The time of the start is the motor stop on a Q, and means nothing on other classes: it is shown there only if it
+  // differs.
   const hasTime = (slot: number): boolean =>
     slot > 0 || (identity.timerClass !== 'Q' && first.times[0] !== second.times[0]);
   return (
     <div class={`comparison-grid ${replaces ? 'replaces' : ''}`}>
       <table>
         <caption class="visually-hidden">{words.compared(...names)}</caption>
-        <thead>
-          <tr>
-            <th scope="col">
+        <SlotHead
+          slot={
+            <>
               {names[0]} <small>{names[1]}</small>
-            </th>
-            <th scope="col">{titles.time}</th>
-            {servos.map((servo) => (
-              <th scope="col" key={servo}>
-                {servoName(servo)}
-              </th>
-            ))}
-          </tr>
-        </thead>
+            </>
+          }
+          headings={[titles.time]}
+          servos={identity.servos}
+        />
         <tbody>
           {identity.timerClass === 'Q' && (
             <tr class="motor-stop">

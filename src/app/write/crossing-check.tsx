@@ -1,5 +1,6 @@
 import { modelMessages } from '../messages/which-model.js';
 import type { Crossing } from '../session/crossing.js';
+import { Check } from '../ui/check.js';
 import { NoticeText } from '../ui/notice-text.js';
 
 interface CrossingCheckProps {
@@ -8,7 +9,7 @@ interface CrossingCheckProps {
   readonly onAcknowledge: (read: boolean) => void;
 }
 
-/** Values of one model are about to go into the timer of another: asked by both names. */
+/** Asks whether to write values of one model into the timer of another, and names both. */
 export function CrossingCheck({ crossing, acknowledged, onAcknowledge }: CrossingCheckProps) {
   const { crossing: words } = modelMessages.value;
   if (!crossing) return null;
@@ -16,14 +17,9 @@ export function CrossingCheck({ crossing, acknowledged, onAcknowledge }: Crossin
   return (
     <div class="notice bad" role="alert">
       <NoticeText said={{ title: words.title(crossing.from.name, to), advice: words.advice }} />
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={acknowledged}
-          onChange={(event) => onAcknowledge(event.currentTarget.checked)}
-        />
+      <Check checked={acknowledged} onChange={(checked) => onAcknowledge(checked)}>
         {words.confirm(crossing.from.name, to)}
-      </label>
+      </Check>
     </div>
   );
 }

@@ -1,22 +1,21 @@
 import { messages } from '../messages/index.js';
 import type { ServoMoves } from '../session/servo-moves.js';
+import { Check } from '../ui/check.js';
 
-/** Asks whether a write may move the servos. Only of a timer that keeps positions nowhere else. */
+/** Asks whether a write may move the servos. Only for a timer that keeps positions where the servos stand. */
 export function MoveServosCheck({ servoMoves }: { readonly servoMoves: ServoMoves }) {
   const { move } = messages.value.write;
   if (!servoMoves.needed) return null;
   return (
     <div class="notice">
       <p>{move.why}</p>
-      <label class="check">
-        <input
-          type="checkbox"
-          checked={servoMoves.allowed.value}
-          aria-describedby="move-servos-hint"
-          onChange={(event) => servoMoves.allow(event.currentTarget.checked)}
-        />
+      <Check
+        checked={servoMoves.allowed.value}
+        describedBy="move-servos-hint"
+        onChange={(checked) => servoMoves.allow(checked)}
+      >
         {move.label}
-      </label>
+      </Check>
       <p id="move-servos-hint">
         <strong>{move.hint}</strong>
       </p>

@@ -8,6 +8,7 @@ import { keyFields, keyName } from '../messages/key-figures.js';
 import { modelMessages } from '../messages/which-model.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
+import { Check } from '../ui/check.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { CrossingCheck } from './crossing-check.js';
@@ -23,11 +24,11 @@ import './write-dialog.css';
 interface WriteDialogProps {
   readonly session: Session;
   readonly write: WriteFlow;
-  /** What can be done once a write was verified. */
+  /** Further buttons after a verified write. */
   readonly after?: ComponentChildren;
 }
 
-/** The difference, the write, the result: one dialog from start to end. */
+/** One dialog for the whole write: difference, progress, result. */
 export function WriteDialog({ session, write, after }: WriteDialogProps) {
   const current = write.current.value;
   const identity = current && session.editor.identity.value;
@@ -68,12 +69,12 @@ export function WriteDialog({ session, write, after }: WriteDialogProps) {
   );
 }
 
-/** “3:00 min”; a value that is not known says so. */
+/** “3:00 min”, or that the value is not known. */
 function figure(identity: Identity, field: ProgramField, value: number | null): string {
   return value === null ? messages.value.write.status.unknown : figureText(identity, field, value);
 }
 
-/** DT and the motor stop, whatever else is written: a pilot looks at them first. */
+/** DT and motor stop, whatever else is written: a pilot looks at them first. */
 function KeyFigures({ shown: { baseline, goal } }: { shown: Shown }) {
   const { write: words } = messages.value;
   return (
@@ -136,19 +137,14 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
               </li>
             ))}
           </ul>
-          <label class="check">
-            <input
-              type="checkbox"
-              checked={write.acknowledged.value}
-              onChange={(event) => write.acknowledge(event.currentTarget.checked)}
-            />
+          <Check checked={write.acknowledged.value} onChange={(checked) => write.acknowledge(checked)}>
             {words.acknowledge}
-          </label>
+          </Check>
         </div>
       )}
       {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
-      <SafetyCheck safety={session.safety} />
       <div class="buttons">
+        <SafetyCheck safety={session.safety} />
         <button type="button" class="quiet" onClick={() => write.dismiss()}>
           {words.cancel}
         </button>
@@ -160,7 +156,7 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
   );
 }
 
-/** What the timer held when the edits were made, and holds no more: side by side with what is about to be written. */
+/** Values that have changed in the timer since the edits were made, beside those that are about to be written. */
 function Conflicts({ editor, identity }: { readonly editor: Editor; readonly identity: Identity }) {
   const { write, notes } = messages.value;
   const { conflicts, working } = editor;
@@ -211,7 +207,7 @@ function Result({ session, write, identity, done, children }: ResultProps) {
           rows={shown.map(({ field, wanted, held, status, asked }) => ({
             field,
             values: [wanted, held],
-            // What is not known says so itself.
+            // An unknown value has its own text already.
             note: status === 'unknown' ? null : asked || status !== 'verified' ? words.status[status] : words.putBack,
           }))}
           lastCounts
@@ -232,7 +228,7 @@ interface VerdictProps {
   readonly held: TimerProgram;
 }
 
-/** What the timer was seen to hold, in one line. */
+/** What a reading of the timer has shown, in one line. */
 function Verdict({ session, done: { at, shown }, held }: VerdictProps) {
   const { write: words } = messages.value;
   const { identity, memory } = held;
@@ -247,7 +243,7 @@ function Verdict({ session, done: { at, shown }, held }: VerdictProps) {
   );
 }
 
-/** “M1 “calm” of Lancer 07”, as far as that is known. */
+/** “M1 “calm” of Lancer 07”, as far as it is known. */
 function whereText(session: Session, memory: number | null, model: Model | null): string {
   const { write: words } = messages.value;
   const name = memory === null ? words.thisMemory : memoryText(session, memory);

@@ -60,7 +60,7 @@ describe('moving to a function', () => {
     expect(bench.done.value).toMatchObject({ action: { slot: 5 } });
   });
 
-  it('waits for the word that it is safe', async () => {
+  it('waits until the pilot has said that it is safe', async () => {
     const { bench, follow, session, timer } = await safeBench();
     session.safety.withdraw();
     expect(await bench.moveTo(4)).toBe(false);
@@ -78,7 +78,7 @@ describe('moving to a function', () => {
     expect(timer.core.answered).toEqual([]);
   });
 
-  it('says that they may have moved when no answer comes, also after the timer is back', async () => {
+  it('says that they may have moved when no answer came, also after the timer is back', async () => {
     const { bench, timer } = await safeBench();
     timer.core.onAnswer = () => timer.core.sleep();
     const moving = bench.moveTo(3);
@@ -94,7 +94,7 @@ describe('moving to a function', () => {
 });
 
 describe('the motor', () => {
-  it('is not said to run when the command was stopped before its first byte', async () => {
+  it('is not reported as running when the command was stopped before its first byte', async () => {
     const { bench, session, timer } = await safeBench();
     const unlocking = bench.unlock();
     session.runner.stop();
@@ -117,15 +117,15 @@ describe('the motor', () => {
     expect(bench.done.value).toEqual({ action: { kind: 'unlock' }, certain: true });
   });
 
-  it('is none on B', async () => {
+  it('does not exist on B', async () => {
     const app = await safeBench({ identity: { timerClass: 'B' } });
     expect(await app.bench.unlock()).toBe(false);
     expect(requests(app, 'UNLOCK')).toEqual([]);
   });
 });
 
-describe('a hold', () => {
-  it('happens once, however long it lasts and however often the key repeats itself', async () => {
+describe('holding a button down', () => {
+  it('acts once, however long it lasts and however often the key repeats', async () => {
     const app = await safeBench();
     const hold = new PressAndHold(() => void app.bench.unlock());
     hold.press();
@@ -142,7 +142,7 @@ describe('a hold', () => {
     expect(requests(app, 'UNLOCK')).toHaveLength(2);
   });
 
-  it('is taken back by letting go', async () => {
+  it('does nothing when the pilot releases it early', async () => {
     const app = await safeBench();
     const hold = new PressAndHold(() => void app.bench.unlock());
     hold.press();
@@ -154,7 +154,7 @@ describe('a hold', () => {
 });
 
 describe('following', () => {
-  it('reads afresh and keeps a backup before it begins, and sends no edit from before', async () => {
+  it('reads the timer and keeps a backup before it begins, and sends no earlier edit', async () => {
     const app = await safeBench();
     set(app, S2, 70);
     await run(app.follow.start());
@@ -165,7 +165,7 @@ describe('following', () => {
     expect(app.store.backups.records.size).toBe(1);
   });
 
-  it('stores a position that changes, and takes what was acknowledged for what the timer holds', async () => {
+  it('stores a position that changes, and an acknowledged value counts as held by the timer', async () => {
     const app = await followingBench();
     set(app, S2, 70);
     await idle();
@@ -174,7 +174,7 @@ describe('following', () => {
     expect(app.follow.trials.tried.value.map(({ field, to }) => [field, to])).toEqual([[S2, 70]]);
   });
 
-  it('sends one at a time, leaves out what has gone by, and ends at the last value', async () => {
+  it('sends one value at a time, skips those that are no longer wanted, and ends at the last one', async () => {
     const app = await followingBench({ latency: 50 });
     const { client } = app.session.connection.value as NonNullable<typeof app.session.connection.value>;
     let inFlight = 0;
@@ -196,7 +196,7 @@ describe('following', () => {
     expect(app.editor.dirty.value).toBe(false);
   });
 
-  it('waits for the last digit of a number that is typed', async () => {
+  it('waits for the last digit of a typed number', async () => {
     const app = await followingBench();
     app.editor.type(S2, '7');
     await vi.advanceTimersByTimeAsync(300);
@@ -226,7 +226,7 @@ describe('following', () => {
     expect([app.follow.trials.current.value, heldBy(app, S2)]).toEqual([null, 70]);
   });
 
-  it('ends behind the command that is under way', async () => {
+  it('ends after the running command', async () => {
     const app = await followingBench({ latency: 20 });
     set(app, S2, 70);
     await vi.advanceTimersByTimeAsync(5);
@@ -256,7 +256,7 @@ describe('following', () => {
     expect([heldBy(app, S2), app.follow.trials.current.value]).toEqual([before, null]);
   });
 
-  it('leaves out of the choice what was written otherwise', async () => {
+  it('leaves values out of the choice that were written in another way', async () => {
     const app = await followingBench();
     set(app, S2, 70);
     await idle();
@@ -270,7 +270,7 @@ describe('following', () => {
     expect(app.follow.trials.takeBack()).toMatchObject([{ field: S2 }]);
   });
 
-  it('forgets a trial in which nothing was tried', async () => {
+  it('forgets a session in which nothing was tried', async () => {
     const app = await followingBench();
     await run(app.follow.stop());
     expect(app.follow.trials.current.value).toBeNull();
@@ -308,7 +308,7 @@ describe('following', () => {
   it.each<[what: string, done: (app: SafeBench) => unknown]>([
     ['it was called off', ({ follow }) => follow.stop()],
     ['it was no longer said to be safe', ({ session }) => session.safety.withdraw()],
-  ])('does not begin when %s while the timer was read', async (_, done) => {
+  ])('does not begin when %s while the timer is read', async (_, done) => {
     const app = await safeBench();
     const starting = app.follow.start();
     await done(app);
@@ -316,7 +316,7 @@ describe('following', () => {
     expect(app.follow.on.value).toBe(false);
   });
 
-  it('does not begin again before it is decided what becomes of what was tried', async () => {
+  it('does not begin again before the pilot has decided about what was tried', async () => {
     const app = await followingBench();
     const before = heldBy(app, S2);
     set(app, S2, 70);
@@ -342,7 +342,7 @@ describe('following', () => {
     expect([app.editor.working.value?.memory, app.follow.on.value]).toEqual([1, false]);
   });
 
-  it('is off once a write is shown, and nothing is sent behind it', async () => {
+  it('is off once a write is shown, and nothing is sent after that', async () => {
     const app = await followingBench();
     await run(app.write.open());
     expect(app.follow.on.value).toBe(false);
@@ -352,7 +352,7 @@ describe('following', () => {
     expect(stored(app)).toEqual([]);
   });
 
-  it('sends no value behind a text that is none', async () => {
+  it('sends no value while a text is not a value', async () => {
     const app = await followingBench();
     app.editor.type(S2, '6');
     app.editor.type(S2, '6x');
@@ -365,7 +365,7 @@ describe('following', () => {
     expect(stored(app)).toEqual([61]);
   });
 
-  it('is off as soon as another memory is asked for, also when that is stopped', async () => {
+  it('is off as soon as another memory is requested, also when that is stopped', async () => {
     const app = await followingBench();
     app.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETMEMORY') app.session.runner.stop();
@@ -380,7 +380,7 @@ describe('following', () => {
     expect(stored(app)).toEqual([]);
   });
 
-  it('is off as soon as all memories are walked through', async () => {
+  it('is off as soon as all memories are read', async () => {
     const app = await followingBench();
     app.memories.jobs.open({ kind: 'back-up' });
     const following: boolean[] = [];
@@ -392,7 +392,7 @@ describe('following', () => {
     expect(app.session.nextFlight.open.value).toBe(false);
   });
 
-  it('leaves the choice open for a value of which it is not known whether it was stored', async () => {
+  it('leaves the choice open for a value that may or may not be stored', async () => {
     const app = await followingBench();
     app.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETSERVO') app.adapter.unplug();
@@ -449,7 +449,7 @@ describe('following', () => {
     expect(kept().map(({ key }) => key)).toEqual(['of another tab']);
   });
 
-  it('reads over a choice that was kept of another layout', async () => {
+  it('ignores a choice that was kept for another layout', async () => {
     const app = await followingBench();
     set(app, S2, 66);
     await idle();
@@ -463,7 +463,7 @@ describe('following', () => {
     expect([after.follow.trials.current.value, after.editor.working.value?.positions[1]?.[4]]).toEqual([null, 66]);
   });
 
-  it('keeps what was tried on the screen too, when putting it back was begun and not written', async () => {
+  it('keeps what was tried on the screen when the write that puts it back was not done', async () => {
     const app = await followingBench();
     set(app, S2, 66);
     await idle();

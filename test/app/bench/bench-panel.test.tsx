@@ -3,6 +3,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import type { View } from '../../../src/app/shell/views.js';
 import { HOLD } from '../../../src/app/ui/press-and-hold.js';
+import { late } from '../screen.js';
 import { type AppBench, appBench, type BenchOptions, idle } from './bench.js';
 
 let app: AppBench;
@@ -50,6 +51,7 @@ async function type(name: string, text: string): Promise<void> {
   fireEvent.input(input, { target: { value: text } });
   fireEvent.blur(input);
   await idle();
+  await late();
 }
 
 async function flip(): Promise<void> {
@@ -130,7 +132,7 @@ describe('the grid of the bench', () => {
     expect([row('Function 4').className, row('Function 5').className]).toEqual(['', 'here']);
   });
 
-  it('tells what the servos will not go to, as it is not in the timer yet', async () => {
+  it('shows positions that are not in the timer yet, to which the servos will not go', async () => {
     await opened();
     await type('Function 4, S2', '70');
     show('bench');
@@ -189,7 +191,7 @@ describe('hold to unlock', () => {
     ],
   ];
 
-  it.each(ways)('by %s: once for a whole hold, not at all for a shorter one', async (_, down, up) => {
+  it.each(ways)('by %s: acts once for a whole hold, and not for a shorter one', async (_, down, up) => {
     const app = await opened();
     down(unlockButton());
     await vi.advanceTimersByTimeAsync(HOLD - 100);
@@ -206,7 +208,7 @@ describe('hold to unlock', () => {
     expect(screen.getByText('The motor is unlocked. The propeller may start.')).toBeTruthy();
   });
 
-  it('does nothing on a mere click', async () => {
+  it('does nothing on a click', async () => {
     const app = await opened();
     await press('Hold to UNLOCK');
     expect(unlocks(app)).toBe(0);
@@ -261,7 +263,7 @@ describe('servos that follow', () => {
     expect(screen.queryByRole('button', { name: 'Keep it' })).toBeNull();
   });
 
-  it('are offered to be moved to a function that is edited, under its row', async () => {
+  it('can be sent to the edited function by a button under its row', async () => {
     const app = await opened();
     await flip();
     expect(note()).toContain('It is not known where the servos stand.');
@@ -281,7 +283,7 @@ describe('servos that follow', () => {
     );
   });
 
-  it('go to the function that is edited only when that is switched on', async () => {
+  it('go to the edited function only when that is switched on', async () => {
     const app = await opened();
     const going = () => screen.queryByRole('switch', { name: 'Go to the function I edit' });
     expect(going()).toBeNull();
@@ -298,7 +300,7 @@ describe('servos that follow', () => {
     expect(going()?.getAttribute('aria-checked')).toBe('false');
   });
 
-  it('are told apart from what waits for a write', async () => {
+  it('do not count what waits for a write', async () => {
     await opened();
     await press('Function 4');
     await flip();
@@ -320,18 +322,18 @@ describe('servos that follow', () => {
     await flip();
     await press('Read again');
     expect(note()).toContain(
-      'Following has stopped: something else was done with the timer. The timer has been read since.',
+      'Following has stopped: something else was done with the timer. The timer has been read since then.',
     );
     await press('Dismiss');
     expect(note()).not.toContain('has stopped');
     await flip();
     timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && timer.core.sleep();
     await type('Function 4, S2', '70');
-    expect(note()).toContain('the timer did not acknowledge a command. The timer has not been read since.');
+    expect(note()).toContain('the timer did not acknowledge a command. The timer has not been read since then.');
     expect(note()).toContain('The servos may have moved to function 4 anyway');
   });
 
-  it('ask before they do so without a backup', async () => {
+  it('ask before they follow without a backup', async () => {
     const app = await opened();
     await press('Function 4');
     app.store.broken = true;

@@ -138,14 +138,14 @@ describe('servos that follow', () => {
     expect(app.timer.core.servos).toEqual([7, 75, 75]);
   });
 
-  it('wait for that at every function when it is not known where they stand', async () => {
+  it('wait for that at every function while it is not known where they stand', async () => {
     const app = await following({}, null);
     set(app, [S2, 70]);
     await idle();
     expect([told(app), [...app.follow.awaited.value]]).toEqual([[], [4]]);
   });
 
-  it('go where they are sent as soon as the command under way has ended', async () => {
+  it('go where they are sent as soon as the running command has ended', async () => {
     const app = await following({ latency: 50 });
     set(app, [S2, 70], [position(0, 6), 7]);
     await vi.advanceTimersByTimeAsync(10);
@@ -155,7 +155,7 @@ describe('servos that follow', () => {
     expect(told(app)).toEqual(['S4.1=70', 'M4', 'M6', 'S6.0=7', 'M6']);
   });
 
-  it('go nowhere when following has ended before they set out, also when it begins again', async () => {
+  it('do not move when following has ended before the command, also when it begins again', async () => {
     const app = await following({ latency: 50 });
     set(app, [S2, 70], [position(0, 6), 7]);
     await vi.advanceTimersByTimeAsync(10);
@@ -175,7 +175,7 @@ describe('servos that follow', () => {
     expect(told(app)).toEqual(['M6', 'S6.0=7', 'M6']);
   });
 
-  it('do not run behind the pilot', async () => {
+  it('skip positions that the pilot has already left', async () => {
     const app = await following({ latency: 50 });
     for (let value = 60; value <= 100; value++) {
       set(app, [S2, value]);
@@ -208,7 +208,7 @@ describe('going to the function that is edited', () => {
     return app;
   }
 
-  it('moves the servos there before and behind the value', async () => {
+  it('moves the servos there before and after the value', async () => {
     const app = await going();
     set(app, [position(0, 6), 7]);
     await idle();
@@ -218,7 +218,7 @@ describe('going to the function that is edited', () => {
     expect(told(app).slice(3)).toEqual(['S6.0=8', 'M6']);
   });
 
-  it('goes to the last one only, when the pilot is quicker than the servos', async () => {
+  it('goes only to the last one when the pilot is quicker than the servos', async () => {
     const app = await going({ latency: 50 });
     for (const slot of [1, 2, 3, 5, 6]) {
       set(app, [position(0, slot), 7]);
@@ -245,7 +245,7 @@ describe('going to the function that is edited', () => {
     expect(told(app)).toEqual([]);
   });
 
-  it('is off whenever the servos begin to follow, and cannot be switched on without', async () => {
+  it('is off whenever the servos begin to follow, and cannot be switched on before', async () => {
     const app = await going();
     await run(app.follow.stop());
     app.follow.setGoing(true);
@@ -297,7 +297,7 @@ describe('following ends', () => {
     expect(told(app)).toEqual(before);
   });
 
-  it('not by a frame by hand that only reads; one that may move them is followed by a reading', async () => {
+  it('not by a frame by hand that only reads; a reading follows one that may move servos', async () => {
     const app = await following();
     const form = new FrameForm(app.session);
     form.edit({ command: 'GETMEMORY' });
@@ -327,7 +327,7 @@ describe('following ends', () => {
     expect(app.bench.stand.at.value).toBeNull();
   });
 
-  it('with a reading of what the timer holds by then', async () => {
+  it('with a reading of what the timer holds then', async () => {
     const app = await following();
     set(app, [S2, 70]);
     await idle();
@@ -386,7 +386,7 @@ describe('following ends', () => {
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
   });
 
-  it('and what the pilot has ended needs no words', async () => {
+  it('without a message when the pilot has ended it', async () => {
     const app = await following();
     await run(app.follow.stop());
     expect(app.follow.ended.value).toBeNull();
@@ -399,7 +399,7 @@ describe('without a backup', () => {
     ['the storage does not answer', ({ store }) => (store.backups.save = () => new Promise(() => {}))],
   ];
 
-  it.each(failures)('it is asked first when %s', async (_, fail) => {
+  it.each(failures)('the page asks first when %s', async (_, fail) => {
     const app = await safeBench();
     await run(app.bench.moveTo(4));
     fail(app);
@@ -430,7 +430,7 @@ describe('without a backup', () => {
         session.safety.confirm();
       },
     ],
-  ])('nothing begins when %s since it was asked', async (_, done) => {
+  ])('nothing begins when %s since the question', async (_, done) => {
     const app = await safeBench();
     app.store.broken = true;
     await run(app.follow.start());
@@ -439,7 +439,7 @@ describe('without a backup', () => {
     expect(app.follow.on.value).toBe(false);
   });
 
-  it('nothing begins when the page was hidden while the storage was waited for', async () => {
+  it('nothing begins when the page was hidden during the wait for the storage', async () => {
     const app = await safeBench();
     app.store.backups.save = () => new Promise(() => {});
     const starting = app.follow.start();

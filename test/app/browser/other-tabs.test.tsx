@@ -83,7 +83,7 @@ async function holder(browser: FakeBrowser, asking: OtherTabs): Promise<OtherTab
 }
 
 describe('which other tab holds a port', () => {
-  it('is none where there is no other, and where none holds this one', async () => {
+  it('is none when there is no other tab, and when none holds this port', async () => {
     const browser = new FakeBrowser();
     const { tabs } = browser.tab(HOLDER);
     expect(await browser.clock.run(tabs.holders(PORT))).toEqual([]);
@@ -92,7 +92,7 @@ describe('which other tab holds a port', () => {
     expect(await browser.clock.run(tabs.holders(PORT))).toEqual([]);
   });
 
-  it('is told by each that does, with what is on its screen, the oldest first', async () => {
+  it('is answered by each tab that holds it, with what is on its screen, the oldest first', async () => {
     const browser = new FakeBrowser();
     browser.tab({ portKey: PORT, what: 'F1B, M1', since: 2000, writing: true });
     browser.tab(HOLDER);
@@ -105,7 +105,7 @@ describe('which other tab holds a port', () => {
     expect(found[0]?.id).not.toBe(found[1]?.id);
   });
 
-  it('is known after 150 ms, and who answers later is not waited for', async () => {
+  it('is known after 150 ms, without waiting for later answers', async () => {
     const browser = new FakeBrowser();
     browser.tab(HOLDER);
     const { tabs } = browser.tab(IDLE);
@@ -116,7 +116,7 @@ describe('which other tab holds a port', () => {
     expect(await browser.clock.run(tabs.holders(PORT))).toEqual([]);
   });
 
-  it('is asked by two tabs at a time without one hearing the answers to the other', async () => {
+  it('can be asked by two tabs at once, and neither gets the answers to the other', async () => {
     const browser = new FakeBrowser();
     browser.tab(HOLDER);
     const first = browser.tab(IDLE).tabs;
@@ -132,7 +132,7 @@ describe('which other tab holds a port', () => {
     tabs.close();
   });
 
-  it('is not told by a tab that has closed its channel', async () => {
+  it('is not answered by a tab that has closed its channel', async () => {
     const browser = new FakeBrowser();
     browser.tab(HOLDER).tabs.close();
     const { tabs } = browser.tab(IDLE);
@@ -142,16 +142,16 @@ describe('which other tab holds a port', () => {
   });
 
   it.each<[string, (answer: Record<string, unknown>) => unknown]>([
-    ['nothing that is an object', () => 'holds'],
+    ['a text in place of an object', () => 'holds'],
     ['null', () => null],
     ['an unknown kind', (answer) => ({ ...answer, kind: 'sings' })],
     ['no time', ({ since: _, ...answer }) => answer],
-    ['a time that is none', (answer) => ({ ...answer, since: Number.NaN })],
-    ['a number in the place of a text', (answer) => ({ ...answer, what: 5 })],
+    ['an impossible time', (answer) => ({ ...answer, since: Number.NaN })],
+    ['a number in place of a text', (answer) => ({ ...answer, what: 5 })],
     ['a text without end', (answer) => ({ ...answer, what: 'F'.repeat(201) })],
     ['an answer to another', (answer) => ({ ...answer, to: 'somebody' })],
     ['an answer to another question', (answer) => ({ ...answer, ask: 77 })],
-  ])('is not believed of one who says %s', async (_, damage) => {
+  ])('is not believed from a message with %s', async (_, damage) => {
     const browser = new FakeBrowser();
     const answer = ({ from, ask }: Record<string, unknown>): Record<string, unknown> => {
       return { kind: 'holds', from: 'stranger', to: from, ask, portKey: PORT, what: 'F1E', since: 5, writing: false };
@@ -164,7 +164,7 @@ describe('which other tab holds a port', () => {
     expect(await browser.clock.run(tabs.holders(PORT)), 'what a later version adds is passed over').toHaveLength(1);
   });
 
-  it('is told to whoever asks however much there is to say', async () => {
+  it('is answered however long the text is', async () => {
     const browser = new FakeBrowser();
     browser.tab({ ...HOLDER, what: 'F'.repeat(500) });
     const { tabs } = browser.tab(IDLE);
@@ -173,7 +173,7 @@ describe('which other tab holds a port', () => {
 });
 
 describe('taking a port over', () => {
-  it('makes the other tab close it, and the third hears nothing of it', async () => {
+  it('makes the other tab close it, and a third tab does nothing', async () => {
     const browser = new FakeBrowser();
     const other = browser.tab(HOLDER);
     const third = browser.tab({ ...HOLDER, portKey: 'usb 10c4:ea60' });
@@ -214,7 +214,7 @@ describe('taking a port over', () => {
     expect(await browser.clock.run(tabs.takeOver(await holder(browser, tabs)))).toBe('writing');
   });
 
-  it('lets a tab that has gone on to another port keep that', async () => {
+  it('does not close another port that the tab uses by now', async () => {
     const browser = new FakeBrowser();
     const other = browser.tab(HOLDER);
     const { tabs } = browser.tab(IDLE);
@@ -224,7 +224,7 @@ describe('taking a port over', () => {
     expect(other.asked).toBe(0);
   });
 
-  it('gives a tab up that was closed, or does not answer within 3 s, and hears no late answer', async () => {
+  it('gives up on a tab that was closed or does not answer within 3 s, and ignores a late answer', async () => {
     const browser = new FakeBrowser();
     const held = deferred<boolean>();
     const other = browser.tab(HOLDER, () => held.promise);
@@ -253,7 +253,7 @@ describe('taking a port over', () => {
 });
 
 describe('the channel of this browser', () => {
-  it('carries question and answer, take-over included', async () => {
+  it('carries questions and answers, also for a take-over', async () => {
     const open = (): TabChannel => openTabChannel() as TabChannel;
     /** Rings when told to. */
     let ring = (): void => {};
@@ -290,15 +290,15 @@ describe('the notice about another tab', () => {
     expect(screen.getByText('Another tab of this page holds the port: F1Q, M2, since 09:05.')).toBeTruthy();
   });
 
-  it('says since when also of one that has read no timer yet', () => {
+  it('says since when, also for a tab that has read no timer yet', () => {
     render(<OtherTabNotice tab={{ ...tab, what: '' }} onTakeOver={async () => 'released'} />);
     expect(screen.getByText('Another tab of this page holds the port, since 09:05.')).toBeTruthy();
   });
 
   it.each<[TakeOver, RegExp]>([
-    ['writing', /It is writing just now\. Wait until it has finished\./],
-    ['gone', /It does not answer\. Close it, then click Connect again\./],
-  ])('asks it once, and says so when it is %s', async (answer, sentence) => {
+    ['writing', /The other tab is writing\. Wait until it has finished\./],
+    ['gone', /The other tab does not answer\. Close it, then click Connect again\./],
+  ])('asks that tab once, and says so when it is %s', async (answer, sentence) => {
     let asked = 0;
     const given = deferred<TakeOver>();
     const button = shown(() => {
@@ -313,9 +313,9 @@ describe('the notice about another tab', () => {
     expect([asked, button.disabled]).toEqual([1, false]);
   });
 
-  it('says at once that it writes, and can be tried all the same', () => {
+  it('says at once that the tab writes, and the pilot can still try', () => {
     const button = shown(async () => 'released', true);
-    expect(screen.getByText(/It is writing just now\./)).toBeTruthy();
+    expect(screen.getByText(/The other tab is writing\./)).toBeTruthy();
     expect(button.disabled).toBe(false);
   });
 });

@@ -43,7 +43,7 @@ describe('the udev rule', () => {
     [{ usbVendorId: -1, usbProductId: 0x6001 }],
     [{ usbVendorId: 0x0403, usbProductId: 0x10000 }],
     [{ usbVendorId: 0x0403, usbProductId: 1.5 }],
-  ])('is not there for a port that says %o', (info) => {
+  ])('is not shown for a port that says %o', (info) => {
     expect(udevRule(info)).toBeNull();
     expect(steps('busy', on('linux'), info).codes).not.toContain('udev-rule');
   });
@@ -160,7 +160,7 @@ describe('what to do', () => {
 });
 
 describe('the sentence', () => {
-  it('is about this browser where its name tells why it cannot', () => {
+  it('is about this browser when its name tells why it cannot', () => {
     expect(connectionSaid('unsupported', on('windows', 'firefox', 140)).advice).toContain('151 or later');
     expect(connectionSaid('unsupported', on('ios', 'safari')).title).toBe(
       'No browser on an iPhone or iPad can reach a timer.',
@@ -169,7 +169,7 @@ describe('the sentence', () => {
     expect(connectionSaid('busy', on('windows', 'firefox', 140))).toBe(en.connection.busy);
   });
 
-  it.each(Object.entries(en.help.unsupported))('about %s says what works all the same', (_, { advice }) => {
+  it.each(Object.entries(en.help.unsupported))('about %s says what still works', (_, { advice }) => {
     expect(advice).toMatch(/Everything but the connection works here too\.$/);
   });
 });
@@ -185,7 +185,7 @@ describe('the help under a notice', () => {
     expect(windows?.textContent).toContain('Tera Term');
   });
 
-  it('is not there where the sentence says all', () => {
+  it('is not shown when the sentence says everything', () => {
     const { container } = render(<ConnectionHelp code="unsupported" platform={on('ios', 'safari')} info={null} />);
     expect(container.textContent).toBe('');
   });
@@ -206,7 +206,7 @@ describe('the help under a notice', () => {
     spy.mockRestore();
   });
 
-  it('is folded up again when the trouble is another one', () => {
+  it('is folded up again when the trouble changes', () => {
     const fold = (): HTMLDetailsElement => screen.getAllByRole<HTMLDetailsElement>('group')[0] as HTMLDetailsElement;
     const { rerender } = render(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} />);
     fold().open = true;
@@ -231,7 +231,7 @@ describe('a line to copy', () => {
     vi.stubGlobal('navigator', { clipboard: writeText && { writeText } });
   }
 
-  it('is copied, and says so until the pilot turns to something else', async () => {
+  it('is copied, and says so until the pilot does something else', async () => {
     const copied: string[] = [];
     clipboard(async (text) => void copied.push(text));
     render(<CopyText text="lsof /dev/cu.*" />);
@@ -244,7 +244,7 @@ describe('a line to copy', () => {
   it.each([
     ['there is none', undefined],
     ['it is forbidden', () => Promise.reject(new DOMException('Not now.', 'NotAllowedError'))],
-  ])('is marked for copying by hand where the clipboard fails: %s', async (_, writeText) => {
+  ])('is selected for copying by hand when the clipboard fails: %s', async (_, writeText) => {
     clipboard(writeText);
     render(<CopyText text="lsof /dev/cu.*" />);
     fireEvent.click(screen.getByRole('button', { name: 'Copy' }));
@@ -253,7 +253,7 @@ describe('a line to copy', () => {
     expect(getSelection()?.toString()).toBe('lsof /dev/cu.*');
   });
 
-  it('is marked by a click on it', () => {
+  it('is selected by a click on it', () => {
     render(<CopyText text="lsof /dev/cu.*" />);
     fireEvent.click(screen.getByText('lsof /dev/cu.*'));
     expect(getSelection()?.toString()).toBe('lsof /dev/cu.*');

@@ -58,7 +58,7 @@ describe('the hint that the page can be installed', () => {
     expect(installation.hint.value).toBe('button');
   });
 
-  it('is shown in one visit alone, and not again when it was dismissed, used, or taken elsewhere', () => {
+  it('is shown in one visit only, and not again when it was dismissed, used, or followed elsewhere', () => {
     const ends: ((installation: Installation, window: EventTarget) => void)[] = [
       (installation) => installation.endHint(),
       (installation) => installation.install.value?.(),
@@ -90,7 +90,7 @@ describe('the hint that the page can be installed', () => {
     expect(visit(platform).hint.value).toBe(way);
   });
 
-  it('is not for a page that is installed', () => {
+  it('is not shown on an installed page', () => {
     visit(IPHONE);
     vi.stubGlobal('matchMedia', (query: string) => ({ matches: query === '(display-mode: standalone)' }));
     const installed = visit(IPHONE);
@@ -107,13 +107,13 @@ describe('the hint that the page can be installed', () => {
     await idle(0);
     await press(/^Write 1 change$/);
     await press('Close');
-    expect(screen.queryByText('Keep Sidus Timer at hand.')).toBeNull();
+    expect(screen.queryByText('Install Sidus Timer.')).toBeNull();
     await run(session.timer.disconnect());
     await idle(0);
-    expect(screen.getByText('Keep Sidus Timer at hand.')).toBeTruthy();
+    expect(screen.getByText('Install Sidus Timer.')).toBeTruthy();
     expect(localStorage.getItem('sidus-timer/install-hint')).toBe('true');
     fireEvent.click(button('Not now'));
     await idle(0);
-    expect(screen.queryByText('Keep Sidus Timer at hand.')).toBeNull();
+    expect(screen.queryByText('Install Sidus Timer.')).toBeNull();
   });
 });

@@ -45,15 +45,20 @@ describe('the adapters that are known', () => {
     expect(field('DT time').value).toBe('3:00');
   });
 
-  it('are forgotten by a click', async () => {
-    await opened({ info: FTDI, plug: { granted: true } });
+  it('are forgotten by a click: the browser asks again', async () => {
+    const { serial } = await opened({ info: FTDI, plug: { granted: true } });
     await goTo('settings');
     await press(/^Forget FTDI adapter/);
     expect(screen.queryByRole('button', { name: /^Connect to FTDI/ })).toBeNull();
     expect(screen.queryByRole('heading', { name: 'Known adapters' })).toBeNull();
+    expect(await serial.getPorts()).toEqual([]);
+    serial.choose(null);
+    await goTo('program');
+    await press('Connect');
+    expect(screen.getByText('No port was chosen.')).toBeTruthy();
   });
 
-  it('are not there before one was allowed', async () => {
+  it('are not shown before one was allowed', async () => {
     await opened({ info: FTDI });
     await goTo('settings');
     expect(screen.queryByRole('heading', { name: 'Known adapters' })).toBeNull();
@@ -77,7 +82,7 @@ describe('while a timer or its adapter is waited for', () => {
     expect([shown()[0]?.textContent, shown().some(({ disabled }) => disabled)]).toEqual(['Connect', false]);
   });
 
-  it.each(waits)('Connect begins no second way: the %s comes back on the first', async (_, set) => {
+  it.each(waits)('Connect begins no second attempt: the %s comes back in the first', async (_, set) => {
     const bench = await opened({ info: FTDI, plug: { granted: true } });
     set(bench, true);
     await press('Connect');
@@ -107,7 +112,7 @@ describe('what to do while no timer answers', () => {
     return bench;
   }
 
-  it('holds the stage and changes with the seconds: look, switch, distance, another adapter', async () => {
+  it('fills the page and changes with the seconds: look, switch, distance, another adapter', async () => {
     await asleep();
     expect([stage(), current()]).toEqual(['Looking for the timer', undefined]);
     await idle(1700);
@@ -127,7 +132,7 @@ describe('what to do while no timer answers', () => {
     expect(screen.getByText(/^No answer for 30 s\./)).toBeTruthy();
   });
 
-  it('is where the focus goes, and says its title aloud', async () => {
+  it('gets the focus, and a screen reader says its title', async () => {
     await asleep();
     const title = screen.getByRole('heading', { level: 1, name: 'Looking for the timer' });
     expect([document.activeElement, title.closest('[role=status]')]).toEqual([title, expect.anything()]);
@@ -135,7 +140,7 @@ describe('what to do while no timer answers', () => {
     expect(document.activeElement, 'what was pressed is gone').toBe(screen.getByRole('main'));
   });
 
-  it('offers another port, and asks on at this one until one is chosen', async () => {
+  it('offers another port, and keeps asking at this one until one is chosen', async () => {
     const bench = await asleep();
     await idle(2000);
     const other = new Adapter(bench.serial, { identity: { timerClass: 'B' } });
@@ -144,7 +149,7 @@ describe('what to do while no timer answers', () => {
     expect(bench.session.connection.value?.identity.timerClass).toBe('B');
   });
 
-  it('takes no room of its own where a program is on the screen', async () => {
+  it('takes no extra room when a program is on the screen', async () => {
     const { timer } = await connected();
     await press('Disconnect');
     timer.core.sleep();
@@ -157,7 +162,7 @@ describe('what to do while no timer answers', () => {
     expect(screen.queryByText('Hold the head closer than 20 cm')).toBeNull();
   });
 
-  it('is told at length from 10 s on, stays open while it waits, and goes when the timer answers', async () => {
+  it('is shown in full from 10 s on, stays open during the wait, and goes when the timer answers', async () => {
     const bench = await asleep();
     await idle(10_000);
     const shown = help();
@@ -175,7 +180,7 @@ describe('what to do while no timer answers', () => {
     expect(help()).toBeNull();
   });
 
-  it('is said of a timer that has fallen silent', async () => {
+  it('is shown for a timer that no longer answers', async () => {
     const { timer, session } = await connected();
     timer.core.sleep();
     await press('Read again');
@@ -203,18 +208,19 @@ describe('the serial settings', () => {
     await choose('Rate', '19200');
     await choose('Parity', 'even');
     await choose('Stop bits', '2');
-    await choose('DTR', 'on');
-    await choose('RTS', 'off');
+    await choose('DTR', 'off');
+    await choose('RTS', 'on');
     expect(session.link.settings.value).toMatchObject({
       baudRate: 19_200,
       parity: 'even',
       stopBits: 2,
-      dtr: true,
-      rts: false,
+      dtr: false,
+      rts: true,
     });
     await goTo('program');
     await press('Connect');
     expect(port.device.opened).toMatchObject({ baudRate: 19_200, parity: 'even', stopBits: 2 });
+    expect(port.device.signals).toMatchObject({ dataTerminalReady: false, requestToSend: true });
     await press('Disconnect');
     await goTo('settings');
     // By the list of those that are known, too.
@@ -230,8 +236,8 @@ describe('the serial settings', () => {
   });
 });
 
-describe('about the timer', () => {
-  it('stands what it did differently, and how it is reached', async () => {
+describe('about this timer', () => {
+  it('is what it did differently, and how it is connected', async () => {
     await connected({ info: FTDI, quirks: { timersReplyAs66: true } });
     await goTo('settings');
     fireEvent.click(screen.getByText('About this timer'));
@@ -242,7 +248,7 @@ describe('about the timer', () => {
     expect(facts.some((fact) => fact?.startsWith('FTDI adapter'))).toBe(true);
   });
 
-  it('stands what is known to differ, which a click changes and a fresh reading follows', async () => {
+  it('is what is known to differ; a click changes it, and a fresh reading follows', async () => {
     const { session } = await connected();
     await goTo('settings');
     fireEvent.click(screen.getByText('About this timer'));
@@ -258,7 +264,7 @@ describe('about the timer', () => {
 });
 
 describe('the write dialog', () => {
-  it('shows what was read, what the timer holds now and what it will hold, where that has moved', async () => {
+  it('shows what was read, what the timer holds now and what it will hold, if that has changed', async () => {
     const { timer } = await connected();
     await type('DT time', '4:00');
     timer.core.content.times[10] = 18_500;
@@ -275,7 +281,7 @@ describe('the write dialog', () => {
     expect(rows(difference)).toEqual([['DT time', '3:05 min', '4:00 min']]);
   });
 
-  it('that is stopped before the first value went out says so calmly', async () => {
+  it('says calmly that nothing was written when it was stopped before the first value', async () => {
     const { timer } = await connected();
     await type('DT time', '4:00');
     await press('Write…');
@@ -286,7 +292,7 @@ describe('the write dialog', () => {
     expect(screen.getByText('Nothing was written.').closest('.notice')?.className).toBe('notice');
   });
 
-  it('shows no such table where nothing has moved', async () => {
+  it('shows no such table when nothing has changed', async () => {
     await connected();
     await type('DT time', '4:00');
     await press('Write…');
@@ -295,7 +301,7 @@ describe('the write dialog', () => {
 });
 
 describe('what an interrupted job left behind', () => {
-  it('is said with its values, and finished from there', async () => {
+  it('is shown with its values, and can be finished from there', async () => {
     const { timer } = await connected();
     await type('DT time', '4:00');
     await type('Function 2, S1', '7');
@@ -321,7 +327,7 @@ describe('what an interrupted job left behind', () => {
     expect(button('Write…').disabled).toBe(false);
   });
 
-  it('says in the dialog that a port which was lost comes back by itself', async () => {
+  it('says in the dialog that a lost port comes back', async () => {
     const { timer, adapter } = await connected();
     await type('DT time', '4:00');
     await press('Write…');
@@ -333,7 +339,7 @@ describe('what an interrupted job left behind', () => {
     expect(textContent).not.toContain('click Connect');
   });
 
-  it('offers to make the memory fly next again that did', async () => {
+  it('offers to make the former memory fly next again', async () => {
     const { adapter, timer, session, memories } = await connected();
     timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && timer.core.memory === 2 && adapter.unplug();
     await press('Read and keep all…');
@@ -342,9 +348,9 @@ describe('what an interrupted job left behind', () => {
     expect([memories.jobs.current.value, session.notices.current.value?.code]).toEqual([null, 'memory-left']);
     adapter.replug();
     await idle();
-    expect(screen.getByRole('region', { name: 'Another memory flies next than before' })).toBeTruthy();
+    expect(screen.getByRole('region', { name: 'The memory that flies next has changed' })).toBeTruthy();
     await press('Make M1 fly next again');
     expect(timer.core.memory).toBe(0);
-    expect(screen.queryByRole('region', { name: 'Another memory flies next than before' })).toBeNull();
+    expect(screen.queryByRole('region', { name: 'The memory that flies next has changed' })).toBeNull();
   });
 });

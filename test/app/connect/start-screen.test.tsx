@@ -2,7 +2,7 @@ import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { platformOf } from '../../../src/app/browser/platform.js';
 import { idle, reloaded, run } from '../bench/bench.js';
-import { connected, drawn, field, opened, press, table, type } from '../screen.js';
+import { connected, drawn, field, goTo, opened, press, table, type } from '../screen.js';
 
 const FIREFOX = platformOf({ userAgent: 'Mozilla/5.0 (X11; Linux x86_64; rv:153.0) Gecko/20100101 Firefox/153.0' });
 
@@ -18,7 +18,7 @@ async function make(choose: () => void = () => {}): Promise<void> {
 }
 
 describe('a new program', () => {
-  it('is made for a class and a layout, edited, and is nowhere said to be in a timer', async () => {
+  it('is made for a class and a layout, edited, and never shown as being in a timer', async () => {
     await opened();
     await make(() => {
       fireEvent.click(screen.getByRole('radio', { name: 'F1B' }));
@@ -40,7 +40,7 @@ describe('a new program', () => {
     expect(new Set(editor.working.value?.times)).toEqual(new Set([0]));
   });
 
-  it('is given up by Cancel and by Escape', async () => {
+  it('is cancelled by Cancel and by Escape', async () => {
     const { editor } = await opened();
     await press('New program…');
     await press('Cancel');
@@ -59,7 +59,7 @@ describe('a new program', () => {
     expect(screen.getByText('Verified.')).toBeTruthy();
   });
 
-  it('waits for a timer that sleeps, and writes nothing by itself once it wakes', async () => {
+  it('waits for a timer that sleeps, and writes nothing unasked when it wakes', async () => {
     const { timer, write } = await opened({ plug: { granted: true } });
     timer.core.sleep();
     await make();
@@ -71,8 +71,23 @@ describe('a new program', () => {
   });
 });
 
+describe('a view that asks for a timer', () => {
+  it.each([
+    ['bench', 'Start'],
+    ['memories', 'M1'],
+  ] as const)('%s: Connect stands beside the sentence, and the view stays open', async (view, shown) => {
+    await opened();
+    await goTo(view);
+    expect(screen.getByText(/^Connect a timer to /)).toBeTruthy();
+    await press('Connect');
+    expect(screen.queryByText(/^Connect a timer to /)).toBeNull();
+    expect(within(screen.getByRole('main')).getAllByText(shown).length).toBeGreaterThan(0);
+    expect(document.documentElement.getAttribute('data-view')).toBe(view);
+  });
+});
+
 describe('what this device keeps', () => {
-  it('is listed by name and time, opened, and deleted when that is meant', async () => {
+  it('is listed by name and time, opened, and deleted after a question', async () => {
     const bench = await opened();
     await make();
     await type('DT time', '4:00');
@@ -88,7 +103,7 @@ describe('what this device keeps', () => {
     expect([card('My programs').queryByText('DT 4:00 min'), bench.store.drafts.records.size]).toEqual([null, 0]);
   });
 
-  it('are the changes that no timer has, too', async () => {
+  it('includes changes that are in no timer', async () => {
     const bench = await connected();
     await type('Function 2, S1', '7');
     await run(bench.session.timer.disconnect());
@@ -97,7 +112,7 @@ describe('what this device keeps', () => {
     expect(field('Function 2, S1').value).toBe('7');
   });
 
-  it('are backups, the last with its time, and it is the one that is drawn', async () => {
+  it('includes backups, the last with its time, and draws that one', async () => {
     const bench = await connected();
     expect(bench.session.backups.list.value).toEqual([]);
     await type('DT time', '4:00');
@@ -113,15 +128,15 @@ describe('what this device keeps', () => {
     expect(picture.getByText('DT 3:00 min'), 'as it was before the write').toBeTruthy();
   });
 
-  it('is nothing at first, and then an example is drawn that says so', async () => {
+  it('is nothing at first, and then the picture says that it is an example', async () => {
     await opened();
     expect(within(screen.getByRole('figure')).getByText('Example: an F1Q')).toBeTruthy();
-    expect(card('Backups').getByText(/^Before every write/)).toBeTruthy();
+    expect(card('Backups').getByText(/^Before each write/)).toBeTruthy();
   });
 });
 
 describe('after Disconnect', () => {
-  it('the program stays, is said to be as last read with its time, and Close program leads to the start', async () => {
+  it('the program stays, marked as last read with its time, and Close program leads to the start', async () => {
     await connected();
     await press('Disconnect');
     expect(field('DT time').value).toBe('3:00');
@@ -158,12 +173,12 @@ describe('the page on this device', () => {
 });
 
 describe('Firefox', () => {
-  it('is said to ask for the port anew at each load, and only there', async () => {
+  it('gets the note that it asks for the port again at each load, and no other browser does', async () => {
     await opened();
     expect(screen.queryByText(/Firefox/)).toBeNull();
     cleanup();
     await opened({ platform: FIREFOX });
-    expect(screen.getByText(/Firefox asks for the port anew each time this page is loaded\./)).toBeTruthy();
+    expect(screen.getByText(/Firefox asks for the port again each time this page is loaded\./)).toBeTruthy();
     expect(screen.queryByText(/permission/), 'the page does not come by https here').toBeNull();
   });
 });

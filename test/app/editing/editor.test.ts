@@ -37,14 +37,14 @@ function goalOf(editor: Editor, field: ProgramField): number | null {
 describe('an edit', () => {
   const name = { code: 'preset', params: {} } as const;
 
-  it('gives back why it is refused, and changes nothing', () => {
+  it('returns why it is refused, and changes nothing', () => {
     const editor = editorOf();
     const refused = shiftFrom(held, 3, 1_000_000);
     expect(editor.apply(refused)).toEqual('refused' in refused ? refused.refused : null);
     expect([editor.working.value, editor.undoStep.value]).toEqual([held, null]);
   });
 
-  it('puts nothing in the place of a text that is no value, unless that field is meant', () => {
+  it('does not replace a text that is not a value, unless it is an edit of that field', () => {
     const editor = editorOf();
     editor.type(S1, 'seven');
     const step = editor.undoStep.value;
@@ -58,14 +58,14 @@ describe('an edit', () => {
     expect([editor.textOf(S1), goalOf(editor, DT)]).toEqual(['7', 20000]);
   });
 
-  it('is none before anything was read', () => {
+  it('is not possible before anything was read', () => {
     const editor = new Editor();
     expect([editor.apply(setValues(name, [{ field: DT, value: 1 }])), editor.working.value]).toEqual([null, null]);
   });
 });
 
 describe('what is typed', () => {
-  it('stands as it was typed until the field is left, and is a value at once', () => {
+  it('stays as it was typed until the field is left, and is a value at once', () => {
     const editor = editorOf();
     editor.type(DT, '280');
     expect([editor.textOf(DT), goalOf(editor, DT)]).toEqual(['280', 28000]);
@@ -74,7 +74,7 @@ describe('what is typed', () => {
     expect(editor.changes.value).toEqual([{ field: DT, from: 18000, to: 28000 }]);
   });
 
-  it('is no change when it is what the timer holds', () => {
+  it('is not a change when the timer holds the same', () => {
     const editor = editorOf();
     editor.type(DT, '180');
     expect(editor.dirty.value).toBe(false);
@@ -122,7 +122,7 @@ describe('going back', () => {
     expect(editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
   });
 
-  it('drops a text of which it is not known what the timer holds', () => {
+  it('drops a text when the value in the timer is not known', () => {
     const editor = editorOf({ ...held, idleThrottle: null });
     editor.type({ kind: 'idleThrottle' }, 'x');
     expect(editor.blocked.value).toBe(true);
@@ -150,7 +150,7 @@ describe('when the timer is read again', () => {
     expect(editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
   });
 
-  it('does not say that it moved when it holds the same, or when there is nothing to keep', () => {
+  it('does not say that it has changed when it holds the same, or when there is nothing to keep', () => {
     const editor = editorOf();
     editor.type(S1, '7');
     expect(editor.rebase(held)).toBe(false);
@@ -158,7 +158,7 @@ describe('when the timer is read again', () => {
     expect(editor.rebase(withValue(held, S3, 99))).toBe(false);
   });
 
-  it('names what is in conflict, as long as it is edited', () => {
+  it('names a conflict as long as the field is edited', () => {
     const editor = editorOf();
     editor.type(S1, '7');
     editor.leave(S1);
@@ -179,7 +179,7 @@ describe('when the timer is read again', () => {
     ['a write was read back', (editor) => editor.wrote(withValue(held, S1, 7))],
     ['another timer was read', (editor) => editor.rebase(small)],
     ['what was kept was brought back', (editor) => editor.restore({ baseline: held, working: held, texts: {} })],
-  ])('names nothing in conflict that is edited after %s', (_, decide) => {
+  ])('names no conflict for a field that is edited after %s', (_, decide) => {
     const editor = editorOf();
     editor.type(S1, '7');
     editor.rebase(withValue(held, S1, 99));
@@ -189,7 +189,7 @@ describe('when the timer is read again', () => {
     expect([editor.changes.value.length, editor.conflicts.value.size]).toEqual([1, 0]);
   });
 
-  it('names with a conflict what the timer held when the edit was made, until it holds that again', () => {
+  it('names with a conflict the value at the time of the edit, until the timer holds that again', () => {
     const editor = editorOf();
     editor.type(S1, '7');
     for (const position of [99, 98]) editor.rebase(withValue(held, S1, position));
@@ -198,14 +198,14 @@ describe('when the timer is read again', () => {
     expect(editor.conflicts.value.size).toBe(0);
   });
 
-  it('names nothing in conflict that had changed before it was edited', () => {
+  it('names no conflict for a field that had changed before it was edited', () => {
     const editor = editorOf();
     editor.rebase(withValue(held, S1, 99));
     editor.type(S1, '7');
     expect(editor.conflicts.value.size).toBe(0);
   });
 
-  it('drops an edit that the timer holds by now', () => {
+  it('drops an edit when the timer holds the same by now', () => {
     const editor = editorOf();
     editor.type(S1, '7');
     editor.leave(S1);
@@ -213,7 +213,7 @@ describe('when the timer is read again', () => {
     expect([editor.dirty.value, editor.textOf(S1)]).toEqual([false, '7']);
   });
 
-  it('keeps a text that is no value', () => {
+  it('keeps a text that is not a value', () => {
     const editor = editorOf();
     editor.type(S1, 'seven');
     editor.rebase(withValue(held, S3, 99));
@@ -227,14 +227,14 @@ describe('when the timer is read again', () => {
     expect([editor.textOf(DT), editor.isTyped(DT)]).toEqual(['280', true]);
   });
 
-  it('shows what it holds now in a field that was typed over with what it held before', () => {
+  it('shows the new value of the timer when the old one was typed by hand', () => {
     const editor = editorOf();
     editor.type(S1, '35');
     editor.rebase(withValue(held, S1, 99));
     expect([editor.textOf(S1), goalOf(editor, S1)]).toEqual(['99', 99]);
   });
 
-  it('starts afresh when it is a timer of another layout', () => {
+  it('starts afresh with a timer of another layout', () => {
     const editor = editorOf();
     editor.type(S1, '7');
     editor.type(DT, 'x');
@@ -243,7 +243,7 @@ describe('when the timer is read again', () => {
   });
 });
 
-describe('kept and brought back', () => {
+describe('a draft that is kept and brought back', () => {
   it('is the same, text for text', () => {
     const editor = editorOf();
     editor.type(S1, '7');
@@ -257,7 +257,7 @@ describe('kept and brought back', () => {
     expect(again.changes.value).toEqual(editor.changes.value);
   });
 
-  it('is not what the timer holds by now', () => {
+  it('leaves out what the timer holds by now', () => {
     const editor = editorOf();
     expect(editor.fresh.value).toBe(true);
     editor.restore({ baseline: held, working: held, texts: {} });
@@ -266,13 +266,13 @@ describe('kept and brought back', () => {
     expect(editor.fresh.value).toBe(true);
   });
 
-  it('leaves out texts of fields that there are not', () => {
+  it('leaves out texts of fields that do not exist', () => {
     const editor = new Editor();
     editor.restore({ baseline: held, working: held, texts: { 'time:99': 'x', constructor: 'x' } });
     expect([editor.blocked.value, editor.snapshot()?.texts]).toEqual([false, {}]);
   });
 
-  it('leaves out what can be undone of another layout', () => {
+  it('leaves out the undo steps of another layout', () => {
     const step = { name: { code: 'revert-all', params: {} }, state: { working: small, texts: {} } } as const;
     const editor = new Editor();
     editor.restore({ baseline: held, working: held, texts: {}, history: { past: [step], future: [], open: null } });
@@ -280,13 +280,13 @@ describe('kept and brought back', () => {
     expect([editor.undoStep.value, editor.working.value]).toEqual([null, held]);
   });
 
-  it('has nothing to keep before anything was read', () => {
+  it('is empty before anything was read', () => {
     expect(new Editor().snapshot()).toBeNull();
   });
 });
 
-describe('what can be read in two ways', () => {
-  it('is no value, also not the part of it that was one, and blocks until it is answered', () => {
+describe('a text that can be read in two ways', () => {
+  it('is not a value, not even its beginning, and blocks until the pilot answers', () => {
     const editor = editorOf();
     for (const text of ['2', '23', '230']) editor.type(DT, text);
     expect([goalOf(editor, DT), editor.blocked.value, editor.asked.value.size]).toEqual([18000, true, 0]);
@@ -299,7 +299,7 @@ describe('what can be read in two ways', () => {
     expect([editor.textOf(DT), goalOf(editor, DT), editor.undoStep.value]).toEqual(['3:00', 18000, null]);
   });
 
-  it('is taken back to what was there before it', () => {
+  it('can be put back to what was there before', () => {
     const editor = editorOf();
     editor.type(DT, '4:00');
     editor.leave(DT);
@@ -337,7 +337,7 @@ describe('whatever a pilot and the timer do', () => {
     fc.record({ act: fc.constant('reload' as const), field: aField, text: aText }),
   );
 
-  it('what a field shows is what would be written, or it blocks', () => {
+  it('each field shows what would be written, or blocks the write', () => {
     fc.assert(
       fc.property(fc.array(step, { maxLength: 12 }), (steps) => {
         let editor = editorOf();

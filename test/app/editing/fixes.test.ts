@@ -17,7 +17,7 @@ const placed = (value: number): TimerProgram => ({
   positions: [held.positions[0]?.with(2, value) ?? [], [...(held.positions[1] ?? [])]],
 });
 
-describe('what is obvious', () => {
+describe('an obvious fault', () => {
   it.each([
     ['a time that falls', timed(2, 20), 'time-falls', 60],
     ['a time that repeats', timed(3, 1000), 'position-never-reached', 1010],
@@ -29,7 +29,7 @@ describe('what is obvious', () => {
     ['a position below the first step', placed(-1), 'position-out-of-range', 0],
     ['half a step', placed(1.4), 'position-not-whole', 1],
     ['a throttle that the wire cannot carry', { ...held, idleThrottle: 300 }, 'throttle-out-of-range', 255],
-  ] as const)('%s is put right', (_, program, code, value) => {
+  ] as const)('%s is corrected', (_, program, code, value) => {
     expect(fixesOf(program)).toContainEqual([code, value]);
   });
 });
@@ -62,7 +62,7 @@ describe('what the pilot has to decide', () => {
   });
 });
 
-it('a fix ends what it was offered for', () => {
+it('a correction removes the finding for which it was offered', () => {
   fc.assert(
     fc.property(anyProgram, (program) => {
       for (const finding of checkProgram(program)) {

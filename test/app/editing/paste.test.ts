@@ -48,14 +48,14 @@ describe('a pasted table', () => {
     expect(setBy(paste(text, at(3, 0)))).toEqual([{ field: { kind: 'time', slot: 3 }, value: time }]);
   });
 
-  it('leaves what is under empty cells', () => {
+  it('changes nothing under empty cells', () => {
     expect(changesIn(paste('\t\t66\n\t21\t\n', at(0, 0)))).toEqual({
       'position:1:0': '15 -> 66',
       'position:0:1': '20 -> 21',
     });
   });
 
-  it('counts what has no place', () => {
+  it('counts the values that have no place', () => {
     const wide = Array.from({ length: 100 }, (_, column) => (column === 50 ? '' : '7')).join('\t');
     const preview = paste(`${wide}\n8`, at(5, 2));
     expect([changesIn(preview), preview.ignored]).toEqual([
@@ -91,14 +91,14 @@ describe('a pasted table', () => {
     expect(paste('', { top: 2, left: 0, bottom: 3, right: 2 })).toMatchObject({ values: [], problems: [], ignored: 0 });
   });
 
-  it('lists a value also where it is there already', () => {
+  it('lists a value also when it is the same as before', () => {
     const preview = paste('20', at(1, 2));
     expect([preview.changes, setBy(preview).length]).toEqual([[], 1]);
   });
 });
 
 describe('headings and names', () => {
-  it('are passed over, and that is said', () => {
+  it('are skipped and counted', () => {
     const preview = paste('Function\tTime\tS1\nStart\t11\t1\nFunction 1\t0.6\t2');
     expect(preview).toMatchObject({ headings: true, names: true, ignored: 0, problems: [] });
     expect(changesIn(preview)).toEqual({
@@ -128,11 +128,11 @@ describe('headings and names', () => {
     ['a row of texts alone', 'Start\tTime\tS1', '0:1 Time not-a-time', '0:2 S1 not-a-whole-number'],
     ['a column of texts', 'Time\nStart\nDT', '1:0 Start not-a-time', '2:0 DT not-a-time'],
     ['a name among numbers', 'x\t1\n11\t2', '0:0 x not-a-time'],
-  ])('%s is none', (_, text, ...problems) => {
+  ])('%s is not a heading', (_, text, ...problems) => {
     expect(problemsIn(paste(text))).toEqual(problems);
   });
 
-  it('that are known say where the columns go', () => {
+  it('decide where the columns go when they are known', () => {
     const text = 'No\ts2\tNote\tTIME\n1\t7\tcalm\t11\n2\t8\t\t0.6';
     const preview = paste(text, at(0, 0), { headings: HEADINGS });
     expect(changesIn(preview)).toEqual({
@@ -147,7 +147,7 @@ describe('headings and names', () => {
     });
   });
 
-  it('do not say where, away from the time column or when one comes twice', () => {
+  it('do not decide away from the time column, or when one comes twice', () => {
     const options = { headings: HEADINGS };
     expect(changesIn(paste('S1\n7', at(0, 3), options))).toEqual({ 'position:1:0': '15 -> 7' });
     expect(changesIn(paste('S1\tS1\n7\t8', at(0, 0), options))).toEqual({
@@ -160,7 +160,7 @@ describe('headings and names', () => {
     });
   });
 
-  it('leave places in the text as the pilot counts them', () => {
+  it('do not change how places in the text are counted', () => {
     expect(problemsIn(paste('Function\tTime\nStart\tx\nFn\t1\nFn\t-1'))).toEqual([
       '1:1 x not-a-time',
       '3:1 -1 not-a-time',
@@ -183,7 +183,7 @@ describe('a cell that is wrong', () => {
     ['12.345', 'too-fine'],
     ['655.36', 'time-out-of-range'],
     ['100000', 'time-out-of-range'],
-  ])('%j is no time: %s', (text, code) => {
+  ])('%j is not a time: %s', (text, code) => {
     expect(problemsIn(paste(text, at(3, 0)))).toEqual([`0:0 ${text} ${code}`]);
   });
 
@@ -194,11 +194,11 @@ describe('a cell that is wrong', () => {
     ['131', 'position-out-of-range'],
     ['-1', 'position-out-of-range'],
     ['99999', 'position-out-of-range'],
-  ])('%j is no position: %s', (text, code) => {
+  ])('%j is not a position: %s', (text, code) => {
     expect(problemsIn(paste(text, at(3, 2)))).toEqual([`0:0 ${text} ${code}`]);
   });
 
-  it('keeps the others from being pasted, unless they are taken on purpose', () => {
+  it('stops the whole paste, unless the pilot chooses the rest', () => {
     const preview = paste('1\t2\nx\t200', at(2, 2));
     expect(problemsIn(preview)).toEqual(['1:0 x not-a-whole-number', '1:1 200 position-out-of-range']);
     expect(changesIn(preview)).toEqual({ 'position:0:2': '30 -> 1', 'position:1:2': '35 -> 2' });
@@ -206,7 +206,7 @@ describe('a cell that is wrong', () => {
     expect(differences(program, withValues(program, setBy(preview, true)))).toEqual(preview.changes);
   });
 
-  it('is said with its place, its range and the begin of its text', () => {
+  it('is reported with its place, its range and the beginning of its text', () => {
     const { problems } = paste(`200\n${'9'.repeat(1000)}`, at(2, 3));
     expect(problems[0]).toEqual({
       code: 'position-out-of-range',
@@ -219,20 +219,20 @@ describe('a cell that is wrong', () => {
     expect(problems[1]?.text.length).toBeLessThan(100);
   });
 
-  it('is not one that the timer holds, though it could not be set', () => {
+  it('does not include a value that the timer holds already, though it could not be set', () => {
     const odd: TimerProgram = { ...program, positions: [[200, 20, 30, 40, 50, 60], program.positions[1] ?? []] };
     expect(paste('200', at(0, 2), {}, odd)).toMatchObject({ changes: [], problems: [] });
     expect(problemsIn(paste('200', at(1, 2), {}, odd))).toEqual(['0:0 200 position-out-of-range']);
   });
 
-  it('is one that would change what is reserved', () => {
+  it('includes one that would change a reserved time', () => {
     const b: TimerProgram = { ...program, identity: B4 };
     expect(problemsIn(paste('11\n0.6', at(0, 0), {}, b))).toEqual(['0:0 11 reserved']);
     expect(changesIn(paste('10\n0.6', at(0, 0), {}, b))).toEqual({ 'time:1': '50 -> 60' });
     expect(problemsIn(paste('7\n8', at(0, 2), {}, b))).toEqual([]);
   });
 
-  it('is the end of a text that is too large', () => {
+  it('includes the end of a text that is too large', () => {
     const preview = paste(`${'1\t2\n'.repeat(5000)}3`, at(0, 2));
     expect(problemsIn(preview)).toEqual(['5000:0  too-large']);
     expect([setBy(preview), setBy(preview, true).length]).toEqual([[], 12]);
@@ -243,14 +243,14 @@ describe('a cell that is wrong', () => {
 describe('pasted intervals', () => {
   const times = (preview: PastePreview, rest = false) => withValues(program, setBy(preview, rest)).times;
 
-  it('are set from top to bottom: what has none keeps its distance, DT its time', () => {
+  it('are set from top to bottom; rows without one keep their distance, and DT its time', () => {
     expect(times(paste('1\n2', at(1, 1)))).toEqual([1000, 100, 300, 550, 800, 18000]);
     expect(times(paste('\n1\n\n2', at(0, 1)))).toEqual([1000, 100, 1050, 1250, 1500, 18000]);
     expect(times(paste('1\n100', at(4, 1)))).toEqual([1000, 50, 1000, 1250, 1350, 11350]);
     expect(times(paste('-1', at(3, 1)))).toEqual([1000, 50, 1000, 900, 1150, 18000]);
   });
 
-  it('may lead through times that cannot be', () => {
+  it('may lead through impossible times', () => {
     expect(times(paste('650\n-640', at(2, 1)))).toEqual([1000, 50, 65050, 1050, 1300, 18000]);
     expect(times(paste('655\n-654', at(3, 1)))).toEqual(program.times);
     expect(times(paste('644\n-640', at(3, 1)))).toEqual([1000, 50, 1000, 65400, 1400, 18000]);
@@ -273,12 +273,12 @@ describe('pasted intervals', () => {
     expect(times(preview, true)).toEqual([1000, 60, 1000, 1250, 1500, 18000]);
   });
 
-  it('count in rows that have no time, or none that can be read', () => {
+  it('count in rows without a readable time', () => {
     expect(times(paste('-1\t0.6\t7\t7', at(1, 0)), true)).toEqual([1000, 60, 1010, 1260, 1510, 18000]);
     expect(times(paste('0.6\t\t7\t7\n\t9\t7\t7', at(1, 0)))).toEqual([1000, 60, 960, 1210, 1460, 18000]);
   });
 
-  it('are what setting them one by one would give', () => {
+  it('give the same as setting them one by one', () => {
     const input = anyProgram.chain((before) =>
       fc.tuple(
         fc.constant(before),
@@ -326,7 +326,7 @@ describe('copied and pasted', () => {
     );
   });
 
-  it('into another program carries the range over, but for what cannot be set', () => {
+  it('into another program copies the range, except values that cannot be set', () => {
     fc.assert(
       fc.property(programAndRange, anyProgram, decimal, ([source, range], other, mark) => {
         const target = {
@@ -398,7 +398,7 @@ describe('whatever is pasted', () => {
     .map((rows) => rows.map((cells) => cells.join('\t')).join('\n'));
   const anyText = fc.oneof(table, fc.string({ unit: piece, maxLength: 60 }), fc.string({ unit: 'binary' }));
 
-  it('what is applied is what the preview says, can be written, and lies in the grid', () => {
+  it('the preview says exactly what is applied, and that can be written and lies in the grid', () => {
     let changed = 0;
     fc.assert(
       fc.property(programAndRange, anyText, fc.boolean(), ([before, range], text, takeRest) => {
@@ -440,11 +440,11 @@ describe('whatever is pasted', () => {
     ],
     ['stands beside a time', '14\t2\t1\t1', at(3, 0), 'time:2', ['0:1 2 before-unreadable']],
     ['stands below a time', '11\t\t1\t1\n\t2\t1\t1', at(2, 0), 'time:2', []],
-  ])('an interval and a text that is no value: it %s', (_, text, range, key, problems) => {
+  ])('an interval and a text that is not a value: it %s', (_, text, range, key, problems) => {
     expect(problemsIn(paste(text, range, { unreadable: new Set([key]) }))).toEqual(problems);
   });
 
-  it('is refused or done in little time, with thousands of columns and rows', () => {
+  it('is refused or done quickly, with thousands of columns and rows', () => {
     for (const text of [`${'1\t'.repeat(99)}1\n`.repeat(1e5), '65\n'.repeat(1e6), 'x'.repeat(5e6), '"'.repeat(5e6)]) {
       const preview = paste(text, at(0, 2));
       expect(setBy(preview)).toEqual([]);

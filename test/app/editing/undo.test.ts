@@ -41,7 +41,7 @@ function step(editor: Editor, field: ProgramField, direction: 1 | -1 = 1): void 
 }
 
 describe('undo and redo', () => {
-  it('take back what was typed in a field until it was left, as one step with a name', () => {
+  it('take back everything typed in a field as one step with a name', () => {
     const editor = editorOf();
     type(editor, DT, '4', '4:', '4:00');
     type(editor, DT, '5:00');
@@ -55,7 +55,7 @@ describe('undo and redo', () => {
     expect([editor.textOf(DT), editor.redoStep.value]).toEqual(['5:00', null]);
   });
 
-  it('take back a text that is no value', () => {
+  it('take back a text that is not a value', () => {
     const editor = editorOf();
     type(editor, DT, 'soon');
     editor.undo();
@@ -64,7 +64,7 @@ describe('undo and redo', () => {
     expect([editor.textOf(DT), editor.blocked.value]).toEqual(['soon', true]);
   });
 
-  it('take back a whole program, and everything put back', () => {
+  it('take back a loaded program, and Undo all', () => {
     const editor = editorOf();
     editor.apply(replaceAll({ code: 'restore', params: {} }, withValue(held, S1, 77)));
     type(editor, S2, 'x');
@@ -77,7 +77,7 @@ describe('undo and redo', () => {
     expect(editor.working.value).toEqual(held);
   });
 
-  it('know no step that changed nothing', () => {
+  it('have no step that changed nothing', () => {
     const editor = editorOf();
     editor.apply(setValues(preset, [{ field: DT, value: 18000 }]));
     editor.revert(DT);
@@ -105,7 +105,7 @@ describe('undo and redo', () => {
         editor.leave(DT);
       },
     ],
-  ])('know no step of what was %s, once the field is left', (_, act) => {
+  ])('have no step for what was %s, once the field is left', (_, act) => {
     const editor = editorOf();
     type(editor, S1, '7');
     act(editor);
@@ -114,7 +114,7 @@ describe('undo and redo', () => {
     expect([editor.textOf(S1), editor.undoStep.value]).toEqual(['30', null]);
   });
 
-  it('know a step that put a text where the value stays', () => {
+  it('have a step for a new text with the same value', () => {
     const editor = editorOf();
     type(editor, DT, 'soon');
     type(editor, DT, '180');
@@ -165,7 +165,7 @@ describe('Escape after steps', () => {
 });
 
 describe('when the timer is read again', () => {
-  it('undo does not bring back what the timer held where nobody typed', () => {
+  it('undo does not bring back old values of the timer where nobody typed', () => {
     const editor = editorOf();
     type(editor, DT, '4:00');
     editor.rebase(withValue(held, S1, 99));
@@ -173,7 +173,7 @@ describe('when the timer is read again', () => {
     expect(editor.working.value).toEqual(withValue(held, S1, 99));
   });
 
-  it('undo brings back what was typed, value or not, where the timer has changed too', () => {
+  it('undo brings back what was typed, value or not, also where the timer has changed', () => {
     const editor = editorOf();
     for (const text of ['x', '7', '8']) type(editor, S1, text);
     editor.rebase(withValue(held, S1, 99));
@@ -183,7 +183,7 @@ describe('when the timer is read again', () => {
     }
   });
 
-  it('undo brings back no text that says what the timer held before', () => {
+  it('undo does not bring back a text that equals the old value of the timer', () => {
     const editor = editorOf();
     editor.type(S1, editor.textOf(S1));
     editor.type(DT, '4:00');
@@ -192,7 +192,7 @@ describe('when the timer is read again', () => {
     expect([editor.textOf(S1), editor.dirty.value]).toEqual(['99', false]);
   });
 
-  it('undo does not forget what the timer had not said before', () => {
+  it('undo keeps a value that the timer said for the first time', () => {
     const editor = editorOf({ ...held, memory: null, idleThrottle: null });
     type(editor, DT, '4:00');
     const said = { ...held, memory: 2, idleThrottle: 30 };
@@ -224,7 +224,7 @@ describe('when the timer is read again', () => {
 });
 
 describe('what is kept', () => {
-  it('holds what can be undone and redone, and what follows is a step of its own', () => {
+  it('holds the steps to undo and redo, and the next edit is a new step', () => {
     const editor = editorOf();
     type(editor, S1, '7');
     type(editor, DT, '4:00');
@@ -289,7 +289,7 @@ function typeAndEscape(editor: Editor, field: ProgramField, text: string): void 
 /** What stands in each field. */
 type Screen = ReadonlyMap<string, string>;
 
-it('screen, working copy and difference agree over any edits, undos and redos', () => {
+it('screen, working copy and difference agree after any edits, undos and redos', () => {
   fc.assert(
     fc.property(fc.array(action, { minLength: 50, maxLength: 100, size: 'max' }), (actions) => {
       let editor = editorOf();

@@ -82,6 +82,13 @@ const times: [text: string, parsed: number | string][] = [
   ['-1', 'not-a-time'],
   ['+1', 'not-a-time'],
   ['−1', 'not-a-time'],
+  ['12\u00a0s', 1200],
+  ['2\u202fmin\u00a030\u2009s', 15000],
+  ['\u200e12.5\u200b', 1250],
+  ['\ufeff3:00\u2060', 18000],
+  ['\u202e12', 'not-a-time'],
+  ['\u200b', 'empty'],
+  ['1\u00a02', 'not-a-time'],
   ['1 2', 'not-a-time'],
   ['٣', 'not-a-time'],
   ['１２', 'not-a-time'],
@@ -100,6 +107,9 @@ const steps: [text: string, parsed: number | string][] = [
   ['131', 131],
   ['007', 7],
   ['-1', -1],
+  ['\u22121', -1],
+  ['\u200e65\u00a0', 65],
+  ['6\u00a05', 'not-a-whole-number'],
   ['', 'empty'],
   [' ', 'empty'],
   ['1.5', 'not-a-whole-number'],
@@ -124,7 +134,7 @@ describe('a typed time', () => {
     expect(plain(parseTime(text))).toBe(expected);
   });
 
-  it('comes back from its usual form, for every time that a timer can hold', () => {
+  it('can be read back from its usual form, for every time that a timer can hold', () => {
     for (let time = 0; time <= 65535; time++) {
       const text = formatTime(time);
       if (plain(parseTime(text)) !== time)
@@ -163,7 +173,7 @@ describe('typed intervals', () => {
     expect(plain(parseInterval(text))).toBe(expected);
   });
 
-  it('come back from their usual form', () => {
+  it('can be read back from their usual form', () => {
     for (let interval = -65535; interval <= 65535; interval += 7) {
       expect(plain(parseInterval(formatInterval(interval)))).toBe(interval);
     }
@@ -172,7 +182,7 @@ describe('typed intervals', () => {
 });
 
 describe('hostile texts', () => {
-  it('are a whole number of units or have a reason, however long they are', () => {
+  it('are a whole number of units or get a reason, however long they are', () => {
     const pieces = fc.constantFrom('0', '9', '.', ',', ':', '-', ' ', 'e', '٣', '\n');
     const hostile = fc.oneof(fc.string({ unit: 'binary' }), fc.string({ unit: pieces, maxLength: 12 }));
     fc.assert(
@@ -264,7 +274,7 @@ describe('a time that a pilot types', () => {
     fc.stringMatching(/^[0-9]{1,4}[.,:]?[0-9]{0,2}$/),
   );
 
-  it('is nothing, one value, or a question of which the last answer is what the text says in seconds', () => {
+  it('is nothing, one value, or a question whose last answer takes the text as seconds', () => {
     fc.assert(
       fc.property(texts, fc.boolean(), (text, isDt) => {
         for (const [read, exact] of [
@@ -319,11 +329,11 @@ describe('a time in words and figures', () => {
     [18000, '3 min'],
     [60000, '10 min'],
     [2050, '20.5 s'],
-  ])('%i is a preset of “%s”', (value, text) => {
+  ])('%i is a preset with the text “%s”', (value, text) => {
     expect(presetText(value)).toBe(text);
   });
 
-  it('reads back to itself in each of its forms, in every field, without a question', () => {
+  it('can be read back from each of its forms, in every field, without a question', () => {
     for (let value = 0; value <= 65_535; value++) {
       const forms = new Set([spokenTime(value), presetText(value)]);
       for (const timerClass of ['Q', 'B', 'E']) {

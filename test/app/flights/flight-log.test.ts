@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { FlightForm } from '../../../src/app/flights/flight-form.js';
-import type { Flight, Model, ProgramField } from '../../../src/program/index.js';
+import { emptyModel } from '../../../src/app/session/library.js';
+import type { Flight, ProgramField } from '../../../src/program/index.js';
 import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
 import { PLAIN } from './flights.js';
 
@@ -8,16 +9,7 @@ beforeEach(() => localStorage.clear());
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
-const LANCER: Model = {
-  id: 'lancer',
-  name: 'Lancer 07',
-  timerClass: 'Q',
-  note: '',
-  servos: [],
-  memoryNames: [],
-  photo: null,
-  archived: false,
-};
+const LANCER = emptyModel('lancer', 'Lancer 07', 'Q');
 
 const logged = ({ session }: AppBench): readonly Flight[] =>
   session.library.flights.list.value.map(({ flight }) => flight);
@@ -41,7 +33,7 @@ async function opened(changes: Partial<Flight> = {}, before: Flight | null = nul
 }
 
 describe('one tap', () => {
-  it('logs what the timer was verified to hold, and never what is merely typed', async () => {
+  it('logs what the timer was verified to hold, and never what was only typed', async () => {
     const app = await connectedBench();
     await write(app, '4:00');
     const { times, positions } = structuredClone(app.timer.core.content);
@@ -84,7 +76,7 @@ describe('one tap', () => {
     expect([app.flights.held.value, logged(app)]).toEqual([null, []]);
   });
 
-  it('knows the model at hand, and the place where the pilot was last', async () => {
+  it('knows the current model and the last place', async () => {
     const app = await connectedBench();
     await app.session.library.load();
     await app.session.library.keepModel(LANCER);
@@ -100,7 +92,7 @@ describe('one tap', () => {
     expect(names.sort(), 'the name of its day').toEqual(['Gyula Lancer 07', 'Gyula Lancer 07b']);
   });
 
-  it('names the setting on the screen only where nothing on it differs from the timer', async () => {
+  it('names the setting on the screen only when nothing on the screen differs from the timer', async () => {
     const app = await connectedBench();
     await app.session.library.load();
     await app.session.library.keepModel(LANCER);
@@ -151,7 +143,7 @@ describe('one tap', () => {
     expect([logged(app), kept(app)]).toEqual([[flight], [flight]]);
   });
 
-  it('is on the screen where the browser keeps nothing, and is kept when it does again', async () => {
+  it('stays on the screen while the browser keeps nothing, and is kept when it does again', async () => {
     const app = await connectedBench();
     app.store.broken = true;
     app.flights.flying();
@@ -163,7 +155,7 @@ describe('one tap', () => {
     expect(kept(app)).toEqual(logged(app));
   });
 
-  it('does not say under the result of a write that what was flown before it is logged', async () => {
+  it('does not call a flight before the write logged under the result of the write', async () => {
     const app = await connectedBench();
     await write(app, '4:00');
     app.flights.flyAgain(PLAIN);
@@ -207,7 +199,7 @@ describe('the form of a flight', () => {
     expect([latest(app).wind, form.problems.value.get('wind')]).toEqual([null, 'out-of-range']);
   });
 
-  it('steps from what it was on the flight before of the same day, else from what is usual', async () => {
+  it('steps from the value of the earlier flight of that day, else from a usual one', async () => {
     const before = { ...PLAIN, id: 'before', at: PLAIN.at - 60_000, wind: 4.5 };
     const { form } = await opened({}, before);
     form.step('wind', 1);
@@ -221,7 +213,7 @@ describe('the form of a flight', () => {
     expect(other.form.textOf('wind')).toBe('2');
   });
 
-  it('takes a round back that is picked twice, and a date', async () => {
+  it('removes a round when it is picked twice, and a date', async () => {
     const { app, form } = await opened();
     form.pickRound('3');
     expect(form.flight.value.round).toBe('3');
@@ -235,7 +227,7 @@ describe('the form of a flight', () => {
     expect([form.problems.value.has('at'), latest(app).at]).toEqual([true, new Date(2026, 10, 20, 9, 30).getTime()]);
   });
 
-  it('is put back as it was, without what another tab has changed meanwhile', async () => {
+  it('is put back as it was, but keeps what another tab has changed meanwhile', async () => {
     const { app, form } = await opened({ wind: 2 });
     const first = latest(app);
     form.type('wind', '5');
@@ -253,7 +245,7 @@ describe('the form of a flight', () => {
     expect(latest(app).note).toBe('again');
   });
 
-  it('keeps the last letter of many that are typed while the browser is slow', async () => {
+  it('keeps the last of many letters typed while the browser is slow', async () => {
     const { app, form } = await opened();
     for (const note of ['g', 'go', 'goo', 'good']) form.setNote(note);
     await idle(0);
@@ -281,7 +273,7 @@ describe('a round with a short DT', () => {
     expect(latest(app).program.times[10], 'that write was for nothing else').toBe(18_000);
   });
 
-  it('is not put back where it has a result, where the timer holds something else, or where the write is left', async () => {
+  it('is not put back when it has a result, when the timer holds another DT, or when the write is cancelled', async () => {
     const app = await connectedBench();
     await write(app, '20 s');
     app.flights.flying();

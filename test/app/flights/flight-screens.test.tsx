@@ -1,5 +1,6 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { emptyModel } from '../../../src/app/session/library.js';
 import { type AppBench, idle, reloaded } from '../bench/bench.js';
 import { button, connected, drawn, opened, press, type } from '../screen.js';
 import { PLAIN, recordOf } from './flights.js';
@@ -43,6 +44,24 @@ async function season(): Promise<AppBench> {
   return app;
 }
 
+it('what was typed last into a flight is saved when the page goes, also behind a save that takes its time', async () => {
+  const app = await season();
+  act(() => app.models.flights.fillIn('c'));
+  await idle(0);
+  const sent: string[] = [];
+  app.store.flights.exchange = ({ record }) => {
+    sent.push(record.flight.note);
+    return new Promise(() => {});
+  };
+  fill('Note', 'strong');
+  await idle(0);
+  fill('Note', 'strong thermal');
+  dispatchEvent(new Event('pagehide'));
+  await idle(0);
+  dispatchEvent(new Event('pageshow'));
+  expect(sent).toEqual(['strong', 'strong thermal']);
+});
+
 describe('the log', () => {
   it('shows flights by day and place, newest first, with their totals', async () => {
     await season();
@@ -53,8 +72,20 @@ describe('the log', () => {
       '09:00LancerRound 13:00 min',
     ]);
     expect(document.querySelector('.flight-totals')?.textContent).toBe(
-      '3 flightsbest 3:00 minaverage 2:56 min1 of 2 rounds at 3:00 min or more',
+      '3 flightsbest 3:00 minaverage 2:55.7 min1 of 2 rounds at 3:00 min or more',
     );
+  });
+
+  it.each([
+    [[180, 180, 179], 'average 2:59.6 min'],
+    [[341.3, 341.3, 341.3], 'average 5:41.3 min'],
+    [[180, 180], 'average 3:00 min'],
+  ])('of %j has an average that is not above the best: %s', async (results, average) => {
+    const app = await opened();
+    for (const [at, result] of results.entries())
+      await app.session.library.keepFlight({ ...PLAIN, id: `f${at}`, result });
+    await toLog(app);
+    screen.getByText(average);
   });
 
   it('is filtered, and shows all again', async () => {
@@ -96,7 +127,7 @@ describe('the log', () => {
     expect([rows().length, screen.queryByRole('dialog')]).toEqual([2, null]);
   });
 
-  it('leads back to what cannot be read, and Escape leaves it', async () => {
+  it('leads to the text that cannot be read, and Escape closes the form', async () => {
     const app = await season();
     act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
     fill('Wind m/s', 'much');
@@ -126,7 +157,7 @@ describe('the log', () => {
     expect(localStorage.getItem('sidus-timer/csv-separator')).toBe('","');
   });
 
-  it('draws of many flights those near the window alone, and counts all', async () => {
+  it('draws only those of many flights that are near the window, and counts all', async () => {
     const app = await opened();
     const many = Array.from({ length: 300 }, (_, at) => recordOf({ id: `f${at}`, at: PLAIN.at - at * 3_600_000 }));
     await app.session.library.flights.save(...many);
@@ -136,14 +167,14 @@ describe('the log', () => {
     expect(document.querySelectorAll('.flight-days > div').length, 'the others keep their place').toBe(8);
   });
 
-  it('says that it could not be read, and never that it is empty, where the browser does not give it out', async () => {
+  it('says that it cannot be read, and never that it is empty, when the browser does not give the flights', async () => {
     const app = await opened();
     await app.session.library.keepFlight(PLAIN);
     const all = app.store.flights.all.bind(app.store.flights);
     app.store.flights.all = () => Promise.reject(new Error('no'));
     const page = await drawnAgain(app);
     await toLog(page);
-    expect(screen.getByRole('alert').textContent).toContain('does not give out the flights');
+    expect(screen.getByRole('alert').textContent).toContain('cannot read the flights');
     expect(screen.queryByText('No flight is logged yet.')).toBeNull();
     app.store.flights.all = all;
     await press('Try again');
@@ -184,7 +215,7 @@ describe('after a verified write', () => {
     expect(flights(app).map(({ program, round }) => [program.times[10], round])).toEqual([[18_000, '3']]);
   });
 
-  it('offers nothing where the timer did not take it all', async () => {
+  it('offers nothing when the timer did not take every value', async () => {
     const app = await connected();
     await type('DT time', '20 s');
     await press('Write…');
@@ -201,16 +232,7 @@ describe('after a verified write', () => {
 describe('the page of a model', () => {
   it('shows its flights, and leads to all of them', async () => {
     const app = await season();
-    await app.session.library.keepModel({
-      id: 'l',
-      name: 'Lancer',
-      timerClass: 'Q',
-      note: '',
-      servos: [],
-      memoryNames: [],
-      photo: null,
-      archived: false,
-    });
+    await app.session.library.keepModel(emptyModel('l', 'Lancer', 'Q'));
     app.models.views.show('library', 'l');
     await idle();
     expect(rows()).toEqual([

@@ -15,7 +15,7 @@ beforeEach(() => {
 afterEach(() => void vi.useRealTimers());
 
 describe('the checklist', () => {
-  it('counts what is left, for the class of the timer at hand: a glider has no propeller', () => {
+  it('counts what is left, for the class of the timer: a glider has no propeller', () => {
     const list = new Checklist(timerClass);
     expect([list.items.value.includes('propeller'), list.left.value]).toEqual([true, 8]);
     timerClass.value = 'E';
@@ -25,7 +25,7 @@ describe('the checklist', () => {
     expect([list.left.value, list.begun.value]).toEqual([7, true]);
   });
 
-  it('begins afresh for the next flight, and not while it is gone through', () => {
+  it('begins afresh for the next flight, but not while the pilot works through it', () => {
     const list = new Checklist(timerClass);
     list.tick('memory', true);
     list.enter();
@@ -47,6 +47,14 @@ describe('the checklist', () => {
     expect(list.ticked.value.size).toBe(0);
   });
 
+  it('begins afresh when the clock was put back since', () => {
+    const list = new Checklist(timerClass);
+    list.tick('memory', true);
+    vi.setSystemTime(Date.now() - 3_600_000);
+    list.enter();
+    expect(list.ticked.value.size).toBe(0);
+  });
+
   it('keeps what the pilot has added, and no tick', () => {
     const list = new Checklist(timerClass);
     expect([list.add(' Tracker is on '), list.own.value]).toEqual([true, ['Tracker is on']]);
@@ -58,7 +66,7 @@ describe('the checklist', () => {
     expect([again.own.value, again.ticked.value.size, new Checklist(timerClass).own.value]).toEqual([[], 0, []]);
   });
 
-  it('takes nothing that is empty, too long, there already, or one too many', () => {
+  it('refuses an item that is empty, too long, there already, or one too many', () => {
     const list = new Checklist(timerClass);
     expect([list.add('  '), list.add('x'.repeat(121)), list.add('x'.repeat(120))]).toEqual([false, false, true]);
     expect(list.add('x'.repeat(120))).toBe(false);
@@ -66,7 +74,7 @@ describe('the checklist', () => {
     expect([list.add('one too many'), list.own.value.length]).toEqual([false, 30]);
   });
 
-  it('does not take what a pilot calls an item for one of its own', () => {
+  it('does not confuse an item of the pilot with one of the page', () => {
     const list = new Checklist(timerClass);
     list.add('memory');
     list.tick(ownKey('memory'), true);

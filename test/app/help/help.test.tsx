@@ -35,7 +35,7 @@ describe('the help', () => {
     expect(screen.getByRole('heading', { level: 2, name: 'Before the flight' })).toBeTruthy();
   });
 
-  it('opens by the key ?, but not where that is typed or a dialog asks', async () => {
+  it('opens by the key ?, but not in a text field or while a dialog is open', async () => {
     const { views } = await connected();
     const hit = (target: Element): void => {
       act(() => void fireEvent.keyDown(target, { key: '?' }));
@@ -50,7 +50,7 @@ describe('the help', () => {
     expect(views.shown.value).toBe('help');
   });
 
-  it('is told in short over the table that it is about, and leads to the rest', async () => {
+  it('is shown in short over the table that it explains, and leads to the rest', async () => {
     const { views } = await connected();
     await press('What the values are');
     const dialog = within(screen.getByRole('dialog', { name: 'What the values are' }));
@@ -61,7 +61,7 @@ describe('the help', () => {
     expect([views.shown.value, views.path.value, screen.queryByRole('dialog')]).toEqual(['help', 'words', null]);
   });
 
-  it('tells nothing of a motor where there is none', async () => {
+  it('says nothing about a motor on a class without one', async () => {
     await connected({ identity: { timerClass: 'B' } });
     await press('What the values are');
     expect(within(screen.getByRole('dialog')).queryByText('Motor stop')).toBeNull();
@@ -95,7 +95,7 @@ describe('the first steps', () => {
     expect(screen.queryByText(/^First steps, /)).toBeNull();
   });
 
-  it('are not told to who has reached a timer, or has something here', async () => {
+  it('are not shown to a pilot who has reached a timer or has kept something', async () => {
     const bench = await connected();
     await run(bench.session.timer.disconnect());
     await press('Close program');
@@ -121,7 +121,7 @@ describe('what the checklist says of the timer', () => {
     expect(known()).toBe('No timer has been read. Connect to see its memory and DT here.');
   });
 
-  it('is what flies next while it is there, and what was last read when it is not', async () => {
+  it('is what flies next while the timer is connected, and else what was last read', async () => {
     const { models, session } = await connected();
     await look(models, 'checklist');
     expect(known()).toMatch(/^M1 flies next, DT 3:00 min, read \d\d:\d\d\.$/);
@@ -130,14 +130,14 @@ describe('what the checklist says of the timer', () => {
     expect(known()).toMatch(/^M1, DT 3:00 min, as last read \d\d:\d\d\.$/);
   });
 
-  it('is what the timer holds, not what is typed, and that this is not written', async () => {
+  it('is what the timer holds, and how many changes are not in it yet', async () => {
     const { models } = await connected();
     await type('DT time', '6:00');
     await look(models, 'checklist');
-    expect(known()).toMatch(/^M1 flies next, DT 3:00 min, read \d\d:\d\d\. 1 change is not written to it\.$/);
+    expect(known()).toMatch(/^M1 flies next, DT 3:00 min, read \d\d:\d\d\. 1 change is not in the timer yet\.$/);
   });
 
-  it('is never that of a program which no timer has', async () => {
+  it('never comes from a program that is in no timer', async () => {
     const bench = await opened();
     await press('New program…');
     await press('Make the program');
@@ -150,7 +150,7 @@ describe('what the checklist says of the timer', () => {
     expect(known()).toBe('No timer has been read. Connect to see its memory and DT here.');
   });
 
-  it('is that nobody knows after a write that was cut off', async () => {
+  it('is that nobody knows, after a write was cut off', async () => {
     const { models, adapter, timer } = await connected();
     await type('DT time', '4:00');
     await press('Write…');
@@ -171,7 +171,7 @@ describe('the energy', () => {
     act(() => void fireEvent.input(screen.getByLabelText(label), { target: { value } }));
   };
 
-  it('is worked out as it is typed, by watts or volts and amperes, and says from when the rule is', async () => {
+  it('is worked out while the pilot types, from watts or from volts and amperes, with the age of the rule', async () => {
     const { models } = await opened();
     await look(models, 'energy');
     expect(screen.getByText(/told them around 2022\. Rules change: check/)).toBeTruthy();
@@ -189,16 +189,16 @@ describe('the energy', () => {
     expect(screen.getByText('960 J')).toBeTruthy();
   });
 
-  it('says what can be typed, and works nothing out of what cannot', async () => {
+  it('says which figures are possible, and gives no result for others', async () => {
     const { models } = await opened();
     await look(models, 'energy');
     fill('Power', '165');
     fill('Weight of the model', '9');
-    expect(screen.getByRole('alert').textContent).toBe('A figure from 10 g to 5000 g.');
+    expect(screen.getByRole('alert').textContent).toBe('Type a figure from 10 g to 5000 g.');
     expect(screen.getByText(/^Type the weight and the power/)).toBeTruthy();
   });
 
-  it('is compared with the motor stop on the screen, and only of a timer that has one', async () => {
+  it('is compared with the motor stop on the screen, if the class has one', async () => {
     const { models } = await connected();
     await look(models, 'energy');
     fill('Weight of the model', '480');
@@ -215,7 +215,7 @@ describe('the energy', () => {
   });
 });
 
-it('a symptom of the connection is told with the steps that the page gives when it happens', async () => {
+it('a symptom of the connection has the same steps as the page shows when it happens', async () => {
   const { models } = await opened();
   await look(models, 'trouble');
   const symptom = within(screen.getByText('The timer does not answer').closest('details') as HTMLElement);

@@ -9,6 +9,7 @@ import { Library } from '../../../src/app/session/library.js';
 import { addressAt } from '../../../src/app/shell/views.js';
 import type { FlightRecord, ModelRecord } from '../../../src/app/storage/index.js';
 import { type Flight, formatLibraryFile, LIMITS, type Model, type Setting } from '../../../src/program/index.js';
+import { LAST_DATE } from '../../../src/program/require.js';
 import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { type Counts, manyRecords } from './many.js';
 
@@ -65,7 +66,7 @@ describe('the search', () => {
 });
 
 describe('the order', () => {
-  it('is kept, among some alone, and also where two had the same place', async () => {
+  it('is kept, also when only some are sorted, and when two had the same place', async () => {
     const { session, store } = await opened();
     const { library } = session;
     await run(library.arrange(library.settings, ['setting-4', 'setting-1']));
@@ -98,7 +99,7 @@ describe('a model that is deleted', () => {
     expect(browse.byModel.value.get(null)).toBeUndefined();
   });
 
-  it('leaves a setting that came to it from another tab without a model, and in sight', async () => {
+  it('leaves a setting that another tab has moved to it without a model, but visible', async () => {
     const { session, store, browse } = await opened();
     store.models.records.delete('model-1');
     await run(session.library.refresh());
@@ -136,7 +137,7 @@ describe('two tabs', () => {
     expect(keys(other.settings.list.value)).toEqual(['setting-1']);
   });
 
-  it('do not delete what the other has changed meanwhile', async () => {
+  it('do not delete what the other tab has changed meanwhile', async () => {
     await appBench();
     const store = stored(COUNTS);
     const [one, other] = twoTabs(store);
@@ -150,6 +151,23 @@ describe('two tabs', () => {
       'typed in the other tab',
       2,
     ]);
+  });
+
+  it('do not delete what the other has changed since its clock was put back', async () => {
+    await appBench();
+    const store = stored(COUNTS);
+    const [one, other] = [new Library(store), new Library(store)];
+    await Promise.all([one.load(), other.load()]);
+    const record = other.settings.get('setting-0');
+    if (!record) throw new Error('it is gone');
+    await run(one.keepSetting(record.setting));
+    await other.refresh();
+    vi.spyOn(Date, 'now').mockReturnValue(1000);
+    onTestFinished(() => void vi.restoreAllMocks());
+    one.settings.remove('setting-0');
+    await run(other.keepSetting({ ...record.setting, note: 'typed later, by an earlier clock' }));
+    await idle();
+    expect(store.settings.records.get('setting-0')?.setting.note).toBe('typed later, by an earlier clock');
   });
 
   it('do not lose what is saved while the list is being read', async () => {
@@ -172,6 +190,51 @@ describe('two tabs', () => {
   });
 });
 
+it.each([LAST_DATE, Date.now() + 1e9])(
+  'what came with a change at %i and is changed here is the newer one',
+  async (at) => {
+    await appBench();
+    const store = stored({ models: 1, settings: 0, flights: 0 });
+    const library = new Library(store);
+    await library.load();
+    const model = library.models.list.value[0]?.model as Model;
+    await run(library.models.save({ key: model.id, model, order: 1, changedAt: at, verified: [] }));
+    const text = formatLibraryFile(
+      { models: [model], settings: [], flights: [] },
+      { writtenAt: at, writtenBy: '', facts: new Map([[model, { changedAt: at }]]) },
+    );
+    await run(library.keepModel({ ...model, note: 'typed here' }));
+    const files = new LibraryFiles({ library, storage: signal(null) });
+    await run(files.open([new File([text], 'a')]));
+    await run(files.take());
+    const next = new Library(store);
+    await run(next.load());
+    expect(next.models.list.value.map((record) => record.model.note)).toEqual(['typed here']);
+  },
+);
+
+it('a model that was just deleted, and comes back from a file, stays', async () => {
+  await appBench();
+  const store = stored({ models: 1, settings: 1, flights: 0 });
+  const library = new Library(store);
+  await library.load();
+  const { models, settings } = library;
+  const held = {
+    models: models.list.value.map(({ model }) => model),
+    settings: settings.list.value.map(({ setting }) => setting),
+    flights: [],
+  };
+  const text = formatLibraryFile(held, { writtenAt: 1, writtenBy: '' });
+  library.removeModel('model-0');
+  const files = new LibraryFiles({ library, storage: signal(null) });
+  await run(files.open([new File([text], 'a')]));
+  await run(files.take());
+  expect([keys(models.list.value), keys(settings.list.value)]).toEqual([['model-0'], ['setting-0']]);
+  await idle(20_000);
+  expect([keys(models.list.value), keys(settings.list.value)]).toEqual([['model-0'], ['setting-0']]);
+  expect([store.models.records.size, store.settings.records.size]).toEqual([1, 1]);
+});
+
 describe('what is deleted in one tab, while another one', () => {
   /** Both tabs have read a model with a setting; they hear of each other, or not. */
   async function twoModels(hear: boolean): Promise<readonly [Library, Library, MemoryStore]> {
@@ -184,21 +247,24 @@ describe('what is deleted in one tab, while another one', () => {
   const modelIn = (tab: Library) => tab.models.list.value[0]?.model as Model;
   const notesIn = (store: MemoryStore) => [...store.models.records.values()].map(({ model }) => model.note);
 
-  it.each([true, false])('changes it, is as that wants it after an undo; they hear of each other: %s', async (hear) => {
-    const [one, other, store] = await twoModels(hear);
-    one.removeModel('model-0');
-    await run(other.keepModel({ ...modelIn(other), note: 'from the other' }));
-    await idle(5000);
-    one.undoRemove();
-    await idle();
-    expect(notesIn(store)).toEqual(['from the other']);
-    await run(one.keepModel({ ...modelIn(one), memoryNames: ['fly-off'] }));
-    expect(store.models.records.get('model-0')?.model).toMatchObject({
-      note: 'from the other',
-      memoryNames: ['fly-off'],
-    });
-    expect([one.clash.value, store.settings.records.size]).toEqual([null, 1]);
-  });
+  it.each([true, false])(
+    'changes it, is after an undo as the other tab has left it; they hear of each other: %s',
+    async (hear) => {
+      const [one, other, store] = await twoModels(hear);
+      one.removeModel('model-0');
+      await run(other.keepModel({ ...modelIn(other), note: 'from the other' }));
+      await idle(5000);
+      one.undoRemove();
+      await idle();
+      expect(notesIn(store)).toEqual(['from the other']);
+      await run(one.keepModel({ ...modelIn(one), memoryNames: ['fly-off'] }));
+      expect(store.models.records.get('model-0')?.model).toMatchObject({
+        note: 'from the other',
+        memoryNames: ['fly-off'],
+      });
+      expect([one.clash.value, store.settings.records.size]).toEqual([null, 1]);
+    },
+  );
 
   it.each([
     [true, 1000],
@@ -243,7 +309,7 @@ it('a storage that did not answer at first is asked again when it does', async (
   expect([library.models.list.value.length, library.settings.list.value.length]).toEqual([2, 3]);
 });
 
-it('has an address for every place', () => {
+it('every view of the library has its address', () => {
   for (const [model, setting] of [
     ['a', null],
     ['a', 'b'],
@@ -279,7 +345,7 @@ describe('two tabs that save one thing within moments, before they hear of each 
   const settingIn = (tab: Library) => tab.settings.list.value[0]?.setting as Setting;
   const keptSetting = (store: MemoryStore) => [...store.settings.records.values()][0]?.setting;
 
-  it('keep the changes of both where these do not meet', async () => {
+  it('keep the changes of both when these concern different fields', async () => {
     const [one, other, store] = await twoTabs();
     const { note } = settingIn(one);
     const program = { ...settingIn(one).program, idleThrottle: 77 };
@@ -335,19 +401,22 @@ describe('two tabs that save one thing within moments, before they hear of each 
     for (const { key, setting } of next.settings.list.value) expect(setting.id).toBe(key);
   });
 
-  it.each(['mine', 'theirs'] as const)('are one again when the pilot comes back and chooses: %s', async (choice) => {
-    const [one, other, store] = await twoTabs();
-    await one.keepSetting({ ...settingIn(one), note: 'of the one' });
-    await other.keepSetting({ ...settingIn(other), note: 'of the other' });
-    other.keepClashes();
-    await other.refresh();
-    expect(other.settings.list.value).toHaveLength(2);
-    await other.settings.settle(choice);
-    expect([...store.settings.records.values()].map(({ setting }) => setting.note)).toEqual([
-      choice === 'mine' ? 'of the other' : 'of the one',
-    ]);
-    expect(other.settings.list.value).toHaveLength(1);
-  });
+  it.each(['mine', 'theirs'] as const)(
+    'have one version again when the pilot comes back and chooses: %s',
+    async (choice) => {
+      const [one, other, store] = await twoTabs();
+      await one.keepSetting({ ...settingIn(one), note: 'of the one' });
+      await other.keepSetting({ ...settingIn(other), note: 'of the other' });
+      other.keepClashes();
+      await other.refresh();
+      expect(other.settings.list.value).toHaveLength(2);
+      await other.settings.settle(choice);
+      expect([...store.settings.records.values()].map(({ setting }) => setting.note)).toEqual([
+        choice === 'mine' ? 'of the other' : 'of the one',
+      ]);
+      expect(other.settings.list.value).toHaveLength(1);
+    },
+  );
 
   it('lose nothing of several changes that follow each other', async () => {
     const [one, other, store] = await twoTabs();
@@ -360,7 +429,7 @@ describe('two tabs that save one thing within moments, before they hear of each 
     expect([keptSetting(store)?.note, other.clash.value]).toEqual(['later', null]);
   });
 
-  it('also a model and a flight; what was deleted in one and changed in the other is there', async () => {
+  it('also merge a model and a flight; what one deletes and the other changes is kept', async () => {
     const [one, other, store] = await twoTabs();
     const modelOf = (tab: Library) => tab.models.list.value[0]?.model as Model;
     const flightOf = (tab: Library) => tab.flights.list.value[0]?.flight as Flight;
@@ -376,7 +445,7 @@ describe('two tabs that save one thing within moments, before they hear of each 
     expect(keptSetting(store)?.note).toBe('still wanted');
   });
 
-  it('do not delete what the other has changed since, though nobody has told of it', async () => {
+  it('do not delete what the other has changed since then, also without a message from it', async () => {
     vi.useFakeTimers();
     onTestFinished(() => void vi.useRealTimers());
     const [one, other, store] = await twoTabs();
@@ -391,7 +460,7 @@ describe('two tabs that save one thing within moments, before they hear of each 
     expect(keptSetting(store)).toBeUndefined();
   });
 
-  it('also where the one was not kept at first', async () => {
+  it('also merge when one of them was not stored at first', async () => {
     const [one, other, store] = await twoTabs();
     store.broken = true;
     await other.keepSetting({ ...settingIn(other), note: 'while it was full' });
@@ -407,7 +476,7 @@ describe('two tabs that save one thing within moments, before they hear of each 
   });
 });
 
-it('takes tags as they are typed, each once, and no more than are kept', () => {
+it('accepts tags as they are typed, each once, and no more than can be kept', () => {
   expect(asTags(' calm , fly-off,, calm,')).toEqual(['calm', 'fly-off']);
   expect(asTags(Array.from({ length: 50 }, (_, at) => `tag ${at}`).join(','))).toHaveLength(LIMITS.tags);
   expect(asTags('x'.repeat(99))[0]).toHaveLength(LIMITS.tag);

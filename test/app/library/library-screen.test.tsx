@@ -47,16 +47,16 @@ it.each(['', 'model-0', 'model-0/setting-0'])(
     const app = await opened({ store });
     app.models.views.show('library', path);
     await idle();
-    screen.getByText('This browser does not give out the models and settings that it may keep.');
+    screen.getByText('The browser cannot read the models and settings that it may have kept.');
     expect(screen.queryByText(/No model yet|A model holds|not in the library any more/)).toBeNull();
     [store.models.all, store.settings.all] = all;
     await press('Try again');
-    expect(screen.queryByText(/does not give out/)).toBeNull();
+    expect(screen.queryByText(/cannot read the models/)).toBeNull();
     expect(screen.getAllByText(/Lancer 01|fly-off 0/).length).toBeGreaterThan(0);
   },
 );
 
-it('opens without the flights, and reads each list once, however often one comes back', async () => {
+it('opens without the flights, and reads each list once, however often it is opened', async () => {
   const store = new MemoryStore();
   const { models, settings } = manyRecords({ models: 2, settings: 4, flights: 0 });
   for (const each of models) store.models.records.set(each.key, each);
@@ -76,7 +76,7 @@ it('a note is kept a moment after the last key, without leaving its field', asyn
   expect(app.store.settings.records.get('setting-0')?.setting.note).toBe('opens well');
 });
 
-it('a note that is being typed is kept when its page is left', async () => {
+it('a note is kept when the pilot leaves its page while typing', async () => {
   const app = await at('model-0/setting-0');
   await write('Note', 'opens well');
   app.models.views.show('program');
@@ -94,7 +94,7 @@ it('a name cannot become empty', async () => {
   expect([input('Name').value, app.store.settings.records.get('setting-0')?.setting.name]).toEqual([before, before]);
 });
 
-it('what another tab has saved in the same field is told and can be taken; other fields follow', async () => {
+it('a text saved by another tab in the same field is shown and can be taken; other fields follow', async () => {
   const app = await at('model-0/setting-0');
   const record = app.store.settings.records.get('setting-0');
   if (!record) throw new Error('it is gone');
@@ -104,7 +104,7 @@ it('what another tab has saved in the same field is told and can be taken; other
   await run(app.session.library.refresh());
   await idle();
   expect([input('Note').value, input('Tags').value]).toEqual(['mine', 'new tag']);
-  expect(screen.getByText(/Another tab has saved here meanwhile: “theirs”/)).toBeTruthy();
+  expect(screen.getByText(/Another tab has saved something else here: “theirs”/)).toBeTruthy();
   fireEvent.blur(input('Note'));
   await press('Take that');
   expect([input('Note').value, app.store.settings.records.get('setting-0')?.setting.note]).toEqual([
@@ -113,7 +113,24 @@ it('what another tab has saved in the same field is told and can be taken; other
   ]);
 });
 
-it('the strip says which setting is open and what of it is not saved', async () => {
+it.each([
+  ['Name', 'Lancer ', 'Lancer 07'],
+  ['Name', 'Lancer\u202e', 'Lancer\u202e 07'],
+  ['Tags', 'calm,', 'calm,windy'],
+])('what is typed into “%s” after a pause is nothing that another tab has saved: %j', async (field, first, then) => {
+  const app = await at('model-0/setting-0');
+  await write(field, first);
+  await idle();
+  await write(field, then);
+  await idle();
+  expect(screen.queryByText(/Another tab/)).toBeNull();
+  expect(input(field).value).toBe(then);
+  const { name, tags } = app.store.settings.records.get('setting-0')?.setting ?? {};
+  if (field === 'Name') expect(name).toBe('Lancer 07');
+  else expect(tags).toEqual(['calm', 'windy']);
+});
+
+it('the strip says which setting is open, and how many changes are not saved', async () => {
   await at('model-0/setting-0');
   await press('Open');
   expect(screen.getByText('Lancer 01, fly-off 0: saved')).toBeTruthy();
@@ -140,7 +157,7 @@ it('a program is saved under a model that is made with it', async () => {
   expect([model?.model.timerClass, made?.setting.model]).toEqual(['Q', model?.key]);
 });
 
-it('what the browser did not take is marked, and only that', async () => {
+it('only what the browser did not store is marked', async () => {
   const app = await at('');
   app.store.broken = true;
   await press('New model…');

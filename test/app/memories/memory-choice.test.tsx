@@ -20,7 +20,7 @@ const said = () => screen.getAllByRole('alert').map(({ textContent }) => textCon
 const dialog = () => within(screen.getByRole('dialog', { name: 'Before you disconnect' }));
 
 describe('the memories', () => {
-  it('are only looked at by a tap: the one that flies next says so, and nothing is sent', async () => {
+  it('are only shown by a tap: the one that flies next is marked, and nothing is sent', async () => {
     const { timer } = await connected();
     const asked = timer.core.answered.length;
     expect(choices()).toEqual(['* M1, flies next', 'M2', 'M3', 'M4']);
@@ -64,7 +64,7 @@ describe('the memories', () => {
     expect(document.activeElement).toBe(look);
   });
 
-  it('let nothing be typed into the one that is left while another is read', async () => {
+  it('take no typing into the old one while another is read', async () => {
     const { session } = await connected();
     const parts = [field('DT'), field('Function 2, S1'), screen.getByRole('group', { name: /^Servo positions/ })];
     const isShut = () => parts.map((part) => part.closest('[inert]') !== null);
@@ -76,7 +76,7 @@ describe('the memories', () => {
     expect(isShut()).toEqual([false, false, false]);
   });
 
-  it('fly next when they are made to, and the page says so until the one of the time of connect does', async () => {
+  it('fly next when they are made to, and the page says so until the first one flies next again', async () => {
     const { timer } = await connected();
     await type('DT time', '5:00');
     await fly('M3');
@@ -89,7 +89,7 @@ describe('the memories', () => {
     expect(field('DT time').value, 'its edits are kept').toBe('5:00');
   });
 
-  it('show none while it is open whether the other was selected, then the one that is current', async () => {
+  it('show none while it is not known whether the selection worked, then the current one', async () => {
     const { timer } = await connected();
     await lookAt('M3');
     timer.core.sleep();
@@ -106,7 +106,7 @@ describe('the memories', () => {
     expect(screen.queryByRole('alert')).toBeNull();
   });
 
-  it('can be chosen again, the one before too, after a failure that leaves open which is current', async () => {
+  it('can all be chosen again after a failure that leaves the current one unknown', async () => {
     const { timer, session } = await connected();
     session.nextFlight.doubt();
     await idle(0);
@@ -117,7 +117,7 @@ describe('the memories', () => {
     expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
   });
 
-  it('say when the timer does not tell which it is, and that none can be looked at then', async () => {
+  it('say when the timer does not tell the current one, and that none can be looked at then', async () => {
     const { timer } = await connected({ quirks: { memoryReplyEmpty: true } });
     expect(screen.getByText(/^This timer does not say which memory is current/)).toBeTruthy();
     expect(choices()).toEqual(['M1', 'M2', 'M3', 'M4']);
@@ -130,7 +130,7 @@ describe('the memories', () => {
     ]);
   });
 
-  it('are uncertain in words since a write into one was cut off', async () => {
+  it('say that they are uncertain after a write into one was cut off', async () => {
     const { session } = await connected();
     const before = { ...(session.editor.baseline.value as TimerProgram), memory: 2 };
     const times = before.times.map((time, slot) => (slot === 10 ? 36_000 : time));
@@ -147,7 +147,7 @@ describe('the memories', () => {
 });
 
 describe('a look that cannot go back', () => {
-  it('is said at once, loudly, with the way back', async () => {
+  it('is reported at once, with the way back', async () => {
     const app = await connected();
     await lookAt('M3');
     let away = 0;
@@ -172,7 +172,7 @@ describe('a look that cannot go back', () => {
 });
 
 describe('Disconnect', () => {
-  it('asks nothing while the memory of the time of connect flies next', async () => {
+  it('asks nothing while the memory from the connection flies next', async () => {
     const app = await connected();
     await lookAt('M3');
     await press('Look at M3');
@@ -180,7 +180,7 @@ describe('Disconnect', () => {
     expect([app.session.link.state.value.status, screen.queryByRole('dialog')]).toEqual(['off', null]);
   });
 
-  it('repeats that another memory will fly next, and goes back to the first when it is told to', async () => {
+  it('repeats that another memory will fly next, and goes back to the first on a click', async () => {
     const app = await connected();
     await fly('M3');
     await press('Disconnect');
@@ -213,7 +213,7 @@ describe('Disconnect', () => {
     await press('Disconnect');
     app.timer.core.sleep();
     await press('Back to M1 and disconnect');
-    expect(dialog().getByRole('alert').textContent).toContain('Going back to M1 did not work.');
+    expect(dialog().getByRole('alert').textContent).toContain('The timer did not go back to M1.');
     expect(dialog().getByRole('status').textContent).toContain('It is not known which memory flies next.');
     app.timer.core.press();
     await idle();
@@ -222,7 +222,7 @@ describe('Disconnect', () => {
     expect([app.session.link.state.value.status, app.timer.core.memory]).toEqual(['off', 0]);
   });
 
-  it('in the middle of a look lets it come back before the port is closed', async () => {
+  it('during a look goes back first and closes the port then', async () => {
     const app = await connected();
     await lookAt('M3');
     app.timer.core.onAnswer = ({ name }) => {
@@ -232,7 +232,7 @@ describe('Disconnect', () => {
     expect([app.session.link.state.value.status, app.timer.core.memory, selected(app)]).toEqual(['off', 0, [2, 0]]);
   });
 
-  it('of a timer that does not say which memory is current says that it is not known, once one was selected', async () => {
+  it('says after a selection that the current memory is not known, if the timer does not say it', async () => {
     const app = await connected({ quirks: { memoryReplyEmpty: true } });
     await fly('M2');
     await press('Disconnect');

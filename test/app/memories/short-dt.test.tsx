@@ -1,7 +1,7 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { type AppBench, appBench, idle, reloaded, run } from '../bench/bench.js';
-import { button, connected, drawn, fly, goTo, press, type } from '../screen.js';
+import { button, connected, drawn, fly, goTo, late, press, type } from '../screen.js';
 
 beforeEach(() => localStorage.clear());
 
@@ -65,7 +65,7 @@ describe('with a short DT in the timer', () => {
     expect([status(app), app.timer.core.content.times[10]]).toEqual(['off', 2000]);
   });
 
-  it('is remembered by memory, through a reload', async () => {
+  it('is remembered for each memory, through a reload', async () => {
     const first = await connected();
     await writeDt(first, '4:00');
     await writeDt(first, '20 s');
@@ -78,7 +78,7 @@ describe('with a short DT in the timer', () => {
     expect(app.session.shortDt.held.value?.back, 'what was long is short by now').toBe(30_000);
   });
 
-  it('is put back to what a round of the class needs, where no long one was seen', async () => {
+  it('is put back to the DT of a round of the class when no long one was seen', async () => {
     for (const [timerClass, back] of [
       ['Q', 18_000],
       ['B', 18_000],
@@ -94,7 +94,7 @@ describe('with a short DT in the timer', () => {
     }
   });
 
-  it('asks in the one dialog about another memory, and about the other one when it is back', async () => {
+  it('asks in one dialog about another memory too, and about the first one when it is back', async () => {
     const app = await connected();
     const [first, , third] = app.timer.core.memories;
     await writeDt(app, '20 s');
@@ -125,7 +125,7 @@ describe('with a short DT in the timer', () => {
     expect([status(app), first?.times[10]]).toEqual(['off', 2000]);
   });
 
-  it('says nothing of what is merely in the editor', async () => {
+  it('says nothing about a DT that is only typed', async () => {
     const app = await connected();
     await type('DT time', '20 s');
     expect(app.session.shortDt.held.value, 'not written').toBeNull();
@@ -133,7 +133,7 @@ describe('with a short DT in the timer', () => {
     expect(status(app)).toBe('off');
   });
 
-  it('says nothing while it is open how this timer writes its times', async () => {
+  it('says nothing while it is not known how this timer writes its times', async () => {
     const { session, timer } = await appBench({ quirks: { bigEndianTimes: true } });
     for (const memory of timer.core.memories) memory.times[10] = 0x1700;
     await run(session.timer.connect());
@@ -142,7 +142,7 @@ describe('with a short DT in the timer', () => {
     expect([session.byteOrderOpen.value, session.shortDt.held.value?.dt]).toEqual([false, 0x1700]);
   });
 
-  it('cannot be put back while something stands in the way of a write, and says so', async () => {
+  it('cannot be put back while something blocks the write, and says so', async () => {
     const app = await connected();
     await writeDt(app, '20 s');
     await type('Function 2, S1', 'abc');
@@ -153,7 +153,7 @@ describe('with a short DT in the timer', () => {
     expect(status(app)).toBe('off');
   });
 
-  it('holds nobody while bytes are written', async () => {
+  it('does not delay anybody while bytes are written', async () => {
     const app = await connected();
     await writeDt(app, '20 s');
     await type('DT time', '3:00');
@@ -179,7 +179,7 @@ describe('the limit of a short DT', () => {
     const limit = () => screen.getByRole<HTMLInputElement>('textbox', { name: /^A DT is short below/ });
     const say = async (text: string): Promise<void> => {
       fireEvent.change(limit(), { target: { value: text } });
-      await idle(0);
+      await late();
     };
     expect([limit().value, figure()]).toEqual(['60', 'strip-figure ']);
     await say('3:30');

@@ -94,7 +94,7 @@ describe('what a frame says', () => {
     expect(describeFrame(came({ name: 'GETTIMERS', times }), { identity: B536 })).toContain('DT 3:00, reserved 10.00,');
   });
 
-  it('follows what is known of the timer', () => {
+  it('depends on what is known of the timer', () => {
     const entry = sent({ name: 'SETSERVO', function: 1, servo: 2, position: 70 });
     expect(describeFrame(entry, { identity: Q, quirks: { servoFirst: true } })).toBe('Function 2, S2: 70 steps');
   });
@@ -107,7 +107,7 @@ describe('what a frame says', () => {
     ],
     ['a position', sent({ name: 'SETSERVO', function: 4, servo: 1, position: 70 })],
     ['a function', sent({ name: 'MOVETOFUNC', function: 4 })],
-  ])('says so where the timer has not yet said what it is: %s', (_, entry) => {
+  ])('says when the timer has not yet said what it is: %s', (_, entry) => {
     expect(describeFrame(entry, {})).toBe(
       'Cannot be read: the timer has not yet said how many functions and servos it has.',
     );

@@ -26,7 +26,7 @@ const rowsOf = (sheet: HTMLElement) =>
 const choose = (name: RegExp) => act(() => void fireEvent.click(screen.getByRole('checkbox', { name })));
 
 describe('the print view', () => {
-  it('shows the program on the screen with every row, and how it stands to the timer', async () => {
+  it('shows the program on the screen with every row, and whether it is in the timer', async () => {
     await connected();
     await type('DT time', '2:30');
     await goTo('print');
@@ -56,19 +56,19 @@ describe('the print view', () => {
       'Lancer 07',
     ]);
     expect(sheets()[0]?.textContent).toMatch(/Read from the timer \d+ Nov 2026/);
-    choose(/^No model\s· found$/);
-    choose(/^Lancer 07\s· wind$/);
+    choose(/^No\smodel\s· found$/);
+    choose(/^Lancer\s07\s· wind$/);
     expect(sheets().map((sheet) => sheet.querySelector('.leaf-name')?.textContent)).toEqual([
       'calm morning',
       'found',
       'wind',
     ]);
-    await press('Take all off');
+    await press('Remove all');
     expect(screen.getByText(/Nothing is chosen/)).toBeTruthy();
     expect(screen.getByRole<HTMLButtonElement>('button', { name: /^Print/ }).disabled).toBe(true);
   });
 
-  it('puts two on a sheet of paper, leaves out what is not wanted, and remembers both', async () => {
+  it('prints two on a page, leaves out unwanted parts, and remembers both choices', async () => {
     const bench = await withLibrary();
     bench.printOrder.choose(['calm-morning', 'wind', 'found']);
     await goTo('print');
@@ -92,7 +92,7 @@ describe('the print view', () => {
     expect(said()).not.toMatch(/Flights/);
   });
 
-  it('says what is not there any more, and that no print window came', async () => {
+  it('says what is missing, and that the print window did not open', async () => {
     const bench = await withLibrary();
     bench.printOrder.choose(['calm-morning', 'gone']);
     vi.stubGlobal('print', () => {
@@ -106,7 +106,7 @@ describe('the print view', () => {
     vi.unstubAllGlobals();
   });
 
-  it('sets a hundred sheets at a time, and says how many are left', async () => {
+  it('prints at most a hundred sheets, and says how many are left', async () => {
     const bench = await opened();
     const keys = Array.from({ length: 102 }, (_, at) => `setting-${at}`);
     for (const id of keys) await bench.session.library.keepSetting({ ...SETTING, id, model: null });
@@ -117,7 +117,7 @@ describe('the print view', () => {
     expect(screen.getByText(/^2 settings are not on this print/)).toBeTruthy();
   });
 
-  it('a setting that another tab has changed is printed as it is now', async () => {
+  it('prints a setting as another tab has changed it', async () => {
     const bench = await withLibrary();
     bench.printOrder.choose(['wind']);
     await goTo('print');

@@ -1,7 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { idle } from '../bench/bench.js';
-import { button, connected, field, press, table, type } from '../screen.js';
+import { button, connected, field, late, press, table, type } from '../screen.js';
 
 /** The names of the rows, as they stand. */
 const rows = (): (string | null)[] =>
@@ -27,14 +27,14 @@ describe('the motor stop of a Q', () => {
     ['14.51', 'Function 9'],
     ['2:59', 'Function 9'],
     ['3:00.01', 'DT'],
-  ])('of %s stands after the row of %s: what comes at its very time follows it', async (time, row) => {
+  ])('of %s stands after the row of %s: a function at the same time comes after it', async (time, row) => {
     await connected();
     await type('Motor stop time', time);
     expect(motorAfter()).toBe(row);
     expect(rows().filter((name) => name === 'Motor stop')).toHaveLength(1);
   });
 
-  it('is no time of the start: that is 0', async () => {
+  it('is not the time of the start, which is 0', async () => {
     await connected();
     const start = within(table().getByRole('row', { name: /^Start/ }));
     expect(start.getByText('0').closest('td')?.className).toContain('time');
@@ -47,7 +47,7 @@ describe('the motor stop of a Q', () => {
     expect(field('Start time').readOnly).toBe(true);
   });
 
-  it('stays where it is while a time is typed, and moves when that is left', async () => {
+  it('stays at its place while a time is typed, and moves when the field is left', async () => {
     await connected();
     field('Motor stop time').focus();
     for (const text of ['1', '12', '12.2', '12.25']) put('Motor stop time', text);
@@ -65,7 +65,7 @@ describe('the motor stop of a Q', () => {
     expect(motorAfter()).toBe('Start');
   });
 
-  it('moves at once for what is done elsewhere', async () => {
+  it('moves at once when a time changes elsewhere', async () => {
     const { editor } = await connected();
     editor.type({ kind: 'time', slot: 0 }, '11.2');
     await idle();
@@ -86,7 +86,7 @@ describe('the motor stop of a Q', () => {
 describe('the tools of a row', () => {
   const times = (...names: string[]): string[] => names.map((name) => field(`${name} time`).value);
 
-  it('shift what follows the motor stop along with it, again and again, and say how far', async () => {
+  it('shift everything after the motor stop with it, again and again, and say how far', async () => {
     await connected();
     await type('Motor stop time', '12.25');
     await press('Tools for Motor stop');
@@ -106,7 +106,7 @@ describe('the tools of a row', () => {
     expect(panel.getByRole('status').textContent).toBe('');
   });
 
-  it('shift by a step with one press, and say how far when one is taken back', async () => {
+  it('shift by a step with one press, and say how far after an undo', async () => {
     const { editor } = await connected();
     await press('Tools for Motor stop');
     await press('+0.3 s');
@@ -125,7 +125,7 @@ describe('the tools of a row', () => {
     expect(editor.dirty.value).toBe(false);
   });
 
-  it('stay open, and the focus in them, when the motor stop passes a function', async () => {
+  it('stay open and keep the focus when the motor stop passes a function', async () => {
     await connected();
     await type('Motor stop time', '12.25');
     await press('Tools for Motor stop');
@@ -160,7 +160,7 @@ describe('the tools of a row', () => {
     ['DT time', 'DT'],
     ['Start, S1', 'Motor stop'],
     ['Motor stop time', 'Motor stop'],
-  ])('are opened by Shift… for the row in hand: at %s those of %s', async (name, row) => {
+  ])('are opened by Shift… for the selected row: at %s those of %s', async (name, row) => {
     await connected();
     field(name).focus();
     await press('Shift…');
@@ -168,13 +168,13 @@ describe('the tools of a row', () => {
     expect(panel?.closest('tr')?.querySelector('.row-name')?.textContent).toBe(row);
   });
 
-  it('are opened by Shift… where no row is in hand: at the motor stop, and where there is none at function 1', async () => {
+  it('are opened by Shift… without a selected row: at the motor stop, and without one at function 1', async () => {
     await connected({ identity: { timerClass: 'B' } });
     await press('Shift…');
     expect(screen.getByRole('form', { name: 'Function 1 and all after' })).toBeTruthy();
   });
 
-  it('keep their setting from row to row, and give way to a press elsewhere', async () => {
+  it('keep their setting from row to row, and close with a press elsewhere', async () => {
     await connected();
     await press('Tools for Function 2');
     put('By, in seconds', '2');
@@ -193,7 +193,7 @@ describe('the tools of a row', () => {
     expect(times('Function 9', 'DT')).toEqual(['14.50', '3:00.10']);
   });
 
-  it('are none at a start where nothing differs', async () => {
+  it('do not exist at a start where nothing differs', async () => {
     await connected();
     expect(screen.queryByRole('button', { name: 'Tools for Start' })).toBeNull();
     await type('Start, S1', '16');
@@ -205,7 +205,7 @@ describe('the tools of a row', () => {
 });
 
 describe('the old value in a cell', () => {
-  it('is struck through beside the new one, and puts it back where the focus is', async () => {
+  it('is struck through beside the new one, and a click on it puts it back in the field with the focus', async () => {
     await connected();
     await type('Function 2, S1', '70');
     const cell = field('Function 2, S1').closest('td') as HTMLElement;
@@ -216,6 +216,7 @@ describe('the old value in a cell', () => {
     fireEvent.click(within(cell).getByRole('button', { name: 'Put back Function 2, S1' }));
     await idle();
     expect([field('Function 2, S1').value, document.activeElement]).toEqual(['35', field('Function 2, S1')]);
+    await late();
     expect(cell.querySelector('s')).toBeNull();
   });
 });

@@ -2,7 +2,7 @@ import { act, fireEvent } from '@testing-library/preact';
 import { options, type VNode } from 'preact';
 import { afterEach, expect, it } from 'vitest';
 import { idle } from '../bench/bench.js';
-import { connected, field } from '../screen.js';
+import { connected, field, late } from '../screen.js';
 
 /** Preact tells its tools by this option of each component that it draws. */
 const hooks = options as { __r?: ((vnode: VNode) => void) | undefined };
@@ -24,7 +24,7 @@ function drawnBy(name: string, text: string): Record<string, number> {
     if (/^[A-Z]/.test(name)) drawn[name] = (drawn[name] ?? 0) + 1;
     before?.(vnode);
   };
-  // The timeline and the checks come a frame later, and are not waited for.
+  // The timeline, the checks, the strip and the commands come a frame later, and are not waited for.
   act(() => type(name, text));
   hooks.__r = before;
   return drawn;
@@ -35,29 +35,27 @@ it.each([
   ['a position', 'Function 4, S2', '7', '75', { ValueField: 1 }],
   ['a time', 'Function 4 time', '12.3', '12.4', { ValueField: 1, IntervalField: 2 }],
   ['a time with nothing behind its point', 'Function 4 time', '12', '12.', { ValueField: 1 }],
-  ['DT', 'DT', '4:0', '4:01', { ValueField: 2, IntervalField: 1, DtPresets: 1, Figure: 1 }],
+  ['DT', 'DT', '4:0', '4:01', { ValueField: 2, IntervalField: 1 }],
+  ['a value that differs for the first time', 'Function 4, S2', '55', '56', { ValueField: 1 }],
   ['a text that is no value', 'Function 4, S2', '7x', '7xy', { ValueField: 1 }],
-  [
-    'the first letter that is none',
-    'Function 4, S2',
-    '7',
-    '7x',
-    {
-      ValueField: 1,
-      ProgramRow: 1,
-      RowMenu: 1,
-      RowNotes: 1,
-      ProgramExits: 1,
-      BlockedNote: 1,
-      KnownLine: 1,
-      WriteButton: 1,
-    },
-  ],
+  ['the first letter that is none', 'Function 4, S2', '7', '7x', { ValueField: 1, RowNotes: 1 }],
   ['an interval, which moves five times', 'Function 4 interval', '1.5', '1.6', { ValueField: 6, IntervalField: 2 }],
-])('a digit of %s draws what says something else, and nothing more', async (_, name, first, text, drawn) => {
+])('a digit typed in %s draws only what changes', async (_, name, first, text, drawn) => {
   await connected();
   field(name).focus();
   type(name, first);
   await idle();
+  await late();
   expect(drawnBy(name, text)).toEqual(drawn);
+});
+
+it('a digit draws first what was typed and its colour, then the old value and the notes', async () => {
+  await connected();
+  field('Function 4, S2').focus();
+  act(() => type('Function 4, S2', '99'));
+  const cell = field('Function 4, S2').closest('.value') as HTMLElement;
+  expect([field('Function 4, S2').value, cell.classList.contains('changed')]).toEqual(['99', true]);
+  expect(cell.children, 'the page is not laid out again').toHaveLength(1);
+  await late();
+  expect(cell.querySelector('s')?.textContent).toBe('55');
 });

@@ -1,7 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
-import { appBench, idle, MemoryStore } from '../bench/bench.js';
+import { type AppBench, appBench, idle, MemoryStore } from '../bench/bench.js';
 import { button, connected, field, goTo, opened, press, table, type } from '../screen.js';
 
 /** What is said about a field to someone who cannot see it. */
@@ -11,7 +11,7 @@ function described(name: string): string {
 }
 
 describe('the start', () => {
-  it('offers Connect, a new program and the simulated timers, and neither line nor settings', async () => {
+  it('offers Connect, a new program and the simulated timers, but not the line or the settings', async () => {
     await opened();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
       'Connect',
@@ -25,7 +25,7 @@ describe('the start', () => {
     expect(screen.queryByRole('navigation')).toBeNull();
   });
 
-  it('says which browsers can, where this one cannot, and still offers the simulated timers', async () => {
+  it('says which browsers work when this one does not, and still offers the simulated timers', async () => {
     await opened({ webSerial: false });
     expect(screen.getByText('This browser cannot reach a timer.')).toBeTruthy();
     expect(screen.queryByRole('button', { name: 'Connect' })).toBeNull();
@@ -34,15 +34,18 @@ describe('the start', () => {
   });
 
   it('says that nothing was chosen, until that is dismissed', async () => {
-    const { serial } = await opened();
+    const { serial, port } = await opened();
     serial.choose(null);
     await press('Connect');
     expect(screen.getByText('No port was chosen.')).toBeTruthy();
     await press('Dismiss');
     expect(screen.queryByText('No port was chosen.')).toBeNull();
+    serial.choose(port);
+    await press('Connect');
+    expect(field('DT time').value).toBe('3:00');
   });
 
-  it('says that it waits for a timer that does not answer, and shows it once its switch is pressed', async () => {
+  it('says that it waits for a timer that does not answer, and shows the timer once its switch is pressed', async () => {
     const { timer } = await opened({ plug: { granted: true } });
     timer.core.sleep();
     await press('Connect');
@@ -66,7 +69,7 @@ describe('the start', () => {
     expect(field('DT time').value).toBe('3:00');
   });
 
-  it('does not say that another program holds a port while it is tried again, nor when the adapter has failed', async () => {
+  it('does not say that another program holds the port while it tries again, or when the adapter has failed', async () => {
     const { port } = await opened();
     port.open = () => Promise.reject(new DOMException('The device is broken.', 'UnknownError'));
     fireEvent.click(button('Connect'));
@@ -157,7 +160,7 @@ describe('the table', () => {
     expect(document.activeElement).toBe(field(name));
   });
 
-  it('leads from Write to the first field in the way, to the next when that is right, and then to the difference', async () => {
+  it('leads from Write to the first field that blocks it, then to the next, and at last to the difference', async () => {
     const { write } = await connected();
     await type('Function 2, S1', '131');
     await type('DT', '2.30');
@@ -198,7 +201,7 @@ describe('the table', () => {
     expect(button('Write…').disabled).toBe(false);
   });
 
-  it('puts everything back with Undo all, which is there only when there is something', async () => {
+  it('puts everything back with Undo all, which is shown only when there is something to undo', async () => {
     await connected();
     expect(screen.queryByRole('button', { name: 'Undo all' })).toBeNull();
     await type('DT time', 'soon');
@@ -228,7 +231,7 @@ describe('moving through the table', () => {
     expect(document.activeElement).not.toBe(field('Function 3, S2'));
   });
 
-  it('passes over notes between the rows, and stays at the ends', async () => {
+  it('skips notes between the rows, and stops at the ends', async () => {
     await connected();
     await type('Function 2, S2', '131');
     field('Function 2, S2').focus();
@@ -272,7 +275,7 @@ describe('the large figures', () => {
 });
 
 describe('writing', () => {
-  it('shows the difference, wants the safety, and says verified', async () => {
+  it('shows the difference, asks for the safety, and says verified', async () => {
     const { timer } = await connected();
     await type('DT time', '4:00');
     await type('Function 2, S1', '7');
@@ -289,7 +292,7 @@ describe('writing', () => {
     await press('Write 2 changes');
     const said = dialog.getByRole('alert').textContent;
     expect(said).toContain('Verified.');
-    expect(said).toMatch(/M1 verified \d\d:\d\d\s· DT 4:00 min\s· motor stop 10\.0 s\s· 2 changes/);
+    expect(said).toMatch(/M1\sverified\s\d\d:\d\d\s· DT\s4:00\smin\s· motor\sstop\s10\.0\ss\s· 2\schanges/);
     expect([timer.core.content.times[10], timer.core.content.positions[0]?.[2]]).toEqual([24000, 7]);
     const shining = () =>
       [...document.querySelectorAll('td .confirmed input')].map((input) => input.getAttribute('aria-label'));
@@ -313,7 +316,7 @@ describe('writing', () => {
     expect(dialog.contains(document.activeElement)).toBe(true);
   });
 
-  it('wants what is serious acknowledged', async () => {
+  it('asks for a tick when something is serious', async () => {
     await connected();
     await type('Motor stop', '4:00');
     await press('Write…');
@@ -326,7 +329,7 @@ describe('writing', () => {
     expect(button('Write 1 change').disabled).toBe(false);
   });
 
-  it('shows what the timer holds where it did not take a value', async () => {
+  it('shows what the timer holds when it did not take a value', async () => {
     await connected({ quirks: { servoNeedsMove: true } });
     await type('Function 2, S1', '7');
     await press('Write…');
@@ -364,7 +367,7 @@ describe('writing', () => {
     expect(move(), 'no position is among the changes').toBeNull();
   });
 
-  it('is cancelled without a trace', async () => {
+  it('can be cancelled without a trace', async () => {
     const { timer } = await connected();
     await type('DT time', '4:00');
     const { times } = timer.core.content;
@@ -378,7 +381,7 @@ describe('writing', () => {
 });
 
 describe('the line', () => {
-  it('is a view of its own, and keeps what was chosen in it', async () => {
+  it('is a separate view, and keeps what was chosen in it', async () => {
     await connected();
     await goTo('line');
     fireEvent.input(screen.getByRole('searchbox'), { target: { value: 'GETSERVO' } });
@@ -405,23 +408,35 @@ describe('the line', () => {
 });
 
 describe('after a loss', () => {
-  it('says that it is unplugged, the edits stay, and it comes back by itself', async () => {
-    const { adapter } = await connected();
-    await type('DT time', '4:00');
-    adapter.unplug();
-    await idle();
-    expect(screen.getByText('The adapter is unplugged.')).toBeTruthy();
-    expect([button('Write…').disabled, button('Read again').disabled]).toEqual([true, true]);
-    expect(field('DT time').value).toBe('4:00');
-    adapter.replug();
-    await idle();
-    expect(screen.queryByText('The adapter is unplugged.')).toBeNull();
-    expect(screen.getByText('The timer is back.')).toBeTruthy();
-    expect(button('Write…').disabled).toBe(false);
-    expect(field('DT time').value).toBe('4:00');
-  });
+  it.each<[how: string, back: (adapter: AppBench['adapter']) => void]>([
+    ['another port, as a wired one does', (adapter) => adapter.replug()],
+    ['the same port, as one of Bluetooth does', (adapter) => adapter.replug({ samePort: true })],
+    ['a port that the browser does not recognise', (adapter) => adapter.returnAsNew()],
+  ])(
+    'says that the adapter is unplugged, keeps the edits, and connects again when it comes back as %s',
+    async (_, back) => {
+      const { adapter, timer } = await connected({ plug: { granted: true } });
+      await type('DT time', '4:00');
+      adapter.unplug();
+      await idle();
+      expect(screen.getByText('The adapter is unplugged.')).toBeTruthy();
+      expect([button('Write…').disabled, button('Read again').disabled]).toEqual([true, true]);
+      expect(field('DT time').value).toBe('4:00');
+      back(adapter);
+      await idle();
+      expect(screen.queryByText('The adapter is unplugged.')).toBeNull();
+      expect(screen.getByText('The timer is back.')).toBeTruthy();
+      expect(button('Write…').disabled).toBe(false);
+      expect(field('DT time').value).toBe('4:00');
+      await press('Write…');
+      fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+      await press('Write 1 change');
+      expect(within(screen.getByRole('dialog')).getByRole('alert').textContent).toContain('Verified.');
+      expect(timer.core.content.times[10]).toBe(24000);
+    },
+  );
 
-  it('says only that the connection was lost while the plug may be in, and tries again by itself', async () => {
+  it('says only that the connection was lost while the adapter may still be plugged in, and tries again', async () => {
     const { adapter, port } = await connected();
     port.device.error('lost');
     await idle(100);
@@ -440,7 +455,7 @@ describe('after a loss', () => {
 });
 
 describe('without Web Serial', () => {
-  it('edits of the simulated timer that are back after a reload can be written to it', async () => {
+  it('edits of the simulated timer can be written to it after a reload', async () => {
     const store = new MemoryStore();
     const before = await appBench({ store, webSerial: false });
     const trying = before.session.timer.trySimulated('Q');

@@ -71,7 +71,7 @@ describe('stepping', () => {
     },
   );
 
-  it('by a swipe leaves the caret where it was, and takes a pen for a finger', async () => {
+  it('by a swipe does not move the caret, and a pen works like a finger', async () => {
     await connected();
     field('Function 9, S1').focus();
     field('Function 9, S1').setSelectionRange(1, 1);
@@ -99,7 +99,7 @@ describe('stepping', () => {
     expect(editor.dirty.value).toBe(false);
   });
 
-  it('is not done by a tap, which may move the caret', async () => {
+  it('is not done by a tap, which only moves the caret', async () => {
     const { editor } = await connected();
     const input = field('Function 9, S1');
     input.focus();
@@ -119,7 +119,7 @@ describe('stepping', () => {
   });
 });
 
-describe('a range for those who have no Shift', () => {
+describe('a range without a Shift key', () => {
   /** What a finger, and a mouse, does to a cell; the focus goes where it may. */
   const tap = async (name: string): Promise<void> => {
     fireEvent.pointerDown(field(name), { pointerType: 'touch' });
@@ -142,7 +142,7 @@ describe('a range for those who have no Shift', () => {
   });
   const marked = (): number => document.querySelectorAll('td.selected').length;
 
-  it('goes from the cell where it was asked for to the one tapped last, and the keyboard stays away', async () => {
+  it('goes from the first cell to the cell tapped last, and no keyboard opens', async () => {
     await connected();
     await tap('Function 2, S1');
     expect(screen.queryByRole('toolbar', { name: 'Selected range' })).toBeNull();
@@ -167,7 +167,7 @@ describe('a range for those who have no Shift', () => {
     expect(document.activeElement).toBe(field('Function 3, S1'));
   });
 
-  it('is copied as by keys', async () => {
+  it('is copied in the same way as by keys', async () => {
     await connected();
     const texts: string[] = [];
     clipboard({ writeText: async (given) => void texts.push(given) });
@@ -179,7 +179,7 @@ describe('a range for those who have no Shift', () => {
     expect(screen.queryByText('Copied.', { exact: true }), 'that was another range').toBeNull();
   });
 
-  it('is filled down as by keys', async () => {
+  it('is filled down in the same way as by keys', async () => {
     await connected();
     await pick('Function 1, S1', 'Function 3, S2');
     await press('Fill down');
@@ -192,7 +192,7 @@ describe('a range for those who have no Shift', () => {
     expect(field('Function 3, S2').value).toBe('45');
   });
 
-  it('is pasted into as by keys, after it was shown', async () => {
+  it('takes a paste in the same way as by keys, after a preview', async () => {
     await connected();
     clipboard({ readText: async () => '7' });
     await pick('Function 2, S1', 'Function 3, S1');
@@ -223,7 +223,7 @@ describe('a range for those who have no Shift', () => {
     expect(screen.queryByRole('alert')).toBeNull();
   });
 
-  it('is pasted into also when the browser has asked the pilot first, who took his time', async () => {
+  it('takes a paste also when the browser asks the pilot first, and the answer comes late', async () => {
     await connected();
     let allow = (_: string): void => {};
     const asked = new Promise<string>((resolve) => {
@@ -253,7 +253,7 @@ describe('a range for those who have no Shift', () => {
     ],
     ['never answers', { writeText: () => new Promise(() => {}) }],
     ['is not there', undefined],
-  ])('is shown to be copied by hand where the clipboard %s', async (_, given) => {
+  ])('is shown as text to copy by hand when the clipboard %s', async (_, given) => {
     await connected();
     clipboard(given as Clipboard);
     await pick('Function 1 time', 'Function 2, S2');
@@ -277,7 +277,7 @@ describe('a range for those who have no Shift', () => {
     expect(marked()).toBe(0);
   });
 
-  it('begins in the table alone', async () => {
+  it('begins only in the table', async () => {
     await connected();
     field('DT').focus();
     await idle();

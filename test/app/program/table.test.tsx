@@ -4,7 +4,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { parseTime } from '../../../src/app/editing/units.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from '../bench/bench.js';
-import { button, field, fly } from '../screen.js';
+import { button, field, fly, late } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
@@ -90,14 +90,14 @@ describe('moving', () => {
     expect(document.activeElement).toBe(field('Function 2, S3'));
   });
 
-  it('from the first time of a start passes over the interval that it does not have', async () => {
+  it('from the time of the start skips the interval, which a start does not have', async () => {
     await connected({ identity: { timerClass: 'B' } });
     field('Start time').focus();
     await key('ArrowRight');
     expect(document.activeElement).toBe(field('Start, S1'));
   });
 
-  it('goes by the rows as they stand: over the motor stop in the column of the times alone', async () => {
+  it('follows the rows as shown: only the column of the times goes through the motor stop', async () => {
     await connected();
     await enter('Motor stop time', '12.3');
     field('Function 4 time').focus();
@@ -110,7 +110,7 @@ describe('moving', () => {
     expect(document.activeElement).toBe(field('Function 5, S1'));
   });
 
-  it('to the left of the times comes to the tools of the rows, and from them back', async () => {
+  it('to the left of the times reaches the tools of the rows, and comes back', async () => {
     await connected();
     field('Function 3 time').focus();
     await key('ArrowLeft');
@@ -161,17 +161,18 @@ describe('stepping', () => {
     },
   );
 
-  it('and putting back is at the field', async () => {
+  it('and putting back can be done at the field', async () => {
     await connected();
     field('Function 2, S1').focus();
     await key('ArrowUp', { altKey: true });
+    await late();
     fireEvent.click(screen.getAllByRole('button', { name: 'Put back Function 2, S1' })[0] as HTMLElement);
     await idle();
     expect(field('Function 2, S1').value).toBe('35');
   });
 });
 
-describe('text that is dragged', () => {
+describe('dragged text', () => {
   it.each(['Function 2, S1', 'Function 2 interval', 'DT time', 'DT', 'Motor stop'])(
     'neither leaves %s nor comes into it',
     async (name) => {
@@ -196,7 +197,7 @@ describe('Escape', () => {
     expect(field('Function 2, S1').value).toBe('35');
   });
 
-  it('takes back the steps of an interval, and what was typed before them no more', async () => {
+  it('takes back the steps of an interval, but not what was typed before them', async () => {
     await connected();
     await typeOut('Function 3 interval', '2');
     await key('ArrowUp', { altKey: true });
@@ -220,7 +221,7 @@ describe('intervals', () => {
     expect(field('Function 3 time').value).toBe('11.50');
   });
 
-  it('that cannot be change nothing, and say why', async () => {
+  it('that are impossible change nothing, and say why', async () => {
     await connected();
     field('Function 3 interval').focus();
     fireEvent.input(field('Function 3 interval'), { target: { value: '-99' } });
@@ -232,7 +233,7 @@ describe('intervals', () => {
     expect(field('Function 3 interval').value).toBe('0.50');
   });
 
-  it.each(['1300', '12.345', '1x'])('change nothing by %j, whatever it began with', async (text) => {
+  it.each(['1300', '12.345', '1x'])('are not changed by %j, whatever it began with', async (text) => {
     const { editor } = await connected();
     await typeOut('Function 3 interval', text);
     expect(screen.getByRole('alert').textContent).not.toBe('');
@@ -242,7 +243,7 @@ describe('intervals', () => {
     expect(field('Function 3 interval').value).toBe('0.50');
   });
 
-  it('count again when a text has become one', async () => {
+  it('are shown again when a text has become a value', async () => {
     await connected();
     await typeOut('Function 3 interval', '700');
     await enter('Function 3 interval', '2');
@@ -251,14 +252,14 @@ describe('intervals', () => {
     expect([field('Function 3 interval').value, field('Function 4 time').value]).toEqual(['0.50', '12.00']);
   });
 
-  it('show what was undone while they are typed', async () => {
+  it('show an undo while they are typed', async () => {
     await connected();
     await typeOut('Function 3 interval', '12');
     await key('z', { ctrlKey: true });
     expect([field('Function 3 interval').value, field('Function 3 time').value]).toEqual(['0.50', '11.50']);
   });
 
-  it('do not count from a time that is no value', async () => {
+  it('do not count from a time that is not a value', async () => {
     await connected();
     await enter('Function 2 time', 'soon');
     await typeOut('Function 3 interval', '1');
@@ -268,7 +269,7 @@ describe('intervals', () => {
     expect(['Function 3', 'Function 4'].map((row) => field(`${row} time`).value)).toEqual(['11.50', '12.00']);
   });
 
-  it('are neither filled down nor pasted from a time that is no value', async () => {
+  it('cannot be filled down or pasted after a time that is not a value', async () => {
     const { editor } = await connected();
     await enter('Function 2 time', 'soon');
     field('Function 3 interval').focus();
@@ -283,7 +284,7 @@ describe('intervals', () => {
     expect(editor.changes.value).toEqual([]);
   });
 
-  it('do not pass over a text that is no value', async () => {
+  it('do not overwrite a text that is not a value', async () => {
     await connected();
     await enter('Function 5 time', 'soon');
     await enter('Function 3 interval', '1');
@@ -312,7 +313,7 @@ describe('a range', () => {
     expect(screen.getByText('2 values selected')).toBeTruthy();
   });
 
-  it('is one cell again when that is typed into', async () => {
+  it('becomes one cell again when the pilot types', async () => {
     await connected();
     field('Function 1 time').focus();
     await key('ArrowDown', { shiftKey: true });
@@ -322,7 +323,7 @@ describe('a range', () => {
     expect(copied()).toBeNull();
   });
 
-  it('is copied by Ctrl+X too, for no cell can be empty; a part of a text is cut as anywhere', async () => {
+  it('is copied by Ctrl+X too, because no cell can be empty; a part of a text is cut as usual', async () => {
     const { editor } = await connected();
     field('Function 1 time').focus();
     expect(copied('cut')).toBe('10.50');
@@ -380,7 +381,7 @@ describe('a paste', () => {
     expect([editor.dirty.value, editor.undoStep.value]).toEqual([false, null]);
   });
 
-  it('of anything does what was shown, or nothing', async () => {
+  it('of any text does what was shown, or nothing', async () => {
     const { editor } = await connected();
     const cell = fc.constantFrom(
       '',
@@ -482,7 +483,7 @@ describe('many fields at once', () => {
     ]);
   });
 
-  it('all that is later is shifted, DT only when asked', async () => {
+  it('everything later is shifted, DT only on request', async () => {
     await connected();
     await press('Tools for Function 2');
     fireEvent.input(field('By, in seconds'), { target: { value: '0,3' } });
@@ -569,7 +570,7 @@ describe('DT', () => {
     expect(field('DT time').value).toBe('3:00');
   });
 
-  it('has presets of the pilot, and a limit below which it is short, that are kept', async () => {
+  it('has presets and a limit for a short DT that the pilot sets and the page keeps', async () => {
     const { models } = await connected();
     await press('Change presets');
     fireEvent.input(field('New preset'), { target: { value: '2:30' } });
@@ -578,6 +579,7 @@ describe('DT', () => {
     fireEvent.input(field('Warn if DT is shorter than'), { target: { value: '3:30' } });
     fireEvent.change(field('Warn if DT is shorter than'), { target: { value: '3:30' } });
     await press('Done');
+    await late();
     expect(screen.getByRole('button', { name: 'DT 2:30 min' })).toBeTruthy();
     expect(screen.getByText('Short DT')).toBeTruthy();
     expect(models.preferences.presets.value).not.toContain(60000);
@@ -586,7 +588,7 @@ describe('DT', () => {
     expect(again.editor.shortDt.value).toBe(21000);
   });
 
-  it('adds no preset, and asks for none, when the limit is taken by Enter', async () => {
+  it('adds no preset when the limit is confirmed with Enter', async () => {
     const { models } = await connected();
     const before = models.preferences.presets.value;
     await press('Change presets');
@@ -599,7 +601,7 @@ describe('DT', () => {
     expect(screen.getByText('Short DT')).toBeTruthy();
   });
 
-  it('takes no preset that no timer can hold', async () => {
+  it('refuses a preset that no timer can hold', async () => {
     await connected();
     await press('Change presets');
     fireEvent.input(field('New preset'), { target: { value: '11:00' } });
@@ -616,24 +618,27 @@ describe('a time that can be read in two ways', () => {
     ['DT time', '230', ['2 min 30 s', '230 s, 3:50'], 1, '3:50'],
     ['DT', '3', ['3 min', '3 s'], 0, '3:00'],
     ['Function 4 time', '130', ['1 min 30 s', '130 s, 2:10'], 0, '1:30'],
-  ])('is asked about in %s after %j, and blocks until it is answered', async (where, text, answers, at, shown) => {
-    const { editor } = await connected();
-    const before = editor.working.value;
-    await typeOut(where, text);
-    expect(screen.queryByRole('button', { name: answers[0] }), 'it may not be finished').toBeNull();
-    await key('Enter');
-    expect(document.activeElement, 'the focus waits').toBe(field(where));
-    const asked = within(screen.getByRole('group', { name: `What ${where} means` }));
-    expect(asked.getAllByRole('button').map(({ textContent }) => textContent)).toEqual(answers);
-    expect([editor.working.value?.times, editor.blocked.value]).toEqual([before?.times, true]);
-    fireEvent.click(asked.getByRole('button', { name: answers[at] }));
-    await idle();
-    const inTable = where === 'DT' ? 'DT time' : where;
-    expect([field(inTable).value, editor.blocked.value]).toEqual([shown, false]);
-    expect(screen.queryByRole('group', { name: /^What/ })).toBeNull();
-  });
+  ])(
+    'brings a question in %s after %j, and blocks until the pilot answers',
+    async (where, text, answers, at, shown) => {
+      const { editor } = await connected();
+      const before = editor.working.value;
+      await typeOut(where, text);
+      expect(screen.queryByRole('button', { name: answers[0] }), 'it may not be finished').toBeNull();
+      await key('Enter');
+      expect(document.activeElement, 'the focus waits').toBe(field(where));
+      const asked = within(screen.getByRole('group', { name: `What ${where} means` }));
+      expect(asked.getAllByRole('button').map(({ textContent }) => textContent)).toEqual(answers);
+      expect([editor.working.value?.times, editor.blocked.value]).toEqual([before?.times, true]);
+      fireEvent.click(asked.getByRole('button', { name: answers[at] }));
+      await idle();
+      const inTable = where === 'DT' ? 'DT time' : where;
+      expect([field(inTable).value, editor.blocked.value]).toEqual([shown, false]);
+      expect(screen.queryByRole('group', { name: /^What/ })).toBeNull();
+    },
+  );
 
-  it('is asked when the field is left, and put back by Escape', async () => {
+  it('brings the question when the field is left, and Escape puts the value back', async () => {
     const { editor } = await connected();
     await enter('DT', '4:00');
     await enter('DT', '2.30');
@@ -644,7 +649,7 @@ describe('a time that can be read in two ways', () => {
     expect(document.activeElement).toBe(field('DT'));
   });
 
-  it('is asked in an interval of DT, which moves nothing before', async () => {
+  it('brings the question in an interval of DT, and nothing moves before the answer', async () => {
     const { editor } = await connected();
     const last = editor.working.value?.times[9] ?? 0;
     await typeOut('DT interval', '2.30');
@@ -655,7 +660,7 @@ describe('a time that can be read in two ways', () => {
     expect([field('DT interval').value, editor.working.value?.times[10]]).toEqual(['2:30', last + 15000]);
   });
 
-  it('is asked of a preset', async () => {
+  it('brings the question for a preset', async () => {
     const { models } = await connected();
     await press('Change presets');
     fireEvent.input(field('New preset'), { target: { value: '2.30' } });
@@ -667,7 +672,7 @@ describe('a time that can be read in two ways', () => {
     expect(field('New preset').value).toBe('');
   });
 
-  it('is said in a table that is pasted, which is taken at its word', async () => {
+  it('is read as seconds in a pasted table, which says so', async () => {
     await connected();
     field('Function 9 time').focus();
     await paste('130\n2.30');
@@ -678,7 +683,7 @@ describe('a time that can be read in two ways', () => {
     ]);
   });
 
-  it('is none with a colon or a unit', async () => {
+  it('brings no question with a colon or a unit', async () => {
     const { editor } = await connected();
     for (const [text, value] of [
       ['2:30', 15000],
@@ -698,22 +703,25 @@ describe('figures and their units', () => {
     return ids.map((id) => document.getElementById(id)?.textContent ?? '');
   };
 
-  it('say seconds or minutes, a changed DT also in words', async () => {
+  it('show seconds or minutes, and a changed DT also in words', async () => {
     await connected();
     expect([field('Motor stop').value, describedBy('Motor stop')]).toEqual(['10.0', ['s']]);
     expect([field('DT').value, describedBy('DT')]).toEqual(['3:00', ['min']]);
     expect([describedBy('Function 2 time'), describedBy('DT time')]).toEqual([['s'], ['min']]);
     await enter('DT', '2:30');
+    await late();
     expect(describedBy('DT')).toEqual(['min', '2 min 30 s', 'was 3:00']);
     await enter('DT', '20');
+    await late();
     expect([field('DT').value, describedBy('DT').slice(0, 2)]).toEqual(['20', ['s', '20 s']]);
     await enter('Motor stop', '9.55');
+    await late();
     expect(field('Motor stop').value, 'no hundredth is hidden').toBe('9.55');
     expect(describedBy('Motor stop')).toContain('was 10.0 s');
     expect(describedBy('Motor stop time')).toContain('was 10.0 s');
   });
 
-  it('stand on the presets', async () => {
+  it('are shown on the presets', async () => {
     await connected();
     const presets = within(screen.getByRole('group', { name: 'DT presets' })).getAllByRole('button', { name: /^DT/ });
     expect(presets.map(({ textContent }) => textContent)).toEqual([
@@ -730,7 +738,7 @@ describe('figures and their units', () => {
 });
 
 describe('the checks', () => {
-  it('put right what is obvious, as a step', async () => {
+  it('correct an obvious fault, as one undo step', async () => {
     await connected();
     await enter('Function 3 time', '10.50');
     const fix = 'Set to 11.1 s: Function 3 time';
@@ -741,7 +749,7 @@ describe('the checks', () => {
     expect(field('Function 3 time').value).toBe('10.50');
   });
 
-  it('never offer to lengthen the flight for a time that was mistyped', async () => {
+  it('never offer to lengthen the flight after a typing error', async () => {
     await connected();
     await enter('Function 9 time', '350');
     await expect.poll(() => document.querySelector('.checks .where')?.textContent).toMatch(/^(Function|DT)/);

@@ -1,11 +1,12 @@
 import { act, fireEvent, render, screen, within } from '@testing-library/preact';
-import { options } from 'preact';
+import { options, type VNode } from 'preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { formatTime } from '../../../src/app/editing/units.js';
 import { Theme } from '../../../src/app/settings/theme.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, appBench, idle } from '../bench/bench.js';
+import { late } from '../screen.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 4 };
 
@@ -57,7 +58,7 @@ describe('the timeline', () => {
     expect(behind()).toBe('the timer');
   });
 
-  it('edits the program, in one step for each movement', async () => {
+  it('edits the program, with one undo step for each movement', async () => {
     const { editor } = await opened();
     const before = Number(editor.textOf(S1));
     await key('Function 4, S1', 'ArrowUp');
@@ -69,7 +70,7 @@ describe('the timeline', () => {
     expect([editor.textOf(S1), editor.dirty.value]).toEqual([String(before), false]);
   });
 
-  it('brings the servo to the front whose field has the focus', async () => {
+  it('brings that servo to the front whose field has the focus', async () => {
     await opened();
     act(() => screen.getByRole('textbox', { name: 'Function 4, S3' }).focus());
     await soon(() => screen.queryByRole('slider', { name: 'Function 4, S3' })).not.toBeNull();
@@ -92,7 +93,7 @@ describe('the timeline', () => {
     await expect.poll(marked).toEqual(['Function 4, S1']);
   });
 
-  it('has no row of the table drawn for that but the one that is left and the one that is come to', async () => {
+  it('draws only the old and the new row of the table for that', async () => {
     await opened();
     act(() => (handle('Function 4, S1') as SVGElement).focus());
     await idle(100);
@@ -115,7 +116,7 @@ describe('the timeline', () => {
     ['a step earlier', '2:59 min', () => key('DT time', 'ArrowLeft')],
     // Past the end that the flight has had until then.
     ['much later', '5:00 min', ({ editor }: AppBench) => editor.type({ kind: 'time', slot: dtOf(editor) }, '5:00')],
-  ])('shows in the preview the mark that is moved %s, and at no moment another one', async (_, clock, move) => {
+  ])('shows in the preview the mark that is moved %s, and never another one', async (_, clock, move) => {
     const app = await opened();
     act(() => (handle('DT time') as SVGElement).focus());
     const facts = document.querySelector('.preview-facts') as Element;
@@ -132,7 +133,30 @@ describe('the timeline', () => {
     ).toEqual([]);
   });
 
-  it('is found as it was left when the view comes back', async () => {
+  it('has the preview drawn once for several keys, when they rest', async () => {
+    const { editor } = await opened();
+    // Preact tells its tools by this option of each component that it draws.
+    const hooks = options as { __r?: ((vnode: VNode) => void) | undefined };
+    const { __r: tell } = hooks;
+    let drawn = 0;
+    hooks.__r = (vnode) => {
+      if (typeof vnode.type === 'function' && vnode.type.name === 'FlightPreview') drawn++;
+      tell?.(vnode);
+    };
+    onTestFinished(() => {
+      hooks.__r = tell;
+    });
+    for (const text of ['4:00', '4:01', '4:02', '4:03']) {
+      editor.type({ kind: 'time', slot: 10 }, text);
+      await late();
+      await idle(200);
+    }
+    expect(drawn, 'between the keys').toBe(0);
+    await idle(400);
+    expect(drawn, 'after the last').toBe(1);
+  });
+
+  it('is as it was left when the view comes back', async () => {
     const app = await opened();
     app.editor.type(S1, '99');
     await idle();
@@ -153,7 +177,7 @@ describe('the timeline', () => {
     expect(seen).toEqual([undefined, 'true', true]);
   });
 
-  it('has a backup behind it, or nothing, as chosen', async () => {
+  it('can show a backup behind it, or nothing', async () => {
     const app = await opened();
     const backup = { ...app.editor.baseline.value, times: app.editor.baseline.value?.times.map((time) => time + 1) };
     await app.session.backups.add(backup as Parameters<typeof app.session.backups.add>[0], 'write', false);
@@ -168,7 +192,7 @@ describe('the timeline', () => {
     expect(behind()).toMatch(/\d{4}/);
   });
 
-  it('shows the model under the same cursor: of the cell in hand, of the pointer, of the flight that is gone through', async () => {
+  it('shows the model at the same time: that of the selected cell, the pointer, or the played flight', async () => {
     const app = await opened();
     const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
     const happened = () => preview.getByText(/^(Launch|.* at .*)$/).textContent;
@@ -183,7 +207,17 @@ describe('the timeline', () => {
     expect(document.querySelector('.timeline-panel .crosshair')).toBeTruthy();
   });
 
-  it('calls the servos what the pilot calls them', async () => {
+  it('stays where the pilot seeks in the preview right after a cell was selected', async () => {
+    await opened();
+    const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
+    act(() => (handle('Function 6, S1') as SVGElement).focus());
+    await late();
+    fireEvent.input(preview.getByRole('slider', { name: 'Time of the flight' }), { target: { value: '500' } });
+    await idle(1000);
+    expect(preview.getByText(/^(Launch|.* at .*)$/).textContent).toBe('DT at 3:00 min');
+  });
+
+  it("uses the pilot's names for the servos", async () => {
     const app = await opened();
     const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
     const lanes = () => screen.getAllByRole('button', { name: /^S\d/ }).map((lane) => lane.getAttribute('aria-label'));

@@ -33,8 +33,8 @@ async function withModels(...models: readonly ModelRecord[]): Promise<AppBench> 
 const line = (): string | undefined => document.querySelector('.model-line p')?.textContent ?? undefined;
 const list = () => within(screen.getByRole('dialog', { name: 'Which model is it?' }));
 
-describe('what is said of the model', () => {
-  it('is its name and the day, once', async () => {
+describe('the line about the model', () => {
+  it('is its name and the day, shown once', async () => {
     await withModels(record('Lancer 07', HELD[0]));
     expect(line()).toBe('This is Lancer 07, as seen 12 Nov 2025.');
     await press('OK');
@@ -42,7 +42,7 @@ describe('what is said of the model', () => {
     expect(button('Model Lancer 07: say which model it is').textContent).toBe('Lancer 07');
   });
 
-  it('is a question where some values differ; a yes is the answer', async () => {
+  it('is a question when some values differ, and Yes answers it', async () => {
     const changed = { ...HELD[0], times: HELD[0]?.times.with(10, 24_000).with(0, 900) } as TimerProgram;
     const { session } = await withModels(record('Lancer 07', changed));
     expect(line()).toBe('This is like Lancer 07, 2 values differ. Is it Lancer 07?');
@@ -50,14 +50,14 @@ describe('what is said of the model', () => {
     expect([line(), session.recognition.found.value?.kind]).toEqual([undefined, 'said']);
   });
 
-  it('names all candidates; the one that is pressed is it', async () => {
+  it('names all candidates, and a click chooses one', async () => {
     const { session } = await withModels(record('One', HELD[0]), record('Two', HELD[0]), record('Three'));
     expect(line()).toBe('This may be One or Two. Which model is it?');
     await press('Two');
     expect(session.modelAtHand.value?.name).toBe('Two');
   });
 
-  it('is short where hundreds hold the same, also of one name; the list has all of them', async () => {
+  it('is short when hundreds hold the same, also with one name; the list has all of them', async () => {
     const many = Array.from({ length: 300 }, (_, at) => ({ ...record(`m${at}`, HELD[0]), order: at }));
     await withModels(...many.map((each) => ({ ...each, model: { ...each.model, name: 'Lancer' } })));
     expect(line()).toBe('This may be Lancer, Lancer, Lancer, Lancer, Lancer or 295 more. Which model is it?');
@@ -65,7 +65,7 @@ describe('what is said of the model', () => {
     expect(list().getAllByRole('button', { name: /^Lancer/ })).toHaveLength(300);
   });
 
-  it('is nothing where no model is kept, and the strip still offers to name one', async () => {
+  it('is not shown when no model is kept, and the strip still offers to name one', async () => {
     const { session } = await withModels();
     expect(line()).toBeUndefined();
     await press('Which model?');
@@ -76,7 +76,7 @@ describe('what is said of the model', () => {
     expect(screen.queryByRole('dialog')).toBeNull();
   });
 
-  it('is a list to choose from: what it may be first, then all others, with a search', async () => {
+  it('opens a list: the candidates first, then all others, with a search', async () => {
     const others = Array.from({ length: 12 }, (_, at) => record(`Model ${at}`));
     const { session } = await withModels(...others, record('Two', HELD[0]), record('One', HELD[0]));
     await press('Another…');
@@ -96,7 +96,7 @@ describe('what is said of the model', () => {
     expect(session.modelAtHand.value?.name).toBe('Two');
   });
 
-  it('is not asked again after “not now”', async () => {
+  it('does not ask again after “not now”', async () => {
     const { session } = await withModels(record('Three'));
     expect(line()).toBe('This timer is not known here. Which model is it?');
     await press('Choose…');
@@ -141,7 +141,22 @@ describe('the names of the memories', () => {
     expect(document.activeElement).toBe(button('calm, the name of M1: change it'));
   });
 
-  it('cannot be given where the model is not known', async () => {
+  it('are kept when the page goes while they are typed, and are not ended by a key for the keyboard itself', async () => {
+    const { store } = await withModels(record('Lancer 07', HELD[0]));
+    await goTo('memories');
+    await press('Name it: M4');
+    const input = screen.getByRole('textbox', { name: 'Name of M4' });
+    fireEvent.input(input, { target: { value: '微風' } });
+    fireEvent.keyDown(input, { key: 'Escape', isComposing: true });
+    await idle();
+    expect(input.isConnected).toBe(true);
+    dispatchEvent(new Event('pagehide'));
+    dispatchEvent(new Event('pageshow'));
+    await idle();
+    expect(store.models.records.get('Lancer 07')?.model.memoryNames).toEqual(['calm', '', '', '微風']);
+  });
+
+  it('cannot be given when the model is not known', async () => {
     await withModels();
     await goTo('memories');
     expect(screen.queryByRole('button', { name: /Name it/ })).toBeNull();

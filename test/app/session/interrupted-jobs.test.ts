@@ -72,7 +72,7 @@ async function finishDialog(bench: AppBench): Promise<void> {
 }
 
 describe('a write of which a part arrived', () => {
-  it('is offered with what is written and what is missing, and nothing is written unasked', async () => {
+  it('is offered with what is written and what is missing, and nothing is written without a click', async () => {
     const bench = await interrupted('SETTIMERS');
     expect(offer(bench)).toMatchObject({
       kind: 'write',
@@ -91,7 +91,7 @@ describe('a write of which a part arrived', () => {
     expect(notice(bench), 'nothing else is said of what it explains').toBeUndefined();
   });
 
-  it('is finished by a write of what is missing', async () => {
+  it('can be finished by a write of what is missing', async () => {
     const bench = await interrupted('SETTIMERS');
     await run(bench.finishWrite.finish());
     expect(bench.editor.changes.value.map(({ field }) => field)).toEqual([S1, S3]);
@@ -103,7 +103,7 @@ describe('a write of which a part arrived', () => {
     expect([offer(bench), bench.editor.dirty.value]).toEqual([null, false]);
   });
 
-  it('is put back to what was there before', async () => {
+  it('can be put back to what was there before', async () => {
     const bench = await interrupted('SETTIMERS');
     await run(bench.finishWrite.goBack());
     expect(bench.editor.changes.value).toEqual([{ field: DT, from: 24000, to: 18000 }]);
@@ -112,7 +112,7 @@ describe('a write of which a part arrived', () => {
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 0]);
   });
 
-  it('is left as it is, for good; the backup stays', async () => {
+  it('can be left as it is for good, and the backup stays', async () => {
     const bench = await interrupted('SETTIMERS');
     await bench.session.recovery.settle();
     await run(bench.session.reader.read());
@@ -139,7 +139,7 @@ describe('a write of which a part arrived', () => {
         await idle();
       },
     ],
-  ])('is said no more of what is another timer, until the next one is met %s', async (_, meet) => {
+  ])('is not shown again once the pilot has said “another timer”, until the next one comes %s', async (_, meet) => {
     const bench = await interrupted('SETTIMERS');
     bench.session.recovery.setAside();
     await run(bench.session.reader.read());
@@ -155,7 +155,7 @@ describe('a write of which a part arrived', () => {
   });
 });
 
-describe('another end of a write', () => {
+describe('another way in which a write can end', () => {
   it('of which nothing arrived is offered, and can be finished', async () => {
     const bench = await interrupted('GETSWVER');
     expect(sets(bench)).toEqual([]);
@@ -166,7 +166,7 @@ describe('another end of a write', () => {
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 0]);
   });
 
-  it('that turns out to be complete is only said', async () => {
+  it('is only reported when the write turns out to be complete', async () => {
     const bench = await connectedBench();
     bench.editor.type(DT, '4:00');
     await run(bench.write.open());
@@ -186,7 +186,7 @@ describe('another end of a write', () => {
     (timer.core.content.positions[1] as number[])[5] = 77;
   };
 
-  it('by which a value is not explained wants a person: it is another timer', async () => {
+  it('asks the pilot when a value is not explained: it is another timer', async () => {
     const bench = await interrupted('SETTIMERS', strange);
     expect(offer(bench)).toMatchObject({
       kind: 'write',
@@ -197,7 +197,7 @@ describe('another end of a write', () => {
     expect(sets(bench)).toEqual(['SETTIMERS']);
   });
 
-  it('after which the timer holds what was not written wants a person at once', async () => {
+  it('asks the pilot at once when the timer holds values that were not written', async () => {
     const { bench, written } = await writing('SETTIMERS');
     bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.timer.core.content.positions[1]?.fill(77);
     await run(written);
@@ -206,7 +206,7 @@ describe('another end of a write', () => {
     expect(bench.store.unfinished.records.size).toBe(1);
   });
 
-  it('is all that is said, also where the value is one that was to be written', async () => {
+  it('is the only message, also when the value is one that was to be written', async () => {
     const bench = await interrupted('SETTIMERS', ({ timer }) => {
       (timer.core.content.positions[0] as number[])[2] = 9;
     });
@@ -214,7 +214,7 @@ describe('another end of a write', () => {
     expect(notice(bench)).toBeUndefined();
   });
 
-  it('or it is the same timer: what was to be written is shown as edits, and nothing is written', async () => {
+  it('shows the goal as edits when the pilot says that it is the same timer, and writes nothing', async () => {
     const bench = await interrupted('SETTIMERS', strange);
     await run(bench.finishWrite.show());
     expect([offer(bench), bench.store.unfinished.records.size, bench.write.current.value]).toEqual([null, 0, null]);
@@ -226,7 +226,7 @@ describe('another end of a write', () => {
     expect(sets(bench)).toEqual(['SETTIMERS']);
   });
 
-  it('in another memory is offered by its name, and told when that is current', async () => {
+  it('in another memory is offered with its name, and shown when that memory is current', async () => {
     const bench = await interrupted('SETTIMERS', ({ timer }) => {
       timer.core.memory = 2;
     });
@@ -237,7 +237,7 @@ describe('another end of a write', () => {
     expect(notice(bench), 'the edits are those of that write').toBeUndefined();
   });
 
-  it('in another memory is said no more of what is another timer', async () => {
+  it('in another memory is not shown again once the pilot has said “another timer”', async () => {
     const bench = await interrupted('SETTIMERS', ({ timer }) => {
       timer.core.memory = 2;
     });
@@ -253,7 +253,7 @@ describe('another end of a write', () => {
     expect(bench.store.unfinished.records.size).toBe(1);
   });
 
-  it('that went well leaves nothing behind but the backup', async () => {
+  it('that succeeds leaves only the backup', async () => {
     const bench = await connectedBench();
     bench.editor.type(DT, '4:00');
     await run(bench.write.open());
@@ -281,7 +281,7 @@ describe('after a reload in the middle of a write', () => {
 });
 
 describe('before the first byte of a write', () => {
-  it('its goal and a backup are kept, however long that takes', async () => {
+  it('its goal and a backup are stored, however long that takes', async () => {
     const bench = await connectedBench();
     for (const shelf of [bench.store.unfinished, bench.store.backups]) {
       const save = shelf.save.bind(shelf) as (record: { key: string }) => Promise<void>;
@@ -312,7 +312,7 @@ describe('before the first byte of a write', () => {
     expect(backup.program).toEqual(unfinished.before);
   });
 
-  it('a browser that keeps nothing is said, and this page remembers', async () => {
+  it('a browser that keeps nothing is reported, and this page remembers', async () => {
     const { bench, written } = await writing('SETTIMERS', true);
     await idle();
     expect([bench.session.runner.job.value?.asking, sets(bench)]).toEqual([true, []]);

@@ -49,7 +49,7 @@ describe('a program that was made here', () => {
     expect(after.editor.textOf(S2)).toBe('65');
   });
 
-  it('is laid over what a timer holds, as one step that undo takes back, and is kept', async () => {
+  it('is loaded over what a timer holds, as one step that undo takes back, and is kept', async () => {
     const bench = await made();
     bench.editor.type(S2, '70');
     await run(bench.session.timer.connect());
@@ -63,7 +63,7 @@ describe('a program that was made here', () => {
     expect(bench.session.keptPrograms.list.value.map(({ working }) => working.positions[1]?.[3])).toEqual([70]);
   });
 
-  it('lies over the earlier edits of that memory, which undo brings back', async () => {
+  it('is loaded over the earlier edits of that memory, which undo brings back', async () => {
     const bench = await connectedBench();
     bench.editor.type(S2, '7');
     bench.editor.leave(S2);
@@ -79,7 +79,7 @@ describe('a program that was made here', () => {
   it.each([
     ['of another class', newProgram({ ...USUAL, timerClass: 'B' })],
     ['of another layout', newProgram({ ...USUAL, servos: 2 })],
-  ])('%s than the timer is put away and kept', async (_, program) => {
+  ])('%s than the timer is closed and kept', async (_, program) => {
     const bench = await made(program);
     await run(bench.session.timer.connect());
     expect([notice(bench), bench.editor.changes.value, bench.editor.working.value?.memory]).toEqual([
@@ -91,7 +91,7 @@ describe('a program that was made here', () => {
     expect(kept(bench).map(({ working, shelved }) => [working, shelved])).toEqual([[program, true]]);
   });
 
-  it('with a field that has no value yet is put away, for nothing may be written that nobody wants', async () => {
+  it('with a field without a value is closed, because nothing unwanted may be written', async () => {
     const bench = await made();
     bench.editor.type(S2, 'x');
     await run(bench.session.timer.connect());
@@ -100,12 +100,12 @@ describe('a program that was made here', () => {
     expect(kept(bench).map(({ texts }) => texts)).toEqual([{ 'position:1:3': 'x' }]);
   });
 
-  it('is put away for another one, and each of the two can be taken up again', async () => {
+  it('is closed for another one, and each of the two can be opened again', async () => {
     const bench = await made();
     bench.editor.type(S2, '70');
     bench.session.onScreen.make(newProgram({ ...USUAL, timerClass: 'E' }));
     await idle();
-    bench.session.onScreen.putAway();
+    bench.session.onScreen.closeProgram();
     await idle();
     expect(bench.editor.working.value).toBeNull();
     const again = await reloaded(bench);
@@ -125,7 +125,7 @@ describe('a program that was made here', () => {
 
   it('is deleted for good', async () => {
     const bench = await made();
-    bench.session.onScreen.putAway();
+    bench.session.onScreen.closeProgram();
     await bench.session.keptPrograms.load();
     const [draft] = bench.session.keptPrograms.list.value;
     if (!draft) throw new Error('it is not kept');
@@ -138,7 +138,7 @@ describe('a program that was made here', () => {
     const bench = await connectedBench();
     const { value } = bench.editor.working;
     bench.session.onScreen.make(newProgram(USUAL));
-    bench.session.onScreen.putAway();
+    bench.session.onScreen.closeProgram();
     expect(bench.editor.working.value).toBe(value);
   });
 });

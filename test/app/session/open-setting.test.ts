@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { newProgram, USUAL_LAYOUT } from '../../../src/app/editing/new-program.js';
+import { emptyModel } from '../../../src/app/session/library.js';
 import type { SettingRecord } from '../../../src/app/storage/index.js';
 import type { Setting, TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
@@ -15,13 +16,12 @@ function settingOf(id: string, program: TimerProgram = USUAL): Setting {
 /** A library with a model “Lancer” and these settings. */
 function stored(...settings: Setting[]): MemoryStore {
   const store = new MemoryStore();
-  const model = { id: 'lancer', name: 'Lancer', timerClass: 'Q', note: '', servos: [], memoryNames: [] } as const;
   store.models.records.set('lancer', {
     key: 'lancer',
     order: 1,
     changedAt: 1,
     verified: [],
-    model: { ...model, photo: null, archived: false },
+    model: emptyModel('lancer', 'Lancer', 'Q'),
   });
   for (const [order, setting] of settings.entries()) keepIn(store, setting, order);
   return store;
@@ -50,7 +50,7 @@ const names = ({ session: { opened } }: AppBench) => [
 ];
 
 describe('a setting that is opened without a timer', () => {
-  it('is on the screen, of its model, and nothing of it is unsaved or said of a timer', async () => {
+  it('is on the screen with its model, has nothing unsaved, and says nothing about a timer', async () => {
     const bench = await opened(settingOf('calm', { ...USUAL, memory: 0 }));
     const { session, editor } = bench;
     expect([names(bench), editor.working.value?.memory, editor.changes.value]).toEqual([['Lancer', 'calm'], null, []]);
@@ -60,7 +60,7 @@ describe('a setting that is opened without a timer', () => {
     ]);
   });
 
-  it('is saved back with what was typed, and undo goes on behind that', async () => {
+  it('is saved with what was typed, and undo still works after that', async () => {
     const bench = await opened(settingOf('calm'));
     type(bench, DT, '2:00');
     expect([bench.session.opened.unsaved.value?.changes, dtOf(bench, 'calm')]).toEqual([1, 18000]);
@@ -81,13 +81,13 @@ describe('a setting that is opened without a timer', () => {
     expect(after.editor.textOf(DT)).toBe('3:00');
   });
 
-  it('comes back after a reload also when nothing was typed, and leaves nothing behind when it is closed', async () => {
+  it('comes back after a reload, also when nothing was typed, and leaves nothing when it is closed', async () => {
     const bench = await opened(settingOf('calm'));
     await idle();
     const after = await reloaded(bench);
     await idle();
     expect(names(after)).toEqual(['Lancer', 'calm']);
-    after.session.onScreen.putAway();
+    after.session.onScreen.closeProgram();
     await idle();
     expect([...after.store.drafts.records.values()]).toEqual([]);
   });
@@ -118,7 +118,7 @@ describe('a setting that is opened without a timer', () => {
     expect(made?.setting.program.times[10]).toBe(12000);
   });
 
-  it('is none any more when it is deleted, and one again with undo', async () => {
+  it('is no longer one when it is deleted, and is one again after undo', async () => {
     const bench = await opened(settingOf('calm'));
     bench.session.library.settings.remove('calm');
     expect([bench.session.opened.shown.value, bench.editor.working.value !== null]).toEqual([null, true]);
@@ -126,7 +126,7 @@ describe('a setting that is opened without a timer', () => {
     expect(names(bench)).toEqual(['Lancer', 'calm']);
   });
 
-  it('is in the library also where the browser keeps nothing, and says that it is not kept', async () => {
+  it('is in the library also when the browser keeps nothing, and says that it is not kept', async () => {
     const bench = await opened(settingOf('calm'));
     type(bench, DT, '2:00');
     bench.store.broken = true;
@@ -140,14 +140,14 @@ describe('a setting that is opened without a timer', () => {
   });
 });
 
-describe('what another tab saves of the setting that is open here', () => {
+describe('another tab saves the setting that is open here', () => {
   const elsewhere = async (bench: AppBench, dt: number): Promise<void> => {
     const times = USUAL.times.map((time, slot) => (slot === 10 ? dt : time));
     keepIn(bench.store, settingOf('calm', { ...USUAL, times }));
     await run(bench.session.library.refresh());
   };
 
-  it('comes to the screen where nothing was typed, as a step that undo takes back', async () => {
+  it('comes to the screen when nothing was typed, as a step that undo takes back', async () => {
     const bench = await opened(settingOf('calm'));
     await elsewhere(bench, 6000);
     expect([bench.editor.textOf(DT), bench.session.opened.unsaved.value]).toEqual([
@@ -158,7 +158,7 @@ describe('what another tab saves of the setting that is open here', () => {
     expect([bench.editor.textOf(DT), bench.session.opened.unsaved.value?.changes]).toEqual(['3:00', 1]);
   });
 
-  it('leaves what was typed here as it is, and is told before it gives way', async () => {
+  it('stays away from what was typed here, and the page asks before replacing it', async () => {
     const bench = await opened(settingOf('calm'));
     type(bench, S2, '70');
     await elsewhere(bench, 6000);
@@ -175,7 +175,7 @@ describe('what another tab saves of the setting that is open here', () => {
     expect([dtOf(bench, 'calm'), bench.session.opened.unsaved.value?.elsewhere]).toEqual([18000, false]);
   });
 
-  it('is asked about, too, where it was saved a moment before, and nobody has heard of it', async () => {
+  it('also leads to the question when it was saved a moment before, without a message', async () => {
     const bench = await opened(settingOf('calm'));
     type(bench, S2, '70');
     const times = USUAL.times.map((time, slot) => (slot === 10 ? 6000 : time));
@@ -215,7 +215,7 @@ describe('a setting with a timer', () => {
     expect(names(bench)).toEqual(['Lancer', 'calm']);
   });
 
-  it('that was open before it was connected is laid over it and stays the one that is open', async () => {
+  it('that was open before the connection is loaded over the timer and stays open', async () => {
     const bench = await opened(settingOf('calm'));
     type(bench, S2, '70');
     await run(bench.session.timer.connect());
@@ -241,7 +241,7 @@ describe('a setting with a timer', () => {
     expect(await run(bench.session.opened.show(settingOf('other', program)))).toBe(true);
   });
 
-  it('is refused while the servos follow: they would move', async () => {
+  it('is refused while the servos follow, because they would move', async () => {
     const bench = await connectedBench();
     bench.session.safety.confirm();
     await run(bench.bench.moveTo(4));
@@ -250,7 +250,7 @@ describe('a setting with a timer', () => {
     expect(bench.session.opened.obstacle(USUAL)).toBe('following');
   });
 
-  it('is what the timer holds after it was saved from it, with its source, until another timer comes', async () => {
+  it('stays open after it was saved from the timer, with its source, until another timer comes', async () => {
     const bench = await connectedBench({ store: stored() });
     await run(bench.session.opened.saveAs({ model: 'lancer', name: 'as read' }));
     const [record] = bench.session.library.settings.list.value;
@@ -265,7 +265,7 @@ describe('a setting with a timer', () => {
     expect(bench.session.opened.shown.value, 'it may be another timer').toBeNull();
   });
 
-  it('stays the one that is open through a write', async () => {
+  it('stays open during a write', async () => {
     const bench = await connectedBench({ store: stored(settingOf('calm')) });
     await run(bench.session.opened.show(settingOf('calm')));
     bench.editor.wrote(bench.editor.working.value as TimerProgram);

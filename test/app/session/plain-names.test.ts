@@ -1,13 +1,13 @@
 import { expect, it } from 'vitest';
 import { asTags } from '../../../src/app/library/tags.js';
-import { beginningOf, withPlainNames } from '../../../src/app/session/plain-names.js';
+import { beginningOf, plainName, withPlainNames } from '../../../src/app/session/plain-names.js';
 import { LIMITS, requireFlight, requireModel, requireSetting } from '../../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 
 const TURNS = ['\u202a', '\u202b', '\u202d', '\u202e', '\u2066', '\u2067', '\u2068', '\u2069'];
 const [servo] = MODEL.servos;
 
-it.each(TURNS)('%j in a name turns no sentence round', (turn) => {
+it.each(TURNS)('%j in a name does not reverse a sentence', (turn) => {
   const model = {
     ...MODEL,
     name: `${turn}Lancer 07`,
@@ -25,13 +25,35 @@ it.each(TURNS)('%j in a name turns no sentence round', (turn) => {
   requireFlight(withPlainNames(flight));
 });
 
-it.each(['Lancer 07', 'שחף 3', 'شاهين ٧', '👩‍👩‍👧 🛩️', 'a\u200db', 'Ła̷n̴c̵e̶r', '<b>'])('%j stays as it is', (name) => {
-  expect(withPlainNames({ ...MODEL, name })).toEqual({ ...MODEL, name });
-  expect(withPlainNames({ ...SETTING, name, tags: [name] })).toEqual({ ...SETTING, name, tags: [name] });
-  expect(withPlainNames({ ...FLIGHT, place: name })).toEqual({ ...FLIGHT, place: name });
+it.each(['Lancer 07', 'שחף 3', 'شاهين ٧', '👩‍👩‍👧 🛩️', 'a\u200db', 'Ła̷n̴c̵e̶r', '<b>', '\uf8ff', '\u{1fbff}'])(
+  '%j stays as it is',
+  (name) => {
+    expect(withPlainNames({ ...MODEL, name })).toEqual({ ...MODEL, name });
+    expect(withPlainNames({ ...SETTING, name, tags: [name] })).toEqual({ ...SETTING, name, tags: [name] });
+    expect(withPlainNames({ ...FLIGHT, place: name })).toEqual({ ...FLIGHT, place: name });
+  },
+);
+
+it.each([
+  ['Lancer\r\n07', 'Lancer 07'],
+  ['calm\tmorning', 'calm morning'],
+  ['\u001b[31mcalm', '[31mcalm'],
+  ['fly\u2028off', 'fly off'],
+  ['Turda ', 'Turda'],
+  ['calm\ud83d', 'calm\ufffd'],
+  ['\udfffcalm', '\ufffdcalm'],
+  ['\u200b\u00ad\ufeff', ''],
+  [' \u3000\u2003', ''],
+  ['\u0000', ''],
+])('%j becomes %j: a name stands on one line, and can be seen', (given, plain) => {
+  expect(plainName(given)).toBe(plain);
+  expect(plainName(plain)).toBe(plain);
+  expect(withPlainNames({ ...MODEL, name: given })).toMatchObject({ name: plain || '–' });
+  expect(withPlainNames({ ...SETTING, tags: [given] }).tags).toEqual(plain === '' ? [] : [plain]);
+  requireModel(withPlainNames({ ...MODEL, name: given }));
 });
 
-it('is cut between characters, not within one', () => {
+it('a name is cut between characters, not within one', () => {
   const planes = '✈️'.repeat(30) + '🛩'.repeat(LIMITS.name);
   const cut = beginningOf(planes, LIMITS.name);
   expect([cut.isWellFormed(), [...cut].length]).toEqual([true, LIMITS.name]);

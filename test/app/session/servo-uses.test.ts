@@ -18,7 +18,7 @@ afterEach(() => {
 });
 
 describe('what the servos move', () => {
-  it('is not known until it is said, and then kept for timers of this kind', () => {
+  it('is not known until the pilot says it, and is then kept for timers of this kind', () => {
     const { uses } = opened();
     expect(uses.named.value).toBeNull();
     uses.say([TAILPLANE, FLAP]);
@@ -39,7 +39,7 @@ describe('what the servos move', () => {
     expect(uses.named.value, 'without a timer nothing can be said').toEqual([TAILPLANE, FLAP]);
   });
 
-  it('belongs to the model where that is known, and only there', () => {
+  it('belongs to the model when that is known, and only then', () => {
     const atHand = signal<ServosAtHand | null>({ kind: 'timer/Q', servos: 2 });
     const servos = signal<readonly ServoUse[] | null>(null);
     const say = (said: readonly ServoUse[]): void => {
@@ -92,7 +92,7 @@ describe('what the servos move', () => {
     [JSON.stringify([TAILPLANE, { ...FLAP, high: 131 }]), 'past the last step'],
     [JSON.stringify([TAILPLANE, { ...FLAP, duty: 'flap' }]), 'an unknown duty'],
     [JSON.stringify([TAILPLANE, { ...FLAP, name: 'x'.repeat(17) }]), 'a name that is too long'],
-  ])('is not known where nonsense is kept: %s (%s)', (text) => {
+  ])('is not known when the stored value is impossible: %s (%s)', (text) => {
     localStorage.setItem('sidus-timer/servos/timer/Q', text);
     expect(opened().uses.named.value).toBeNull();
   });

@@ -32,7 +32,7 @@ function answered({ timer }: AppBench): string[] {
 const READ_ALL = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM', 'GETMEMORY', 'GETSWVER'];
 
 describe('connect', () => {
-  it('lets the pilot choose, opens, asks what it is, and shows what it holds', async () => {
+  it('lets the pilot choose, opens the port, identifies the timer, and shows what it holds', async () => {
     const bench = await connectedBench();
     expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['on', undefined, false]);
     expect(bench.editor.baseline.value?.positions).toEqual([
@@ -52,7 +52,7 @@ describe('connect', () => {
     expect(status(bench)).toBe('on');
   });
 
-  it('asks when more than one is remembered, or when the pilot wants to choose', async () => {
+  it('asks when more than one port is remembered, or when the pilot wants to choose', async () => {
     const bench = await appBench({ plug: { granted: true } });
     bench.serial.choose(null);
     await run(bench.session.timer.connect(true));
@@ -68,7 +68,7 @@ describe('connect', () => {
     ['not-allowed', ({ serial }, trouble) => Object.assign(serial, { userActivation: !trouble })],
   ];
 
-  it.each(troubles)('says %s, and works when that is mended', async (code, set) => {
+  it.each(troubles)('says %s, and works when that is repaired', async (code, set) => {
     const bench = await appBench();
     set(bench, true);
     await run(bench.session.timer.connect());
@@ -95,7 +95,7 @@ describe('connect', () => {
     ['is unplugged', 'away', ({ adapter }, trouble) => (trouble ? adapter.unplugAfter(3) : adapter.replug())],
   ];
 
-  it.each(waits)('waits for a timer that %s, and reads it by itself when that is mended', async (_, wanted, set) => {
+  it.each(waits)('waits for a timer that %s, and reads it as soon as that is over', async (_, wanted, set) => {
     const bench = await appBench();
     set(bench, true);
     await run(bench.session.timer.connect());
@@ -152,7 +152,7 @@ describe('connect', () => {
     expect(identified).toHaveLength(2);
   });
 
-  it('knows when there can be no wire here', async () => {
+  it('knows when a connection is impossible here', async () => {
     const bench = await appBench({ webSerial: false });
     expect(bench.session.link.unavailable).toBe('unsupported');
     await run(bench.session.timer.connect());
@@ -166,7 +166,7 @@ describe('when the first read does not come to its end', () => {
   it.each([
     ['the timer fell asleep', ({ timer }: AppBench) => timer.core.sleep(), ({ timer }: AppBench) => timer.core.press()],
     ['the pilot stopped it', ({ session }: AppBench) => session.runner.stop(), () => {}],
-  ])('because %s, it is read by itself or by Connect', async (_, hinder, mend) => {
+  ])('because %s, the timer is read when it is back or by Connect', async (_, hinder, mend) => {
     const bench = await appBench();
     bench.timer.core.onAnswer = ({ name }) => {
       if (name === 'GETMEMORY') hinder(bench);
@@ -192,7 +192,7 @@ describe('when the first read does not come to its end', () => {
 });
 
 describe('a lost port', () => {
-  it('is waited for without a word, comes back by itself, and is read', async () => {
+  it('is waited for without a message, comes back without a click, and is read', async () => {
     const bench = await connectedBench();
     bench.adapter.unplug();
     await idle();
@@ -221,7 +221,7 @@ describe('a lost port', () => {
     expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
   });
 
-  it('says what has changed meanwhile: below the edits, and without any', async () => {
+  it('says what has changed meanwhile, with and without edits', async () => {
     const bench = await connectedBench();
     const elsewhere = async (position: number): Promise<void> => {
       bench.adapter.unplug();
@@ -238,7 +238,7 @@ describe('a lost port', () => {
     expect([bench.editor.textOf(S1), bench.editor.working.value?.positions[2]?.[4]]).toEqual(['7', 99]);
   });
 
-  it('wants the safety again: it may be another timer', async () => {
+  it('asks for the safety again, because it may be another timer', async () => {
     const bench = await connectedBench();
     bench.session.safety.confirm();
     bench.adapter.unplug();
@@ -262,7 +262,7 @@ describe('a lost port', () => {
     expect(bench.editor.textOf(S1)).toBe('7');
   });
 
-  it('can be back at once, also while the old connection is still being closed', async () => {
+  it('can be back at once, also while the old connection is still closing', async () => {
     const bench = await connectedBench();
     bench.adapter.unplug();
     await Promise.resolve();
@@ -271,7 +271,7 @@ describe('a lost port', () => {
     expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
   });
 
-  it('comes back on its own way, also when Connect is asked for while the old connection is still being closed', async () => {
+  it('comes back also when Connect is clicked while the old connection is still closing', async () => {
     const bench = await connectedBench();
     bench.adapter.unplug();
     await Promise.resolve();
@@ -316,16 +316,23 @@ describe('disconnect', () => {
     expect([status(bench), notice(bench)], 'it was not waited for').toEqual(['on', undefined]);
   });
 
-  it('and Connect work one behind the other without a pause', async () => {
+  it.each([0, 300])('and Connect work without a pause, where a port takes %i ms to close', async (ms) => {
     const bench = await connectedBench();
+    const close = bench.port.close.bind(bench.port);
+    bench.port.close = async () => {
+      await new Promise((resolve) => setTimeout(resolve, ms));
+      await close();
+    };
+    bench.editor.type(S1, '7');
     const closing = bench.session.timer.disconnect();
     await run(bench.session.timer.connect());
     await run(closing);
     expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
     expect(bench.editor.working.value).not.toBeNull();
+    expect(bench.editor.textOf(S1)).toBe('7');
   });
 
-  it('in the middle of a read lets its request end; then Connect works at once', async () => {
+  it('during a reading lets the request end, and then Connect works at once', async () => {
     const bench = await connectedBench();
     bench.timer.core.sleep();
     const reading = bench.session.reader.read();
@@ -361,7 +368,7 @@ describe('a backup', () => {
 });
 
 describe('another memory', () => {
-  it('is made current and read; edits of the one that is left are kept', async () => {
+  it('is selected and read, and edits of the old one are kept', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.editor.type(DT, 'x');
@@ -390,7 +397,7 @@ describe('another memory', () => {
     expect([notice(bench), bench.editor.redoStep.value?.code]).toEqual([undefined, 'type']);
   });
 
-  it('keeps the edits of the one that is left where the browser stores nothing', async () => {
+  it('keeps the edits of the old one when the browser stores nothing', async () => {
     const store = new MemoryStore();
     store.broken = true;
     const bench = await connectedBench({ store });
@@ -402,7 +409,7 @@ describe('another memory', () => {
     expect(bench.editor.textOf(S1)).toBe('7');
   });
 
-  it('that the timer does not select is said, and the screen stays with the one that is current', async () => {
+  it('is reported when the timer does not select it, and the screen stays with the current one', async () => {
     const bench = await connectedBench();
     bench.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETMEMORY') bench.timer.core.memory = 0;
@@ -451,7 +458,7 @@ describe('read again', () => {
     expect(answered(bench)).toEqual(READ_ALL);
   });
 
-  it('that is stopped says nothing and leaves the wire usable', async () => {
+  it('shows nothing when it is stopped, and the connection still works', async () => {
     const bench = await connectedBench();
     bench.timer.core.onAnswer = () => bench.session.runner.stop();
     await run(bench.session.reader.read());
@@ -463,7 +470,7 @@ describe('read again', () => {
 });
 
 describe('after a reload', () => {
-  it('what was typed is back before anything is connected, and is put on top of what the timer holds', async () => {
+  it('what was typed is back before the connection, and is then put on top of what the timer holds', async () => {
     const store = new MemoryStore();
     const before = await connectedBench({ store });
     before.editor.type(S1, '7');
@@ -477,7 +484,7 @@ describe('after a reload', () => {
     expect([after.editor.textOf(S1), after.editor.textOf(DT)]).toEqual(['7', 'soon']);
   });
 
-  it('of several memories, the one that was worked on last is back', async () => {
+  it('the memory that was edited last is back', async () => {
     const store = new MemoryStore();
     const before = await connectedBench({ store });
     before.editor.type(S1, '7');
@@ -491,7 +498,7 @@ describe('after a reload', () => {
     expect([after.editor.working.value?.memory, after.editor.textOf(S1)]).toEqual([1, '8']);
   });
 
-  it('there is nothing to bring back once it was undone, or written; but it can be redone, or undone', async () => {
+  it('edits that were undone or written do not come back, but can be redone or undone', async () => {
     const store = new MemoryStore();
     const bench = await connectedBench({ store });
     bench.editor.type(S1, '7');
@@ -518,7 +525,7 @@ describe('after a reload', () => {
     expect([written.editor.textOf(S1), written.editor.dirty.value]).toEqual(['35', true]);
   });
 
-  it('the last key is back, though the browser was still busy with the one before when the page was left', async () => {
+  it('the last typed letter is back, though the browser was still storing the one before', async () => {
     const store = new FaultyStore();
     const before = await connectedBench({ store });
     store.before = () => new Promise(() => {});
@@ -531,7 +538,7 @@ describe('after a reload', () => {
     expect(after.editor.textOf(S1)).toBe('9');
   });
 
-  it('what a handle is moved to is kept now and then, when it is let go, and when the page is left', async () => {
+  it('a dragged handle is kept now and then, on release, and when the page is left', async () => {
     const bench = await connectedBench();
     const move = (value: number): void => {
       bench.editor.apply(setValues({ code: 'move-mark', params: {} }, [{ field: S1, value }], groupOf('move', 'S1')));

@@ -1,7 +1,7 @@
 import { openDB } from 'idb';
 import { describe, expect, it, onTestFinished } from 'vitest';
 import { openStorage, Shelf } from '../../../src/app/storage/database.js';
-import { browserStorage, StorageError } from '../../../src/app/storage/index.js';
+import { browserStorage, limited, StorageError } from '../../../src/app/storage/index.js';
 import { backupSchema, portSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
 import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 
@@ -33,7 +33,7 @@ describe('the storage of the browser', () => {
     expect([await shelf.load('a'), (await shelf.all()).length]).toEqual([undefined, 1]);
   });
 
-  it('keeps at once what is kept when the page is left, and nothing that waited comes after it', async () => {
+  it('stores at once when the page is left, and no waiting record overwrites that', async () => {
     const shelf = browserStorage(name()).ports;
     const waiting = shelf.save({ ...PORT, usedAt: 6 });
     await Promise.all([shelf.save({ ...PORT, usedAt: 7 }, true), waiting]);
@@ -43,7 +43,7 @@ describe('the storage of the browser', () => {
     expect(await shelf.load(PORT.key)).toBeUndefined();
   });
 
-  it('passes over what another version has stored', async () => {
+  it('ignores what another version has stored', async () => {
     const opened = openStorage(name());
     const database = await opened();
     await database.put('ports', { ...PORT, key: 'a', settings: { baudRate: -1 } });
@@ -71,7 +71,7 @@ describe('the storage of the browser', () => {
     database.close();
   });
 
-  it('says by code that a newer version of the page has been here', async () => {
+  it('reports with a code that a newer version of the page has been here', async () => {
     const own = name();
     await new Promise<void>((resolve, reject) => {
       const opening = indexedDB.open(own, 9);
@@ -87,7 +87,7 @@ describe('the storage of the browser', () => {
     expect(StorageError.of(failed).code).toBe('newer');
   });
 
-  it('is thrown away, also from under another tab', async () => {
+  it('can be deleted, also while another tab uses it', async () => {
     const own = name();
     const other = browserStorage(own);
     await other.ports.save(PORT);
@@ -219,8 +219,8 @@ describe('what each older version has stored', () => {
   );
 });
 
-describe('a library of the first day', () => {
-  it('is read as it was, also a servo whose ends nobody had looked at', async () => {
+describe('a library of the first version', () => {
+  it('is read as it was, also a servo whose ends were never checked', async () => {
     const own = name();
     const database = await openStorage(own)();
     const use = { duty: 'rudder', name: '', low: 95, high: 20, reversed: false } as const;
@@ -259,7 +259,7 @@ describe('an old version of the page in another tab', () => {
       (cause) => StorageError.of(cause).code,
     );
 
-  it('that holds on is named as the reason, goes on, and loses nothing', async () => {
+  it('that keeps the storage open is named as the reason, continues, and loses nothing', async () => {
     const own = name();
     const old = await oldTab(own, false);
     const { models, ports } = browserStorage(own);
@@ -273,7 +273,7 @@ describe('an old version of the page in another tab', () => {
     expect((await browserStorage(own).models.all()).map(({ key }) => key)).toEqual([MODEL.id]);
   });
 
-  it('that lets go is passed at once, and is told that it keeps nothing any more', async () => {
+  it('that closes the storage does not delay this page, and is told that it keeps nothing any more', async () => {
     const own = name();
     const old = await oldTab(own, true);
     const { models, ports } = browserStorage(own);
@@ -287,7 +287,7 @@ describe('an exchange', () => {
   const first = { key: MODEL.id, model: MODEL, order: 1, changedAt: 5, verified: [] };
   const named = (text: string) => ({ ...first, model: { ...MODEL, name: text } });
 
-  it('of two tabs at once puts the one, and tells the other what is there', async () => {
+  it('by two tabs at once stores one record, and tells the other tab what is there', async () => {
     const own = name();
     const tabs = [browserStorage(own).models, browserStorage(own).models] as const;
     expect(await tabs[0].exchange({ record: first, known: [] })).toBeNull();
@@ -306,7 +306,7 @@ describe('an exchange', () => {
     }
   });
 
-  it('takes what is known, whatever order its fields have, and what was deleted', async () => {
+  it('accepts the known record, whatever the order of its fields, and a deleted one', async () => {
     const { models } = browserStorage(name());
     await models.save(first);
     const { order, ...rest } = first;
@@ -317,7 +317,7 @@ describe('an exchange', () => {
     expect(await models.exchange({ record: named('d'), known: [named('b')] })).toEqual(named('c'));
   });
 
-  it('is done at once, whatever is there, when the page is left', async () => {
+  it('is done at once when the page is left, whatever is stored', async () => {
     const own = name();
     const { models } = browserStorage(own);
     await models.save(first);
@@ -326,6 +326,35 @@ describe('an exchange', () => {
     // The storage is open: the question is on its way.
     await Promise.resolve();
     dispatchEvent(new PageTransitionEvent('pagehide'));
+    dispatchEvent(new PageTransitionEvent('pageshow'));
     await expect.poll(async () => (await browserStorage(own).models.all())[0]?.model.name).toBe('typed last');
+  });
+
+  it('that begins while the page is left asks for no answer, until the page is back', async () => {
+    const { models } = browserStorage(name());
+    await models.save(first);
+    dispatchEvent(new PageTransitionEvent('pagehide'));
+    expect(await models.exchange({ record: named('typed last'), known: [] })).toBeNull();
+    dispatchEvent(new PageTransitionEvent('pageshow'));
+    expect(await models.exchange({ record: first, known: [] })).toEqual(named('typed last'));
+  });
+
+  it('is done before the page is left, and the later of two is what stays', async () => {
+    const own = name();
+    const watch = { answered: () => {}, failed: () => {} };
+    const { models } = limited(browserStorage(own), watch);
+    await models.save(first);
+    const late: Promise<unknown>[] = [];
+    const stop = new AbortController();
+    const keep = (): void => void late.push(models.exchange({ record: named('typed last'), known: [] }));
+    addEventListener('pagehide', keep, stop);
+    late.push(models.exchange({ record: named('typed'), known: [first] }));
+    // The question of that one is on its way.
+    for (let turn = 0; turn < 5; turn++) await Promise.resolve();
+    dispatchEvent(new PageTransitionEvent('pagehide'));
+    dispatchEvent(new PageTransitionEvent('pageshow'));
+    stop.abort();
+    await Promise.allSettled(late);
+    expect((await browserStorage(own).models.all())[0]?.model.name).toBe('typed last');
   });
 });

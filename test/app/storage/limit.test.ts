@@ -18,14 +18,14 @@ function watched(promise: Promise<unknown>): { said: unknown } {
   return seen;
 }
 
-describe('what the storage is asked for', () => {
-  it('is given as it comes, and no clock runs on', async () => {
+describe('a request to the storage', () => {
+  it('returns its answer, and no clock keeps running', async () => {
     expect(await withinLimit(Promise.resolve(7))).toBe(7);
     expect(await withinLimit(async () => 8)).toBe(8);
     expect(vi.getTimerCount()).toBe(0);
   });
 
-  it('has five seconds, or as long as is said', async () => {
+  it('has five seconds, or the given time', async () => {
     const usual = watched(withinLimit(new Promise(() => {})));
     const short = watched(withinLimit(() => new Promise(() => {}), 100));
     await vi.advanceTimersByTimeAsync(99);
@@ -41,7 +41,7 @@ describe('what the storage is asked for', () => {
   it.each<[what: string, settle: (resolve: () => void, reject: (error: Error) => void) => void]>([
     ['comes', (resolve) => resolve()],
     ['fails', (_, reject) => reject(new Error('late'))],
-  ])('is passed over when it %s later', async (_, settle) => {
+  ])('is ignored when it %s later', async (_, settle) => {
     let end = (): void => {};
     const work = new Promise<void>((resolve, reject) => {
       end = () => settle(resolve, reject);
@@ -61,7 +61,7 @@ describe('what the storage is asked for', () => {
     ['blocked', new StorageError('blocked', 'another tab')],
     ['failed', new DOMException('the disk', 'UnknownError')],
     ['failed', 'a text'],
-  ])('fails by code: %s', async (code, cause) => {
+  ])('fails with a code: %s', async (code, cause) => {
     const rejected = await withinLimit(Promise.reject(cause)).catch((error) => error);
     const thrown = await withinLimit(() => {
       throw cause;
@@ -90,7 +90,7 @@ it('every call of every shelf of the storage goes through it', async () => {
   }
 });
 
-it('one that did not answer is waited for shortly, until it does', async () => {
+it('after one without an answer, the next ones wait only briefly until one answers', async () => {
   const store = new MemoryStore();
   const told: unknown[] = [];
   const { drafts } = limited(store, {

@@ -4,7 +4,7 @@ import { onDemand } from '../../../src/app/ui/on-demand.js';
 
 const Text = ({ text }: { readonly text: string }) => <p>{text}</p>;
 
-it('is fetched once when it is first shown, and says so meanwhile', async () => {
+it('a part is fetched once when it is first shown, and says so meanwhile', async () => {
   let fetched = 0;
   const { Part, fetch } = onDemand(async () => {
     fetched++;
@@ -17,7 +17,7 @@ it('is fetched once when it is first shown, and says so meanwhile', async () => 
   expect(fetched).toBe(1);
 });
 
-it('that does not come says so, and is asked for again', async () => {
+it('a part that does not come says so, and can be fetched again', async () => {
   let broken = true;
   const { Part } = onDemand(async () => {
     if (broken) throw new Error('no network');
@@ -30,13 +30,32 @@ it('that does not come says so, and is asked for again', async () => {
   await screen.findByText('here');
 });
 
-it('leaves nothing in its place where it is a dialog', () => {
+it('a part that is a dialog leaves nothing in its place', () => {
   const { Part } = onDemand(() => new Promise<typeof Text>(() => {}), { silent: true });
   const { container } = render(<Part text="here" />);
   expect(container.innerHTML).toBe('');
 });
 
-it('that can wait is not fetched because it is drawn, but when its turn comes', async () => {
+it('tells that a silent part did not come, until it does', async () => {
+  let broken = true;
+  const dialogs = onDemand(
+    async () => {
+      if (broken) throw new Error('no network');
+      return Text;
+    },
+    { silent: true, later: true },
+  );
+  const { container } = render(<dialogs.Part text="here" />);
+  expect(dialogs.hasFailed).toBe(false);
+  await dialogs.fetch();
+  expect([dialogs.hasFailed, container.innerHTML]).toEqual([true, '']);
+  broken = false;
+  await dialogs.fetch();
+  expect(dialogs.hasFailed).toBe(false);
+  await screen.findByText('here');
+});
+
+it('a part that can wait is not fetched when it is drawn, but when its turn comes', async () => {
   const dialogs = onDemand(async () => Text, { silent: true, later: true });
   const view = onDemand(async () => Text);
   const { container } = render(

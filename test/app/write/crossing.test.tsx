@@ -61,7 +61,7 @@ function sets({ timer }: AppBench): number {
 }
 
 describe('a write into the timer of the model that the values are of', () => {
-  it('asks for nothing, and says whose timer it is', async () => {
+  it('needs no tick, and says whose timer it is', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     await run(bench.write.open());
@@ -70,7 +70,7 @@ describe('a write into the timer of the model that the values are of', () => {
     expect(bench.write.ready.value).toBe(true);
   });
 
-  it('asks for nothing where the pilot has said of this timer which model it is', async () => {
+  it('needs no tick when the pilot has said which model this timer belongs to', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     const magpie = bench.session.recognition.choices.value.find(({ name }) => name === 'Magpie');
@@ -81,14 +81,14 @@ describe('a write into the timer of the model that the values are of', () => {
 });
 
 describe('a write into the timer of another model', () => {
-  it('is asked for by both names where a backup is of another model', async () => {
+  it('needs a tick with both names when a backup is of another model', async () => {
     const bench = await drawn(await lancer());
     bench.session.onScreen.showBackup(BACKUP);
     bench.session.safety.confirm();
     await run(bench.write.open());
     await idle(0);
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'], model: 'Lancer' });
-    expect(screen.getByText('These are values of Magpie, and this timer looks like that of Lancer.')).toBeTruthy();
+    expect(screen.getByText('These are values of Magpie, but this timer looks like that of Lancer.')).toBeTruthy();
     expect(bench.write.ready.value).toBe(false);
     await run(bench.write.start());
     expect(sets(bench)).toBe(0);
@@ -100,7 +100,7 @@ describe('a write into the timer of another model', () => {
     expect(bench.session.modelAtHand.value?.name).toBe('Lancer');
   });
 
-  it('is asked for where a backup of another model was undone and redone, also past a reading', async () => {
+  it('needs a tick when a backup of another model was undone and redone, also after a reading', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     bench.session.onScreen.showBackup(BACKUP);
@@ -121,7 +121,7 @@ describe('a write into the timer of another model', () => {
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
   });
 
-  it('is asked for where a backup of another model was loaded before the timer came', async () => {
+  it('needs a tick when a backup of another model was loaded before the timer came', async () => {
     const store = new MemoryStore();
     store.models.records.set('Lancer', record('Lancer', LANCER[0] as Content));
     store.models.records.set('Magpie', record('Magpie', MAGPIE[0] as Content));
@@ -133,7 +133,7 @@ describe('a write into the timer of another model', () => {
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
   });
 
-  it('is asked for where a setting of another model was opened over it', async () => {
+  it('needs a tick when a setting of another model was opened over it', async () => {
     const bench = await lancer();
     const program = programOf(MAGPIE[0] as Content);
     await run(bench.session.library.keepSetting({ ...SETTING, id: 'calm', model: 'Magpie', program }).then(() => {}));
@@ -147,7 +147,7 @@ describe('a write into the timer of another model', () => {
     expect(shown(bench).from).toBeUndefined();
   });
 
-  it('is asked for where the timer was exchanged under the changes, without a word of the connection', async () => {
+  it('needs a tick when the timer was exchanged during the changes and the connection did not notice', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     hold(bench, MAGPIE);
@@ -155,7 +155,7 @@ describe('a write into the timer of another model', () => {
     expect(shown(bench)).toMatchObject({ from: 'Lancer', to: ['Magpie'], model: 'Magpie' });
   });
 
-  it('is asked for where the timer is exchanged while the dialog is open', async () => {
+  it('needs a tick when the timer is exchanged while the dialog is open', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     await run(bench.write.open());
@@ -167,7 +167,7 @@ describe('a write into the timer of another model', () => {
     expect(bench.write.ready.value).toBe(false);
   });
 
-  it('is asked for where another timer comes to the next connection', async () => {
+  it('needs a tick when another timer comes at the next connection', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     await run(bench.session.timer.disconnect());
@@ -177,7 +177,7 @@ describe('a write into the timer of another model', () => {
     expect(shown(bench)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
   });
 
-  it('is asked for after a reload, too: the changes are kept with their model', async () => {
+  it('needs a tick after a reload, too, because the changes are kept with their model', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     await idle();
@@ -188,7 +188,7 @@ describe('a write into the timer of another model', () => {
     expect(shown(again)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
   });
 
-  it('is shown again, not acknowledged, when a name has changed meanwhile', async () => {
+  it('is shown again without the tick when a name has changed meanwhile', async () => {
     const bench = await lancer();
     bench.session.onScreen.showBackup(BACKUP);
     bench.session.safety.confirm();
@@ -203,7 +203,7 @@ describe('a write into the timer of another model', () => {
     expect([bench.write.crossed.value, bench.write.ready.value]).toEqual([false, false]);
   });
 
-  it('names all that the timer may be of, and asks for nothing where the model is one of them', async () => {
+  it('names all candidates, and needs no tick when the model is one of them', async () => {
     const store = new MemoryStore();
     store.models.records.set('Twin', record('Twin', LANCER[0] as Content));
     const bench = await lancer(store);
@@ -217,7 +217,7 @@ describe('a write into the timer of another model', () => {
     expect(shown(bench).from).toBeUndefined();
   });
 
-  it('asks for nothing by the name of a model that is deleted', async () => {
+  it('needs no tick with the name of a deleted model', async () => {
     const bench = await lancer();
     bench.session.onScreen.showBackup(BACKUP);
     bench.store.models.records.delete('Magpie');
@@ -226,7 +226,7 @@ describe('a write into the timer of another model', () => {
     expect(shown(bench).from).toBeUndefined();
   });
 
-  it('is asked for where several backups of another model are restored', async () => {
+  it('needs a tick when several backups of another model are restored', async () => {
     const bench = await lancer();
     const backups = [{ ...BACKUP, reason: 'memories' as const }];
     await run(bench.memories.jobs.open({ kind: 'restore', backups }));

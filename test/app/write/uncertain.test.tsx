@@ -48,11 +48,12 @@ describe('after a write whose answer never came', () => {
     bench = await cut();
   });
 
-  it('the dialog and the page say what is not known, and nothing is said that is not so', async () => {
+  it('the dialog and the page say what is not known, and nothing false', async () => {
     expect(screen.getByRole('dialog').textContent).toContain('It is not certain what the timer holds.');
     expect(screen.getByRole('dialog').textContent, 'over the dialog, too').toContain(SENTENCE);
     await press('Close');
     expect(band()).toContain(ELSEWHERE);
+    expect(screen.getByText('Not known what M1 holds'), 'before how many values differ').toBeTruthy();
     expect(screen.queryByText('was 3:00')).toBeNull();
     expect(described('DT time')).toContain('last read 3:00, not certain now');
     expect(document.body.textContent).not.toContain('Timer holds');
@@ -101,7 +102,7 @@ describe('after a write whose answer never came', () => {
     expect(after.editor.baseline.value?.times[10]).toBe(36_000);
   });
 
-  it('it stays when what is read is not explained, and the pilot says which timer that is', async () => {
+  it('it stays when the reading is not explained, and the pilot says which timer it is', async () => {
     const after = await loadedAgain(bench);
     (after.timer.core.content.positions[1] as number[])[5] = 77;
     await press('Connect and read');
@@ -112,7 +113,7 @@ describe('after a write whose answer never came', () => {
     expect(screen.queryByRole('button', { name: 'Connect and read' })).toBeNull();
   });
 
-  it('it goes by the word of the pilot, who is asked twice', async () => {
+  it('it goes when the pilot says so, after a question', async () => {
     await press('Close');
     await press('Forget this…');
     expect(band()).toContain('Forget it only if you have read that timer elsewhere');
@@ -146,7 +147,7 @@ describe('a write that was read back in part', () => {
   });
 });
 
-describe('what is said of what is known', () => {
+describe('the words for what is known', () => {
   const compared = () => screen.getByRole<HTMLSelectElement>('combobox', { name: /^Compare with/ }).options[0]?.text;
 
   it('is “was” while the timer is there, and “last read” when it is not', async () => {
@@ -187,7 +188,7 @@ describe('what is said of what is known', () => {
     expect(document.body.textContent).not.toMatch(/They have not been written|not known whether/);
   });
 
-  it('is nothing on a page that knows of no timer', async () => {
+  it('are absent on a page that knows of no timer', async () => {
     await opened();
     expect(band()).toBeNull();
   });
@@ -213,6 +214,6 @@ describe('the dialog of a write', () => {
     );
     await press('Write without a backup');
     expect(bench.timer.core.content.times[10]).toBe(36_000);
-    expect(screen.getByRole('alert').textContent).toMatch(/M1 verified .* DT 6:00 min\s· .*\s· 1 change$/);
+    expect(screen.getByRole('alert').textContent).toMatch(/M1\sverified\s.*\s· DT\s6:00\smin\s· .*\s· 1\schange$/);
   });
 });

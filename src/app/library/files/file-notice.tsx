@@ -3,12 +3,12 @@ import type { FileWord, LibraryFiles } from './library-files.js';
 
 const BAD: ReadonlySet<FileWord['kind']> = new Set(['not-written', 'too-large', 'failed']);
 
-/** What was done with files last, and the way back from an import. */
+/** What was last done with files, with a button to undo an import. */
 export function FileNotice({ files }: { readonly files: LibraryFiles }) {
   const { import: words } = filesMessages.value;
   const said = files.said.value;
   if (!said) return null;
-  const isBad = BAD.has(said.kind) || (said.kind === 'imported' && !said.kept);
+  const isBad = BAD.has(said.kind) || ('kept' in said && !said.kept);
   return (
     <div class={isBad ? 'notice bad' : 'notice'}>
       <p>{wordText(said)}</p>
@@ -48,8 +48,8 @@ function wordText(said: FileWord): string {
     case 'imported':
       return [into.done(counted(said.holds), said.name), !said.kept && into.unkept].filter(Boolean).join(' ');
     case 'undone':
-      return into.undone;
+      return [into.undone, !said.kept && into.undoUnkept].filter(Boolean).join(' ');
     case 'partly-undone':
-      return into.partlyUndone;
+      return [into.partlyUndone, !said.kept && into.undoUnkept].filter(Boolean).join(' ');
   }
 }

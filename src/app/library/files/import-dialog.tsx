@@ -10,11 +10,11 @@ import './import-dialog.css';
 
 interface ImportDialogProps {
   readonly files: LibraryFiles;
-  /** Something has come into the library: it is to be seen. */
+  /** Shows what has come into the library. */
   readonly onTaken: () => void;
 }
 
-/** What is in a file, what it would change in the library, and whether it may. */
+/** What a file holds and what it would change in the library. Asks the pilot. */
 export function ImportDialog({ files, onTaken }: ImportDialogProps) {
   const words = filesMessages.value;
   const current = files.current.value;
@@ -49,7 +49,7 @@ function CloseButton({ files, text }: { readonly files: LibraryFiles; readonly t
   );
 }
 
-/** Why a file is not taken, and where in it that stands. */
+/** Why a file was refused, and where in it the fault stands. */
 function Refused({ files, why }: { readonly files: LibraryFiles; readonly why: FileRefusal }) {
   const { refused: words, import: more } = filesMessages.value;
   return (
@@ -74,9 +74,9 @@ function PlaceInFile({ why: { code, field, details } }: { readonly why: CodecErr
   );
 }
 
-/** Fields that are texts: their limits are characters. */
+/** Fields with text, whose limits count characters. */
 const TEXTS = /(?:name|note|place|round|photo|writtenBy|tags\[\d+\]|memoryNames\[\d+\])$/i;
-/** A date is counted in milliseconds inside of the page: no figure for a person. */
+/** Inside the page a date is a number of milliseconds, which tells a person nothing. */
 const DATES = /(?:^|\.)(?:at|\w+At)$/;
 
 function reasonOf({ code, field, details: { min, max } }: CodecError): string {
@@ -131,7 +131,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
         </p>
       )}
       <div class="buttons">
-        <button type="button" onClick={() => files.dismiss()}>
+        <button type="button" class={isNothing ? '' : 'quiet'} onClick={() => files.dismiss()}>
           {isNothing ? words.import.close : words.import.cancel}
         </button>
         {!isNothing && (
@@ -158,7 +158,7 @@ interface GroupRowProps {
   readonly way: Way;
 }
 
-/** What a file brings of one model, and what becomes of it. */
+/** What a file holds for one model, and what to do with it. */
 function GroupRow({ files, group, way }: GroupRowProps) {
   const { import: words, counted } = filesMessages.value;
   const name = group.name || (group.id === null ? words.loose : words.unknownModel);
@@ -199,10 +199,10 @@ function GroupRow({ files, group, way }: GroupRowProps) {
   );
 }
 
-/** So many are told by name. */
+/** How many entries are named. */
 const NAMED = 3;
 
-/** What differs, by name. */
+/** The names of the entries that differ. */
 function namesOf(entries: readonly Entry[]): string {
   const { import: words } = filesMessages.value;
   const names = entries.slice(0, NAMED).map(({ kind, entry }) => {

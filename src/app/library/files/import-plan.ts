@@ -10,7 +10,7 @@ import { beginningOf, withPlainNames } from '../../session/plain-names.js';
 import { programKey } from '../../session/record-keys.js';
 import { type FlightRecord, isSame, type ModelRecord, type SettingRecord } from '../../storage/index.js';
 
-/** The records of a library, or of a part of it. */
+/** The records of a library, or of a part of one. */
 export interface Records {
   readonly models: readonly ModelRecord[];
   readonly settings: readonly SettingRecord[];
@@ -18,27 +18,27 @@ export interface Records {
 }
 export type Kind = keyof Records;
 
-/** What becomes of what differs: the newer of the two, both, or neither this nor anything else of its model. */
+/** What to do with entries that differ: keep the newer one, keep both, or skip everything of this model. */
 export type Way = 'newer' | 'both' | 'skip';
 export const WAYS = ['newer', 'both', 'skip'] as const satisfies readonly Way[];
 
 type EntryOf = { models: Model; settings: Setting; flights: Flight };
 
-/** One entry of a file, beside what the device has under the same id. */
+/** One entry of a file, with the device's entry of the same id. */
 export interface Entry<K extends Kind = Kind> {
   readonly kind: K;
   readonly entry: EntryOf[K];
   readonly facts: EntryFacts;
-  /** When it was changed last, as far as the file says; else when it was written. */
+  /** When it was last changed, if the file says so; else when the file was written. */
   readonly changedAt: number;
   readonly standing: 'new' | 'same' | 'file-newer' | 'device-newer';
 }
 
 /** The entries of a file that belong to one model, or to none. */
 export interface Group {
-  /** The id of the model; null: of none. */
+  /** The id of the model; null for none. */
   readonly id: string | null;
-  /** Empty: nothing knows a name. */
+  /** Empty when no name is known. */
   readonly name: string;
   readonly entries: readonly Entry[];
 }
@@ -46,7 +46,7 @@ export interface Group {
 /** How many entries of each kind. */
 export type EntryCounts = Readonly<Record<Kind, number>>;
 
-/** What a file would bring, model by model in its order. */
+/** What a file would bring, with names made plain, grouped by model, in the order of the file. */
 export function groupsOf({ library, facts, writtenAt }: LibraryFile, held: Records): Group[] {
   const groups = new Map<string | null, { name: string; entries: Entry[] }>();
   const heldModels = byKey(held.models);
@@ -55,15 +55,16 @@ export function groupsOf({ library, facts, writtenAt }: LibraryFile, held: Recor
     groups.set(id, group);
     return group;
   };
-  const add = <K extends Kind>(kind: K, id: string | null, entry: EntryOf[K], here: Here | undefined): void => {
-    const known = facts.get(entry) ?? {};
+  const add = <K extends Kind>(kind: K, id: string | null, given: EntryOf[K], here: Here<K> | undefined): void => {
+    const known = facts.get(given) ?? {};
+    const entry = withPlainNames(given);
     const changedAt = known.changedAt ?? ('at' in entry ? entry.at : writtenAt);
     const standing = standingOf(entry, changedAt, here);
     groupOf(id).entries.push({ kind, entry, facts: known, changedAt, standing });
   };
   for (const model of library.models) {
     const here = heldModels.get(model.id);
-    groupOf(model.id).name = model.name;
+    groupOf(model.id).name = withPlainNames(model).name;
     add('models', model.id, model, here && { entry: here.model, changedAt: here.changedAt });
   }
   const heldSettings = byKey(held.settings);
@@ -76,30 +77,31 @@ export function groupsOf({ library, facts, writtenAt }: LibraryFile, held: Recor
     const here = heldFlights.get(flight.id);
     add('flights', flight.model, flight, here && { entry: here.flight, changedAt: here.changedAt });
     const group = groupOf(flight.model);
-    group.name ||= flight.modelName;
+    group.name ||= withPlainNames(flight).modelName;
   }
   return [...groups].map(([id, group]) => ({ id, ...group }));
 }
 
-/** What the device has under the same id. */
-interface Here {
-  readonly entry: unknown;
+/** The device's entry of the same id. */
+interface Here<K extends Kind> {
+  readonly entry: EntryOf[K];
   readonly changedAt: number;
 }
 
-function standingOf(entry: unknown, changedAt: number, here: Here | undefined): Entry['standing'] {
+function standingOf<K extends Kind>(entry: EntryOf[K], changedAt: number, here?: Here<K>): Entry['standing'] {
   if (!here) return 'new';
-  if (isSame(entry, here.entry)) return 'same';
+  // An old record may hold what names may not hold today.
+  if (isSame(entry, withPlainNames(here.entry))) return 'same';
   return changedAt > here.changedAt ? 'file-newer' : 'device-newer';
 }
 
 interface Taken {
   readonly entry: Entry;
-  /** It gets an id and a name of its own. */
+  /** Whether it gets a new id and a new name. */
   readonly asCopy: boolean;
 }
 
-/** Which entries come in, and as what, when it is done this way. */
+/** The entries to import in this way, and in which form. */
 export function takenOf({ entries }: Group, way: Way): readonly Taken[] {
   if (way === 'skip') return [];
   return entries.flatMap((entry): Taken[] => {
@@ -111,8 +113,8 @@ export function takenOf({ entries }: Group, way: Way): readonly Taken[] {
 }
 
 /**
- * The records that an import keeps: what is there already stays in its place, what is new comes behind it.
- * @param newId makes an id that nothing has.
+ * The records after an import. Present ones keep their place; new ones follow after them.
+ * @param newId makes an id that is not in use.
  */
 export function recordsOf(
   groups: readonly Group[],
@@ -135,7 +137,7 @@ export function recordsOf(
         const verified = latest([...(here?.verified ?? []), ...(entry.facts.verified ?? [])]);
         records.models.push({
           key: id,
-          model: withPlainNames(model),
+          model,
           order: here?.order ?? ++order.models,
           changedAt,
           verified,
@@ -148,12 +150,12 @@ export function recordsOf(
         const setting = { ...entry.entry, id, name: asCopy ? freeName(entry.entry.name, names) : entry.entry.name };
         records.settings.push({
           key: id,
-          setting: withPlainNames(setting),
+          setting,
           order: heldSettings.get(id)?.order ?? ++order.settings,
           changedAt,
         });
       } else if (isOf(entry, 'flights')) {
-        records.flights.push({ key: id, flight: withPlainNames({ ...entry.entry, id }), changedAt });
+        records.flights.push({ key: id, flight: { ...entry.entry, id }, changedAt });
       }
     }
   }
@@ -178,7 +180,7 @@ function lastOrder(records: readonly { readonly order: number }[]): number {
   return records.reduce((last, { order }) => Math.max(last, order), 0);
 }
 
-/** What each memory held when it was seen last. */
+/** What each memory held when it was last seen. */
 function latest(verified: ModelRecord['verified']): ModelRecord['verified'] {
   const found = new Map<string, ModelRecord['verified'][number]>();
   for (const each of verified) {
@@ -188,7 +190,7 @@ function latest(verified: ModelRecord['verified']): ModelRecord['verified'] {
   return [...found.values()];
 }
 
-/** `calm (2)`, or the next number that is free. */
+/** `calm (2)`, or the next free number. */
 function freeName(name: string, names: readonly string[]): string {
   for (let number = 2; ; number++) {
     const end = ` (${number})`;

@@ -1,10 +1,11 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import { parseLibraryFile } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
+import { plainName } from '../../session/plain-names.js';
 import { isSame } from '../../storage/index.js';
 import { type EntryCounts, type Group, groupsOf, type Records } from './import-plan.js';
 
-/** What a file is found to hold. */
+/** The content of a file. */
 interface Found {
   readonly writtenAt: number;
   readonly writtenBy: string;
@@ -13,32 +14,33 @@ interface Found {
   readonly groups: ReadonlySignal<readonly Group[]>;
 }
 
-/** Reads a text, and compares it with what the library holds. */
+/** Reads the text of a file and compares it with the library. */
 export function lookInto(text: string, held: () => Records): Found | { readonly refused: CodecError } {
   try {
     const file = parseLibraryFile(text);
     const { models, settings, flights } = file.library;
     const holds = { models: models.length, settings: settings.length, flights: flights.length };
-    // Another tab, or the pilot, may change the library while he looks at it.
+    // The library may change while the pilot looks at the file.
     const groups = computed(() => groupsOf(file, held()));
-    return { writtenAt: file.writtenAt, writtenBy: file.writtenBy, ignored: file.ignored.length, holds, groups };
+    const { writtenAt, ignored } = file;
+    return { writtenAt, writtenBy: plainName(file.writtenBy), ignored: ignored.length, holds, groups };
   } catch (error) {
     if (error instanceof CodecError) return { refused: error };
     throw error;
   }
 }
 
-/** What has to be done with one list to have what was there before an import. */
+/** The changes that bring one list back to how it was before an import. */
 export interface Undo<R> {
-  /** What is put back in its place. */
+  /** Records to put back in their place. */
   readonly back: readonly R[];
-  /** The keys of what is taken out again. */
+  /** Keys of records to remove again. */
   readonly gone: readonly string[];
-  /** False: something was changed since then, and stays. */
+  /** False when something was changed after the import; that stays. */
   readonly isWhole: boolean;
 }
 
-/** @param put what the import has kept. @param before the list before it. @param now the list as it is. */
+/** @param put what the import has saved. @param before the list before it. @param now the list as it is. */
 export function undoOf<R extends { readonly key: string; readonly changedAt: number }>(
   put: readonly R[],
   before: readonly R[],

@@ -6,26 +6,27 @@ import { type ChosenFile, chooseFile, saveFile, writeFile } from '../../browser/
 import { version } from '../../browser/version.js';
 import type { Collection } from '../../session/collection.js';
 import { type Library, newId } from '../../session/library.js';
+import { plainName } from '../../session/plain-names.js';
 import type { StorageErrorCode } from '../../storage/index.js';
 import { ExportMarks } from './export-marks.js';
 import { type EntryCounts, type Group, type Records, recordsOf, type Way } from './import-plan.js';
 import { lookInto, undoOf } from './import-work.js';
 import { type FilePart, type Made, partOf, textOf } from './library-text.js';
 
-/** What is imported just now. */
+/** The state of an import. */
 export type ImportStep =
   | { readonly step: 'reading'; readonly name: string }
   | { readonly step: 'refused'; readonly name: string; readonly why: FileRefusal }
   | ({ readonly step: 'plan'; readonly name: string; readonly writtenAt: number; readonly writtenBy: string } & {
       readonly ignored: number;
       readonly holds: EntryCounts;
-      /** What the file would bring, beside what the library holds at this moment. */
+      /** What the file would bring, compared with the present library. */
       readonly groups: ReadonlySignal<readonly Group[]>;
       readonly ways: ReadonlySignal<Ways>;
     });
 export type FileRefusal = UnreadableFile | 'several' | 'failed' | CodecError;
 
-/** What becomes of what differs: for all, and for some models by themselves. */
+/** What to do with entries that differ: for all models, and for some models separately. */
 export interface Ways {
   readonly all: Way;
   readonly of: ReadonlyMap<string | null, Way>;
@@ -36,20 +37,21 @@ export type FileWord =
   | { readonly kind: 'saving'; readonly name: string }
   | { readonly kind: 'importing'; readonly name: string; readonly done: number; readonly of: number }
   | { readonly kind: 'saved' | 'downloaded' | 'not-written'; readonly name: string; readonly holds: EntryCounts }
-  | { readonly kind: 'too-large' | 'nothing' | 'failed' | 'undone' | 'partly-undone' }
+  | { readonly kind: 'too-large' | 'nothing' | 'failed' }
+  | { readonly kind: 'undone' | 'partly-undone'; readonly kept: boolean }
   | { readonly kind: 'imported'; readonly name: string; readonly holds: EntryCounts; readonly kept: boolean };
 
-/** What a file of everything is called before its date. */
+/** The name of a file with everything, before its date. */
 export const ALL_NAME = 'Sidus library';
-/** What the pilot is asked for. */
+/** The files that the pilot can choose. */
 export const ACCEPTED = '.sidus,.json,application/json';
-/** The kind of a library file, and its endings. */
+/** The type of a library file, and its endings. */
 const TYPE = { 'application/json': ['.sidus.json', '.sidus'] };
-/** So many records are kept at once. */
+/** How many records are saved at once. */
 const AT_A_TIME = 200;
 const ENDING = '.sidus.json';
 
-/** What stands in the library, and was there before the import. */
+/** What the import has put into the library, and what was there before. */
 interface Done {
   readonly put: Records;
   readonly before: Records;
@@ -57,11 +59,11 @@ interface Done {
 
 export interface LibraryFilesParts {
   readonly library: Library;
-  /** Why the browser does not give out what it keeps; null while all is well. */
+  /** Why the browser refuses its storage; null while all is well. */
   readonly storage: ReadonlySignal<StorageErrorCode | null>;
 }
 
-/** Takes the library out into files, and takes files into it. */
+/** Exports the library to files, and imports files. */
 export class LibraryFiles {
   readonly #current = signal<ImportStep | null>(null, { name: 'import' });
   readonly #said = signal<FileWord | null>(null, { name: 'fileWord' });
@@ -69,11 +71,11 @@ export class LibraryFiles {
   readonly #ways = signal<Ways>({ all: 'newer', of: new Map() });
   readonly current: ReadonlySignal<ImportStep | null> = this.#current;
   readonly said: ReadonlySignal<FileWord | null> = this.#said;
-  /** When it was exported last, and when the pilot did not want to hear of it. */
+  /** When the library was last exported, and until when the pilot has put it off. */
   readonly marks: ExportMarks;
   readonly #parts: LibraryFilesParts;
   #done: Done | null = null;
-  /** Grows when something else is begun: what comes back later is not wanted any more. */
+  /** Goes up with each new action, so that the late result of an earlier one is ignored. */
   #turn = 0;
 
   constructor(parts: LibraryFilesParts) {
@@ -81,16 +83,16 @@ export class LibraryFiles {
     this.marks = new ExportMarks(parts.library);
   }
 
-  /** The file that this part was saved to, as long as the page is open. */
+  /** The file to which this part was saved, for as long as the page is open. */
   chosen(part: FilePart): ChosenFile | null {
     return this.#chosen.value.get(keyOf(part)) ?? null;
   }
 
   /**
-   * Saves a part of the library to a file: to the one that was chosen before, to one that the pilot chooses, or into
-   * the downloads.
-   * @param another asks for a file in any case.
-   * @param title what the file is called before its date.
+   * Saves a part of the library: to the file that was chosen before, to one that the pilot chooses now, or to the
+   * downloads.
+   * @param another asks for a file even when one was chosen before.
+   * @param title the name of the file, before its date.
    */
   async export(part: FilePart, title: string, another = false): Promise<void> {
     this.#done = null;
@@ -119,17 +121,17 @@ export class LibraryFiles {
     await this.export({ kind: 'all' }, ALL_NAME, another);
   }
 
-  /** Asks for a file, and looks at it. */
+  /** Asks for a file and reads it. */
   ask(): void {
     askForFiles(ACCEPTED, (files) => void this.open(files));
   }
 
-  /** Looks at what a file would bring. Nothing is taken before the pilot says so. */
+  /** Shows what a file would bring. Nothing is imported before the pilot agrees. */
   async open(chosen: readonly File[]): Promise<void> {
     const [file, more] = chosen;
     if (!file) return;
     const turn = ++this.#turn;
-    const { name } = file;
+    const name = plainName(file.name);
     const show = (step: ImportStep): void => {
       if (turn === this.#turn) this.#current.value = step;
     };
@@ -144,26 +146,29 @@ export class LibraryFiles {
       this.#ways.value = { all: 'newer', of: new Map() };
       show({ step: 'plan', name, ...found, ways: this.#ways });
     } catch {
-      // A fault of ours; no reason to leave the pilot before a dialog that says that the file is read.
+      // This is our own fault, but the pilot must not be left with a dialog that goes on reading.
       show({ step: 'refused', name, why: 'failed' });
     }
   }
 
-  /** Chooses what becomes of what differs; of one model, or of all. */
+  /** Chooses what to do with entries that differ: for one model, or for all. */
   choose(way: Way, group?: Group): void {
     const { all, of } = this.#ways.peek();
     this.#ways.value = group ? { all, of: new Map(of).set(group.id, way) } : { all: way, of: new Map() };
   }
 
-  /** An import would not see what the browser keeps, and might put something older over it. */
+  /**
+   * Whether imports are closed: an import would not see what the browser keeps,
+   * and might overwrite it with something older.
+   */
   get shut(): boolean {
     const { library, storage } = this.#parts;
     const unseen = [library.models, library.settings, library.flights].some(({ failed }) => failed.value);
-    // Where there is no storage nothing is hidden in it.
+    // Without a storage nothing can be hidden in it.
     return storage.value !== 'missing' && (unseen || (storage.value !== null && storage.value !== 'full'));
   }
 
-  /** Takes in what the plan shows. */
+  /** Imports what the plan shows. */
   async take(): Promise<void> {
     const step = this.#current.peek();
     if (step?.step !== 'plan' || this.shut) return;
@@ -171,18 +176,19 @@ export class LibraryFiles {
     const before = this.#records();
     const put = recordsOf(step.groups.peek(), ({ id }) => of.get(id) ?? way, before, newId);
     this.dismiss();
-    this.#done = { put, before };
-    // On a device that had nothing, the file is what an export of it would be.
+    // On an empty device, the file equals an export of everything.
     if (before.models.length + before.settings.length + before.flights.length === 0)
       this.marks.exported(step.writtenAt);
     const holds = { models: put.models.length, settings: put.settings.length, flights: put.flights.length };
     const { name } = step;
     const all = put.models.length + put.settings.length + put.flights.length;
     const kept = await this.#save(put, (done) => this.#say({ kind: 'importing', name, done, of: all }));
+    // Only now: the pilot may have exported, or imported another file, while this one was being saved.
+    this.#done = { put, before };
     this.#say({ kind: 'imported', name, holds, kept });
   }
 
-  /** Puts back what was there before the import. What was changed since then stays as it is. */
+  /** Brings back what was there before the import. Later changes stay. */
   async undo(): Promise<void> {
     const { library } = this.#parts;
     const done = this.#done;
@@ -193,30 +199,35 @@ export class LibraryFiles {
     const models = undoOf(put.models, before.models, now.models);
     const settings = undoOf(put.settings, before.settings, now.settings);
     const flights = undoOf(put.flights, before.flights, now.flights);
-    this.#say({ kind: [models, settings, flights].every(({ isWhole }) => isWhole) ? 'undone' : 'partly-undone' });
-    library.models.remove(...models.gone);
-    library.settings.remove(...settings.gone);
-    library.flights.remove(...flights.gone);
-    library.flush();
-    await this.#save({ models: models.back, settings: settings.back, flights: flights.back });
+    const kind = [models, settings, flights].every(({ isWhole }) => isWhole) ? 'undone' : 'partly-undone';
+    const said: FileWord = { kind, kept: true };
+    this.#say(said);
+    const gone = [
+      library.models.delete(...models.gone),
+      library.settings.delete(...settings.gone),
+      library.flights.delete(...flights.gone),
+    ];
+    const isBack = await this.#save({ models: models.back, settings: settings.back, flights: flights.back });
+    const isGone = (await Promise.all(gone)).every(Boolean);
+    if (!(isBack && isGone) && this.#said.peek() === said) this.#say({ kind, kept: false });
   }
 
-  /** The import is left, whatever it has come to. */
+  /** The pilot leaves the import, whatever state it is in. */
   dismiss(): void {
     this.#turn++;
     this.#current.value = null;
   }
 
-  /** What was said has been read. */
+  /** The pilot has read the message. */
   dismissWord(): void {
     this.#done = null;
     this.#say(null);
   }
 
   /**
-   * Some at a time: each of them has only so long to be kept, however many there are.
-   * @param tell called with how many are done.
-   * @returns whether the browser has kept all of it.
+   * In parts: each save must end in a limited time, however many records there are.
+   * @param tell called with the number of records done.
+   * @returns whether the browser has saved all of them.
    */
   async #save({ models, settings, flights }: Records, tell: (done: number) => void = () => {}): Promise<boolean> {
     const { library } = this.#parts;
@@ -228,7 +239,7 @@ export class LibraryFiles {
       for (let at = 0; at < records.length; at += AT_A_TIME) {
         const some = records.slice(at, at + AT_A_TIME);
         if (!(await list.save(...some))) {
-          // Nobody waits for the rest part by part where the browser keeps nothing.
+          // Where the browser saves nothing, the rest goes in one piece, so that nobody waits for each part.
           await list.save(...records.slice(at + AT_A_TIME));
           return false;
         }
@@ -286,9 +297,9 @@ function keyOf(part: FilePart): string {
   return part.kind === 'all' ? 'all' : `${part.kind}/${part.id}`;
 }
 
-/** What every system takes for the name of a file. */
+/** A name that every system accepts for a file. */
 function safeName(name: string): string {
-  // Also at the end of it, where some systems drop them without a word.
+  // Also at its end, where some systems drop characters silently.
   const safe = name.replaceAll(/[\p{C}<>:"/\\|?*]/gu, '_').replaceAll(/^[. ]+|[. ]+$/g, '');
   return safe === '' ? '_' : safe;
 }

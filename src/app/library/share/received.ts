@@ -3,27 +3,28 @@ import { decodeLink, differences, type Setting, type SharedSetting, sameKind } f
 import { CodecError } from '../../../protocol/index.js';
 import { share } from '../../messages/en-share.js';
 import { emptyModel, newId } from '../../session/library.js';
+import { plainName, withPlainNames } from '../../session/plain-names.js';
 import type { Session } from '../../session/session.js';
 import type { SettingRecord } from '../../storage/index.js';
 import { NO_MODEL } from '../place.js';
 
-/** In the place of a model's id: a setting that came goes under a new one. */
+/** Stands in place of a model's id: the received setting goes under a new model. */
 export const NEW_MODEL = 'new model';
 
-/** Why a link says nothing. */
+/** Why a link cannot be read. */
 export type DamageCode = keyof typeof share.damaged.codes;
 
-/** What became of it. */
+/** How it was kept. */
 export interface KeptSetting {
   readonly setting: Setting;
-  /** Whether it would be there after a reload. */
+  /** Whether it would still be there after a reload. */
   readonly isSaved: boolean;
 }
 
-/** A setting that came by link, as long as it is looked at. It goes nowhere by itself. */
+/** A setting that came by link, while the pilot looks at it. It is not kept until the pilot says so. */
 export class Received {
   readonly #session: Session;
-  /** Null where the link is damaged. */
+  /** Null when the link is damaged. */
   readonly shared: SharedSetting | null;
   readonly damage: DamageCode | null;
   readonly #place = signal<string | null>(null);
@@ -32,9 +33,9 @@ export class Received {
   /** Where it would be kept: under the model of this name, if there is one. */
   readonly place: ReadonlySignal<string>;
   readonly kept: ReadonlySignal<KeptSetting | null> = this.#kept;
-  /** It is on its way into the library. */
+  /** Whether it is being saved. */
   readonly keeping: ReadonlySignal<boolean> = this.#keeping;
-  /** A setting of the library that holds the same values under the same name; null if there is none. */
+  /** A setting of the library with the same name and values; null for none. */
   readonly known: ReadonlySignal<SettingRecord | null>;
 
   constructor(session: Session, link: string) {
@@ -68,7 +69,7 @@ export class Received {
     this.#place.value = place;
   }
 
-  /** Keeps it in the library, beside what is there. */
+  /** Keeps it in the library, beside everything that is there. */
   async keep(): Promise<void> {
     const { shared } = this;
     if (!shared || this.#kept.peek() || this.#keeping.peek()) return;
@@ -85,7 +86,7 @@ export class Received {
     this.#keeping.value = false;
   }
 
-  /** What it is as a setting: the one that was kept, or one that is in no library. */
+  /** The kept setting; before that, one that is in no library. */
   setting(): Setting | null {
     const { shared } = this;
     const kept = this.#kept.peek();
@@ -104,10 +105,17 @@ export class Received {
 
 function read(link: string): { readonly shared: SharedSetting | null; readonly damage: DamageCode | null } {
   try {
-    return { shared: decodeLink(link), damage: null };
+    return { shared: plain(decodeLink(link)), damage: null };
   } catch (cause) {
     if (!(cause instanceof CodecError)) throw cause;
     const { code } = cause;
     return { shared: null, damage: code in share.damaged.codes ? (code as DamageCode) : 'other' };
   }
+}
+
+/** As it would be kept: it is shown in sentences, and compared with what is there. */
+function plain({ modelName, ...values }: SharedSetting): SharedSetting {
+  const setting = withPlainNames<Setting>({ ...values, id: 'link', model: null, from: 'link', archived: false });
+  const { name, note, tags, at, program } = setting;
+  return { name, note, tags, at, program, modelName: plainName(modelName) };
 }

@@ -10,16 +10,16 @@ import './servo-dialog.css';
 
 interface ServoDialogProps {
   readonly open: boolean;
-  /** What is said or guessed of each servo by now. */
+  /** The uses of all servos, as said or guessed so far. */
   readonly uses: readonly ServoUse[];
-  /** The pilot has said it; it can be taken back. */
+  /** Whether the pilot has said them, so that they can be removed. */
   readonly isNamed: boolean;
-  /** null: to be guessed again. */
+  /** Null: guess them again. */
   readonly onSave: (uses: readonly ServoUse[] | null) => void;
   readonly onCancel: () => void;
 }
 
-/** What each servo moves, which way it uses, and in which sense: by the pilot, who has the model in the hand. */
+/** The pilot, with the model in front of him, says what each servo moves, over which steps, and in which direction. */
 export function ServoDialog({ open, onCancel, ...form }: ServoDialogProps) {
   const id = useId();
   const { title } = messages.value.preview.naming;
@@ -58,7 +58,7 @@ function ServoForm({ uses, isNamed, onSave, onCancel }: Omit<ServoDialogProps, '
             {naming.guessAgain}
           </button>
         )}
-        <button type="button" onClick={onCancel}>
+        <button type="button" class="quiet" onClick={onCancel}>
           {naming.cancel}
         </button>
         <button type="submit" class="primary">
@@ -69,7 +69,7 @@ function ServoForm({ uses, isNamed, onSave, onCancel }: Omit<ServoDialogProps, '
   );
 }
 
-/** The two ends may be given in any order. */
+/** The two ends may come in any order. */
 function inOrder({ low, high, name, ...use }: ServoUse): ServoUse {
   return {
     ...use,
@@ -148,7 +148,7 @@ interface EndProps {
   readonly onChange: (value: number) => void;
 }
 
-/** One end of the way of a servo. What is no step is refused by the browser, in its own words. */
+/** One end of a servo's travel. The browser itself refuses a text that is no step. */
 function End({ label, value, onChange }: EndProps) {
   return (
     <input

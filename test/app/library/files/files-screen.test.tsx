@@ -2,6 +2,7 @@ import { signal } from '@preact/signals';
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { LibraryFiles } from '../../../../src/app/library/files/library-files.js';
+import { filesOf } from '../../../../src/app/library-files.js';
 import { Library } from '../../../../src/app/session/library.js';
 import {
   formatLibraryFile,
@@ -63,7 +64,7 @@ function downloads(): { name: string; text: () => Promise<string> }[] {
 }
 
 describe('an import', () => {
-  it('says what it would do, does it, and comes back by undo', async () => {
+  it('says what it will do, does it, and can be undone', async () => {
     const app = await library({});
     expect(await drop(file())).toBe(true);
     expect(dialog().getByRole('heading', { name: 'Import lancer.sidus.json' })).toBeTruthy();
@@ -80,7 +81,17 @@ describe('an import', () => {
     expect(screen.queryByRole('button', { name: 'Undo the import' })).toBeNull();
   });
 
-  it('of what is there already has nothing to do', async () => {
+  it('is told of in sentences that neither its name nor its writer can turn round', async () => {
+    await library({});
+    const content = formatLibraryFile(ALL, { writtenAt: 1, writtenBy: '\u202eSidus\nTimer' });
+    await drop(file(content, 'lancer\u202enosj.sidus'));
+    expect(dialog().getByRole('heading', { name: 'Import lancernosj.sidus' })).toBeTruthy();
+    dialog().getByText(/^Written .* by Sidus Timer\. In it: 1 model, 1 setting, 1 flight\.$/);
+    await press('Import 3');
+    notice(/^Imported from lancernosj\.sidus: /);
+  });
+
+  it('of entries that are there already has nothing to do', async () => {
     await library();
     await drop(file());
     dialog().getByText('You have all of this already.');
@@ -112,7 +123,7 @@ describe('an import', () => {
     const other = { ...MODEL, id: 'b', name: 'Vega' };
     const app = await library();
     await drop(file(text({ ...ALL, models: [MODEL, other], settings: [windy] })));
-    const choice = dialog().getByRole('combobox', { name: 'Lancer 07: what becomes of it' });
+    const choice = dialog().getByRole('combobox', { name: 'Lancer 07: what to do with it' });
     act(() => void fireEvent.change(choice, { target: { value: 'skip' } }));
     await idle(0);
     await press('Import 1');
@@ -120,7 +131,7 @@ describe('an import', () => {
     expect(kept(app).settings).toEqual([SETTING]);
   });
 
-  it('looks at what the library holds when it is taken, not when it was opened', async () => {
+  it('compares with the library at the click on Import, not at the opening of the file', async () => {
     const app = await library({});
     await drop(file());
     await app.session.library.keepModel(MODEL);
@@ -129,7 +140,7 @@ describe('an import', () => {
     expect(kept(app)).toEqual(ALL);
   });
 
-  it('leaves by undo what was changed since', async () => {
+  it('can be undone, and later changes stay', async () => {
     const app = await library({});
     await drop(file());
     await press('Import 3');
@@ -137,7 +148,7 @@ describe('an import', () => {
     await idle();
     await press('Undo the import');
     expect(kept(app)).toEqual({ models: [], settings: [{ ...SETTING, note: 'flew well' }], flights: [] });
-    notice(/What was changed since then stays\.$/);
+    notice(/What has changed since then stays\.$/);
   });
 
   it('says when the browser does not keep it, and offers the way out', async () => {
@@ -145,14 +156,78 @@ describe('an import', () => {
     await drop(file());
     app.store.broken = true;
     await press('Import 3');
-    expect(notice(/^Imported from/).textContent).toContain('has not kept all of it');
+    expect(notice(/^Imported from/).textContent).toContain('could not store all of it');
     const saved = downloads();
     await press('Export the library…');
     expect(saved).toHaveLength(1);
     expect(parseLibraryFile(await (saved[0]?.text() ?? '')).library).toEqual(ALL);
   });
 
-  it('of thousands is kept part by part: each record has only so long', async () => {
+  it('that is undone says when the browser does not keep that', async () => {
+    const app = await library({});
+    await drop(file());
+    await press('Import 3');
+    app.store.broken = true;
+    await press('Undo the import');
+    expect(notice(/^The import was undone\./).textContent).toContain('the import may be back');
+    expect(app.session.library.models.list.value).toEqual([]);
+  });
+
+  it('that is undone leaves the undo of a deletion where it is', async () => {
+    const app = await library();
+    await drop(file(text({ ...ALL, models: [{ ...MODEL, id: 'other' }] })));
+    await press('Import 1');
+    const { settings } = app.session.library;
+    settings.remove(SETTING.id);
+    fireEvent.click(button('Undo the import'));
+    await idle(0);
+    settings.undoRemove();
+    expect(settings.list.value.map(({ key }) => key)).toEqual([SETTING.id]);
+    await idle(20_000);
+    expect(kept(app)).toEqual(ALL);
+  });
+
+  it('that ends after another one, and after an export, undoes itself and nothing else', async () => {
+    const app = await library({});
+    const { settings } = app.store;
+    const exchange = settings.exchange.bind(settings);
+    const held: (() => void)[] = [];
+    settings.exchange = async (change) => {
+      await new Promise<void>((resolve) => held.push(resolve));
+      return exchange(change);
+    };
+    const part = (name: string) => ({
+      models: [],
+      settings: [{ ...SETTING, id: name, name, model: null }],
+      flights: [],
+    });
+    /** Waits for no storage. */
+    const click = async (name: string): Promise<void> => {
+      fireEvent.click(button(name));
+      await idle(0);
+    };
+    const imports = async (name: string): Promise<void> => {
+      act(() => void filesOf(app.models).open([file(text(part(name)), name)]));
+      await idle(0);
+      await click('Import 1');
+    };
+    downloads();
+    await imports('first');
+    await imports('second');
+    await click('Export all…');
+    held[0]?.();
+    await idle(0);
+    notice(/^Imported from first/);
+    await click('Undo the import');
+    held[1]?.();
+    await idle(0);
+    notice(/^Imported from second/);
+    expect(app.session.library.settings.list.value.map(({ key }) => key)).toEqual(['second']);
+    await click('Undo the import');
+    expect(app.session.library.settings.list.value).toEqual([]);
+  });
+
+  it('of thousands is stored in parts, because each record has a time limit', async () => {
     const app = await library({});
     const { settings } = app.store;
     const { save } = settings;
@@ -172,7 +247,7 @@ describe('an import', () => {
     expect(most).toBeLessThanOrEqual(200);
   });
 
-  it('does not write over a library that the browser does not give out', async () => {
+  it('does not overwrite a library that the browser does not give', async () => {
     const store = new MemoryStore();
     store.models.all = () => new Promise(() => {});
     await opened({ store });
@@ -180,11 +255,11 @@ describe('an import', () => {
     await idle();
     await drop(file());
     expect(button('Import 3').disabled).toBe(true);
-    dialog().getByText(/does not give the library back just now/);
+    dialog().getByText(/cannot read the library now/);
   });
 });
 
-it('is not imported while a list has not been seen, also when the storage has come back since', async () => {
+it('a file is not imported while a list has not been read, also when the storage answers again', async () => {
   const { session } = await library();
   const storage = signal(null);
   const files = new LibraryFiles({ library: session.library, storage });
@@ -201,7 +276,7 @@ describe('what cannot be imported', () => {
   it.each([
     ['{ "format": "sidus-timer library", "version": 2 }', 'A newer version of this page made this file.', null],
     ['{ "format": "else" }', 'This is not a library file of Sidus Timer.', null],
-    [text().slice(0, -30), 'The file is not whole: it ends too early.', 'Line 72, column 8.'],
+    [text().slice(0, -30), 'The file is not complete: it ends too early.', 'Line 72, column 8.'],
     [text().replace('"memory"', 'memory'), 'The text of the file is broken.', 'Line 31, column 9.'],
     [
       text().replace('"0.30"', '"700.00"'),
@@ -214,7 +289,7 @@ describe('what cannot be imported', () => {
       'Line 9, column 15. Entry: models[0].name.',
     ],
     [`ÿþ{`, 'The letters of the file cannot be read. Save it as UTF-8.', null],
-    [Uint8Array.of(0x7b, 0xff, 0x00), 'The file is no text.', null],
+    [Uint8Array.of(0x7b, 0xff, 0x00), 'The file is not text.', null],
   ])('is refused with place and reason, %#: %.0s%s', async (content, reason, place) => {
     const app = await library();
     const before = kept(app);
@@ -238,7 +313,7 @@ describe('what cannot be imported', () => {
     expect(read).not.toHaveBeenCalled();
   });
 
-  it('is several at once, or one that is gone, or hangs', async () => {
+  it('includes several files at once, and one that is gone or hangs', async () => {
     await library();
     await drop(file(), file());
     dialog().getByText('Import one file at a time.');
@@ -271,7 +346,7 @@ describe('what cannot be imported', () => {
     expect(kept(app)).toEqual(ALL);
   });
 
-  it('is dropped while a dialog is open: the page neither takes it nor leaves for it', async () => {
+  it('includes a file dropped on an open dialog: the page does not open it, and stays', async () => {
     await connected();
     await press('Write…');
     expect(await drop(file())).toBe(true);
@@ -359,7 +434,7 @@ describe('an export', () => {
     button('Save to another.sidus');
   });
 
-  it('that the pilot breaks off says nothing, and one that is refused goes into the downloads', async () => {
+  it('is silent when the pilot cancels it, and goes into the downloads when it is refused', async () => {
     await library();
     const saved = downloads();
     picker([new DOMException('no', 'AbortError'), new DOMException('no', 'SecurityError')]);
@@ -369,7 +444,7 @@ describe('an export', () => {
     expect(saved).toHaveLength(1);
   });
 
-  it('to a disk that is full goes into the downloads, and the page says so', async () => {
+  it('goes into the downloads when the disk is full, and the page says so', async () => {
     await library();
     const saved = downloads();
     const { fill } = picker(['on a full disk']);
@@ -381,7 +456,7 @@ describe('an export', () => {
   });
 });
 
-describe('the word that it is time for an export', () => {
+describe('the reminder to export', () => {
   const old = Date.now() - 40 * DAY;
   const many = Array.from({ length: 6 }, (_, at) => ({ ...SETTING, id: `s${at}`, name: `s${at}` }));
   const reminder = () => document.querySelector('.export-reminder')?.textContent ?? null;
@@ -394,15 +469,15 @@ describe('the word that it is time for an export', () => {
     return library({}, store);
   }
 
-  it('comes when much was changed long ago and never exported, and goes with an export', async () => {
+  it('comes when much was changed long ago and never exported, and an export removes it', async () => {
     await season(old);
-    expect(reminder()).toContain('6 entries of your library are on this device alone.');
+    expect(reminder()).toContain('6 entries of your library are only on this device.');
     downloads();
     await press('Export all…');
     expect(reminder()).toBeNull();
   });
 
-  it('does not come for what is new, or for little', async () => {
+  it('does not come for recent changes, or for few', async () => {
     await season(Date.now() - 20 * DAY);
     expect(reminder()).toBeNull();
   });
@@ -417,10 +492,10 @@ describe('the word that it is time for an export', () => {
     const ahead = Date.now() + 3000 * DAY;
     localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: ahead, putOffAt: ahead }));
     await season(old);
-    expect(reminder()).toContain('6 entries of your library are on this device alone.');
+    expect(reminder()).toContain('6 entries of your library are only on this device.');
   });
 
-  it('does not come for what a file has brought to an empty device', async () => {
+  it('does not come for entries that a file has brought to an empty device', async () => {
     await library({});
     const settings = many.map((each) => ({ ...each, at: old }));
     await drop(file(text({ ...ALL, settings, flights: [] }, Date.now() - DAY)));
@@ -428,7 +503,7 @@ describe('the word that it is time for an export', () => {
     expect(reminder()).toBeNull();
   });
 
-  it('is put off once and for long, also after a reload', async () => {
+  it('is put off for long by one click, also after a reload', async () => {
     const { store } = await season(old);
     await press('Not now');
     expect(reminder()).toBeNull();

@@ -11,6 +11,7 @@ import {
 } from '../../../../src/app/library/files/import-plan.js';
 import { undoOf } from '../../../../src/app/library/files/import-work.js';
 import { partOf, textOf } from '../../../../src/app/library/files/library-text.js';
+import { withPlainNames } from '../../../../src/app/session/plain-names.js';
 import { type LibraryFile, parseLibraryFile } from '../../../../src/program/index.js';
 import { library } from '../../../fuzz/kept.js';
 import { FLIGHT, MODEL, SETTING } from '../../../program/library-examples.js';
@@ -56,7 +57,7 @@ describe('what a file would bring', () => {
     expect(standings(groupsOf(fileOf(HELD), again))[0]).toContain('models same');
   });
 
-  it('differs, and one of the two is newer; of one time, that of the device', () => {
+  it('differs, and one of the two is newer; with equal times, that of the device', () => {
     for (const [at, standing] of [
       [1001, 'file-newer'],
       [1000, 'device-newer'],
@@ -66,7 +67,7 @@ describe('what a file would bring', () => {
     }
   });
 
-  it('has a name where anything knows one', () => {
+  it('has a name when anything knows one', () => {
     const setting = { ...HELD, models: [], flights: [] };
     const nobody = { ...SETTING, id: 's2', model: 'nobody' };
     const loose = { ...SETTING, id: 's3', model: null };
@@ -125,6 +126,25 @@ describe('an import', () => {
     expect(again.settings[0]?.setting.name.endsWith(' (3)')).toBe(true);
   });
 
+  it('recognises an entry whose name has signs that reverse the text of the file', () => {
+    const turned: Records = {
+      models: HELD.models.map((record) => ({
+        ...record,
+        model: { ...MODEL, name: '\u202eLancer 07', memoryNames: ['\u202a'] },
+      })),
+      settings: HELD.settings.map((record) => ({ ...record, setting: { ...SETTING, name: 'calm\u2066' } })),
+      flights: HELD.flights.map((record) => ({ ...record, flight: { ...FLIGHT, place: '\u202dTurda' } })),
+    };
+    const groups = groupsOf(fileOf(turned), NOTHING);
+    expect(groups.map(({ name }) => name)).toEqual(['Lancer 07']);
+    const there = imported(fileOf(turned), NOTHING, 'newer');
+    expect(there.models[0]?.model).toMatchObject({ name: 'Lancer 07', memoryNames: [''] });
+    for (const held of [there, turned]) {
+      expect(standings(groupsOf(fileOf(turned), held))[0]).toMatch(/: models same, settings same, flights same$/);
+      for (const way of ['newer', 'both'] as const) expect(imported(fileOf(turned), held, way)).toEqual(NOTHING);
+    }
+  });
+
   it('keeps what is known of a timer, the latest of each memory', () => {
     const theirs = { program: { ...SETTING.program, memory: 2 }, at: 5 };
     const newer = { program: SETTING.program, at: 20 };
@@ -172,15 +192,16 @@ describe('whatever a library holds', () => {
     };
   };
 
-  it('comes back on another device, and a second import of the same file changes nothing', () => {
+  it('can be moved to another device, and a second import of the same file changes nothing', () => {
     fc.assert(
       fc.property(records, (all) => {
         fc.pre(all.models.length + all.settings.length + all.flights.length > 0);
         const file = fileOf(all);
         const there = put(imported(file, NOTHING, 'newer'), NOTHING);
         const sorted = (of: readonly { key: string }[]) => [...of].sort((a, b) => (a.key < b.key ? -1 : 1));
-        expect(there.models.map(({ model }) => model)).toEqual(all.models.map(({ model }) => model));
-        expect(sorted(there.flights)).toEqual(sorted(all.flights));
+        expect(there.models.map(({ model }) => model)).toEqual(all.models.map(({ model }) => withPlainNames(model)));
+        const flights = all.flights.map((record) => ({ ...record, flight: withPlainNames(record.flight) }));
+        expect(sorted(there.flights)).toEqual(sorted(flights));
         expect(imported(file, there, 'newer')).toEqual(NOTHING);
         expect(imported(file, there, 'both')).toEqual(NOTHING);
       }),
@@ -188,7 +209,7 @@ describe('whatever a library holds', () => {
     );
   });
 
-  it('is never changed by what is left out, loses nothing to what is kept beside it, and comes back by undo', () => {
+  it('is not changed by “leave out”, loses nothing by “keep both”, and comes back by undo', () => {
     fc.assert(
       fc.property(records, records, fc.constantFrom<Way>('newer', 'both', 'skip'), (held, theirs, way) => {
         fc.pre(theirs.models.length + theirs.settings.length + theirs.flights.length > 0);
@@ -207,7 +228,7 @@ describe('whatever a library holds', () => {
 });
 
 describe('undo', () => {
-  it('leaves alone what was changed since, or is gone', () => {
+  it('leaves entries that were changed or deleted since then', () => {
     const [record] = HELD.settings;
     if (!record) throw new Error('no setting');
     const edited = { ...record, setting: { ...record.setting, note: 'since then' } };
@@ -230,7 +251,7 @@ describe('a part of the library', () => {
     expect(textOf(partOf(all, { kind: 'setting', id: 'gone' }), false, '1', 1)).toBe('nothing');
   });
 
-  it('tells others nothing of what the pilot’s timers hold', () => {
+  it('does not contain what the pilot’s timers hold', () => {
     const known = (isAll: boolean) => [...fileOf(HELD, isAll).facts.values()].filter(({ verified }) => verified).length;
     expect([known(true), known(false)]).toEqual([1, 0]);
   });

@@ -71,7 +71,7 @@ afterEach(() => {
 });
 
 describe('the camera', () => {
-  it('is asked for on a click alone, and let go of when a setting was found', async () => {
+  it('starts only on a click, and stops when a setting was found', async () => {
     const { asked, tracks, grant, seen } = camera();
     const { sharing } = await reading();
     await idle();
@@ -91,7 +91,7 @@ describe('the camera', () => {
     expect(dialog().getByText('calm morning')).toBeTruthy();
   });
 
-  it('is let go of when it is stopped, and when the dialog is closed', async () => {
+  it('is released when the pilot stops it or closes the dialog', async () => {
     const { tracks, grant } = camera();
     const { sharing } = await reading();
     fireEvent.click(screen.getByRole('button', { name: 'Use the camera' }));
@@ -105,7 +105,7 @@ describe('the camera', () => {
     expect(tracks.map(({ stopped }) => stopped)).toEqual([true, true]);
   });
 
-  it('that is given when nobody waits for it any more is let go of at once', async () => {
+  it('is released at once when nobody waits for it any more', async () => {
     const { tracks, grant } = camera();
     await reading();
     fireEvent.click(screen.getByRole('button', { name: 'Use the camera' }));
@@ -115,24 +115,24 @@ describe('the camera', () => {
   });
 
   it.each([
-    ['NotAllowedError', /does not give the camera to this page/],
+    ['NotAllowedError', /does not let this page use the camera/],
     ['NotFoundError', /No camera was found/],
-    ['NotReadableError', /Another program has the camera/],
+    ['NotReadableError', /Another program uses the camera/],
     ['TypeError', /could not be started/],
-  ])('that does not come is said: %s', async (fault, sentence) => {
+  ])('is reported when it does not come: %s', async (fault, sentence) => {
     camera({ fault });
     await reading();
     await press('Use the camera');
     expect(dialog().getByRole('alert').textContent).toMatch(sentence);
   });
 
-  it('that is pulled is said', async () => {
+  it('is reported when it is unplugged', async () => {
     const { tracks, grant } = camera();
     await reading();
     fireEvent.click(screen.getByRole('button', { name: 'Use the camera' }));
     await grant();
     act(() => void tracks[0]?.dispatchEvent(new Event('ended')));
-    expect(dialog().getByRole('alert').textContent).toMatch(/Another program has the camera/);
+    expect(dialog().getByRole('alert').textContent).toMatch(/Another program uses the camera/);
     expect(dialog().queryByRole('button', { name: 'Stop the camera' })).toBeNull();
   });
 });
@@ -145,7 +145,7 @@ describe('a picture', () => {
     await idle();
   };
 
-  it('with the code of a setting shows that', async () => {
+  it('with the code of a setting shows the setting', async () => {
     camera({ seen: [LINK] });
     vi.stubGlobal('createImageBitmap', async () => ({ width: 10, height: 10, close: () => {} }));
     const { sharing } = await reading();
@@ -153,7 +153,7 @@ describe('a picture', () => {
     expect(sharing.current.value).toEqual({ step: 'received', link: LINK });
   });
 
-  it('with another code says what that holds', async () => {
+  it('with another code shows the text of that code', async () => {
     camera({ seen: ['https://elsewhere.example'] });
     vi.stubGlobal('createImageBitmap', async () => ({ width: 10, height: 10, close: () => {} }));
     await reading();
@@ -161,17 +161,17 @@ describe('a picture', () => {
     expect(dialog().getByRole('alert').textContent).toMatch(/holds no setting\. It says: https:\/\/elsewhere/);
   });
 
-  it('that is none is said', async () => {
+  it('is reported when the file is not a picture', async () => {
     camera();
     vi.stubGlobal('createImageBitmap', () => Promise.reject(new DOMException('no', 'InvalidStateError')));
     await reading();
     await choose();
-    expect(dialog().getByRole('alert').textContent).toMatch(/no picture that the browser can read/);
+    expect(dialog().getByRole('alert').textContent).toMatch(/cannot read this file as a picture/);
   });
 });
 
-describe('a link that is pasted', () => {
-  it('is shown; what is none is refused', async () => {
+describe('a pasted link', () => {
+  it('is shown, and another text is refused', async () => {
     vi.stubGlobal('navigator', {});
     const { sharing } = await reading();
     expect(screen.queryByRole('button', { name: 'Use the camera' }), 'there is none').toBeNull();
@@ -180,7 +180,7 @@ describe('a link that is pasted', () => {
       await press('Show');
     };
     await paste('https://elsewhere.example');
-    expect(dialog().getByRole('alert').textContent).toBe('This is no link to a setting.');
+    expect(dialog().getByRole('alert').textContent).toBe('This is not a link to a setting.');
     await paste(`Look: ${LINK}`);
     expect(sharing.current.value).toMatchObject({ step: 'received' });
     expect(dialog().getByText('calm morning')).toBeTruthy();

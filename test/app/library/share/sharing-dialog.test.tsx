@@ -24,7 +24,7 @@ function shiftedDt({ editor }: AppBench): SharedSetting {
 }
 
 describe('a setting that is shared', () => {
-  it('is a link to be copied, a QR code, and a matter of the system where that can', async () => {
+  it('can be copied as a link, shown as a QR code, and shared by the system where it can', async () => {
     const { sharing } = await opened();
     const sent: unknown[] = [];
     const copied: string[] = [];
@@ -45,12 +45,12 @@ describe('a setting that is shared', () => {
     expect(isOpen()).toBe(false);
   });
 
-  it('says what has no room in the code, and that the system has refused', async () => {
+  it('says what does not fit in the code, and that the system has refused', async () => {
     const { sharing } = await opened();
     vi.stubGlobal('navigator', { share: () => Promise.reject(new DOMException('no', 'NotAllowedError')) });
     act(() => sharing.offer({ ...SHARED, note: 'n'.repeat(2000) }));
     await idle(0);
-    expect(dialog().getByText(/The end of the note has no room in the QR code/)).toBeTruthy();
+    expect(dialog().getByText(/The end of the note does not fit in the QR code/)).toBeTruthy();
     await press('Share…');
     expect(dialog().getByRole('alert').textContent).toMatch(/could not share it/);
     vi.unstubAllGlobals();
@@ -58,7 +58,7 @@ describe('a setting that is shared', () => {
 });
 
 describe('a setting that comes by link', () => {
-  it('is shown with all its values, and goes nowhere by itself', async () => {
+  it('is shown with all its values, and nothing happens without a click', async () => {
     const bench = await opened();
     await comes(bench);
     expect(dialog().getByText('calm morning')).toBeTruthy();
@@ -94,7 +94,7 @@ describe('a setting that comes by link', () => {
     expect(isOpen()).toBe(false);
   });
 
-  it('goes under the model of that name where there is one, beside what is there, and says what is known', async () => {
+  it('goes under the model of that name if there is one, and says when the values are known', async () => {
     const bench = await opened();
     const { library } = bench.session;
     await library.keepModel(MODEL);
@@ -108,7 +108,18 @@ describe('a setting that comes by link', () => {
     expect(library.settings.get(SETTING.id)?.setting).toEqual(SETTING);
   });
 
-  it('waits for the library to be read: no model is made twice', async () => {
+  it('turns no sentence round by its names, and is known again', async () => {
+    const bench = await opened();
+    const { library } = bench.session;
+    await library.keepModel(MODEL);
+    await library.keepSetting(SETTING);
+    await comes(bench, { ...SHARED, name: `\u202e${SHARED.name}`, modelName: `${MODEL.name}\u2066`, tags: ['\u202d'] });
+    expect(dialog().getByText(/has these values already: Lancer 07 · calm morning/)).toBeTruthy();
+    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: 'Keep it under' }).value).toBe(MODEL.id);
+    expect(screen.getByRole('dialog').textContent).not.toMatch(/[\u202a-\u202e\u2066-\u2069]|Tags/);
+  });
+
+  it('waits until the library was read, so that no model is made twice', async () => {
     const store = new MemoryStore();
     await store.models.save({ key: MODEL.id, model: MODEL, order: 1, changedAt: 1, verified: [] });
     const all = store.models.all.bind(store.models);
@@ -130,7 +141,7 @@ describe('a setting that comes by link', () => {
     expect(bench.session.library.models.list.value.map(({ key }) => key)).toEqual([MODEL.id]);
   });
 
-  it('says that it is lost when the page is closed where nothing can be kept', async () => {
+  it('says that it will be lost on closing the page when nothing can be kept', async () => {
     const store = new MemoryStore();
     const bench = await opened({ store });
     await bench.session.library.keepModel(MODEL);
@@ -160,7 +171,7 @@ describe('a setting that comes by link', () => {
     expect(bench.editor.working.value).toEqual(before);
   });
 
-  it('cannot come over a timer that has no room for it', async () => {
+  it('cannot be loaded over a timer of another layout', async () => {
     const bench = await connected();
     await comes(bench, {
       ...SHARED,
@@ -170,15 +181,15 @@ describe('a setting that comes by link', () => {
     expect(dialog().getByText(/is of another class/)).toBeTruthy();
   });
 
-  it('waits until a question that is open is answered', async () => {
+  it('waits until an open question is answered', async () => {
     const bench = await connected();
     act(() => void bench.editor.type({ kind: 'time', slot: 10 }, '4:00'));
     await press('Write…');
     await comes(bench);
     expect(screen.getAllByRole('dialog')).toHaveLength(1);
-    expect(screen.queryByText('A setting came by link')).toBeNull();
+    expect(screen.queryByText('A setting from a link')).toBeNull();
     await press('Cancel');
-    expect(dialog().getByText('A setting came by link')).toBeTruthy();
+    expect(dialog().getByText('A setting from a link')).toBeTruthy();
   });
 
   it.each([
@@ -186,7 +197,7 @@ describe('a setting that comes by link', () => {
     ['#s=AVEYAgoEAwMADOgD', /cut or damaged/],
     [linkOf(SHARED, PAGE).slice(0, -3), /cut or damaged/],
     [`#s=${'A'.repeat(70_000)}`, /longer than any setting/],
-  ])('is refused with a reason where it is damaged (%#)', async (link, reason) => {
+  ])('is refused with a reason when it is damaged (%#)', async (link, reason) => {
     const bench = await opened();
     await comes(bench, link);
     expect(dialog().getByRole('alert').textContent).toMatch(reason);

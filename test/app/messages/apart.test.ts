@@ -1,0 +1,43 @@
+import { expect, it } from 'vitest';
+import { apart } from '../../../src/app/messages/apart.js';
+import { dotted } from '../../../src/app/messages/dotted.js';
+import { files } from '../../../src/app/messages/en-files.js';
+import { messages } from '../../../src/app/messages/index.js';
+import { libraryMessages } from '../../../src/app/messages/library.js';
+import { modelMessages } from '../../../src/app/messages/which-model.js';
+
+const { knowledge, memoryNames } = messages.value;
+const { recognition } = modelMessages.value;
+
+/** Sentences with a name and a figure after it. */
+const SENTENCES: Readonly<Record<string, (name: string) => string>> = {
+  facts: (name) => dotted([name, '3:00 min', null]),
+  memory: (name) => `${memoryNames.named('M2', name)} 14:32`,
+  setting: (name) => knowledge.ofSetting(name, 2),
+  'saved setting': (name) => libraryMessages.value.save.state(name, 2, 0),
+  place: (name) => libraryMessages.value.arrange.moved(name, 2, 5),
+  model: (name) => recognition.same(name, '14:32'),
+  models: (name) => recognition.several([name, '07', name]),
+  import: (name) => files.import.importing(name, 2, 5),
+};
+
+it.each(Object.entries(SENTENCES))(
+  'a name from right to left leaves the figures of a sentence in place: %s',
+  (_, say) => {
+    for (const name of ['שחף', 'شاهين', 'Lancer שחף 3']) {
+      const said = say(name).replaceAll('\u00a0', ' ');
+      expect(said).toContain(`\u2068${name}\u2069`);
+      expect(said.replaceAll(`\u2068${name}\u2069`, ''), 'each time').not.toContain(name);
+    }
+    expect(say('Łancer Ю 07')).not.toMatch(/[\u2068\u2069]/);
+  },
+);
+
+it('a name is as it was, but for its marks', () => {
+  expect([apart('Lancer 07'), apart('飛行 3'), apart('')]).toEqual(['Lancer 07', '飛行 3', '']);
+});
+
+it('a short fact does not break, and no line begins with a dot', () => {
+  const place = 'Poitou, field behind the church';
+  expect(dotted(['fly-off / 1', null, place])).toBe(`fly-\u2060off\u00a0/\u00a01\u00a0· ${place}`);
+});
