@@ -25,6 +25,8 @@ import { Theme } from './settings/theme.js';
  * Everything before the first picture. The start stands in index.html. Here it gets its colours; once it is drawn, the
  * page itself is loaded and takes its place.
  */
+/** Milliseconds after which the page says that it is still loading. A browser may wait minutes for an answer. */
+const SLOW = 15_000;
 const root = document.getElementById('app') as HTMLElement;
 const theme = new Theme();
 tried(() => theme.follow(document, media('(prefers-color-scheme: dark)')));
@@ -41,25 +43,39 @@ if (isStart) afterPaint(open);
 else void open();
 
 async function open(): Promise<void> {
+  const endWatch = watchLoading();
   try {
     const { openPage } = await import('./open-page.js');
     await nextTask();
     await openPage(root, theme);
     doEarlyClick();
   } catch (error) {
-    sayFailed();
+    offerReload(first.failed);
     throw error;
+  } finally {
+    endWatch();
   }
 }
 
-/** At this moment the page has no sentences, or anything else. */
-function sayFailed(): void {
+/** Says when loading takes long, until the returned function is called. */
+function watchLoading(): () => void {
+  const shown: HTMLElement[] = [];
+  const timer = setTimeout(() => shown.push(offerReload(first.slow)), SLOW);
+  return () => {
+    clearTimeout(timer);
+    for (const notice of shown) notice.remove();
+  };
+}
+
+/** Shows `text` and a button to load the page again. At this moment the page has no other sentences or parts. */
+function offerReload(text: string): HTMLElement {
   const notice = document.createElement('p');
   notice.role = 'alert';
   notice.className = 'notice bad';
   const again = document.createElement('button');
   again.textContent = first.again;
   again.addEventListener('click', () => location.reload());
-  notice.append(first.failed, ' ', again);
+  notice.append(text, ' ', again);
   document.body.prepend(notice);
+  return notice;
 }

@@ -1,3 +1,4 @@
+import { stderr } from 'node:process';
 import type { BrowserContextOptions, Locator, Page } from 'playwright';
 import { expect, inject, onTestFinished } from 'vitest';
 import { newPage, newVisit } from './page.js';
@@ -23,6 +24,19 @@ export interface AppOptions extends BrowserContextOptions {
 
 /** The table of the example and of the one reply that is known from a real timer. */
 export const FIRST_POSITIONS = [15, 25, 35, 45, 55, 65, 75, 85, 95, 105, 115].map(String);
+
+/** What a page that does not come has done so far, for the log. */
+function stateOf(page: Page): Promise<string> {
+  const told = page.evaluate(() => {
+    const { readyState, hidden, body } = document;
+    const worker = navigator.serviceWorker.controller?.state;
+    const loaded = performance.getEntriesByType('resource').map((each) => new URL(each.name).pathname);
+    const asked = [...document.querySelectorAll('link')].map((link) => `${link.rel} ${link.href}`);
+    return JSON.stringify({ readyState, hidden, worker, loaded, asked, text: body.innerText.slice(0, 200) });
+  });
+  const silent = new Promise<string>((resolve) => setTimeout(resolve, 10_000, 'It answers nothing.'));
+  return Promise.race([told, silent]).catch(String);
+}
 
 /** The page as a pilot sees it: by role and name. */
 export class AppPage {
@@ -60,9 +74,20 @@ export class AppPage {
     );
   }
 
-  /** Waits until the page has replaced its first picture: it then has set the height of rows. */
+  /**
+   * Waits until the page has replaced its first picture: it then has set the height of rows. Once in some thousand
+   * loads the scripts did not come, and nobody knows why. The page then offers to load it again, and so does this,
+   * but only once, and the log tells what was missing.
+   */
   async #works(): Promise<void> {
-    await this.page.locator('html[data-density]').waitFor();
+    const shown = this.page.locator('html[data-density]');
+    try {
+      await shown.waitFor({ timeout: 60_000 });
+    } catch {
+      stderr.write(`A page did not come, and is loaded again. ${await stateOf(this.page)}\n`);
+      await this.page.reload();
+      await shown.waitFor();
+    }
   }
 
   /** Another tab with the same storage, and with its own bench if this tab has one. */

@@ -111,6 +111,22 @@ describe('the start is part of the page as it is sent:', () => {
     await expect.poll(() => page.getByRole('alert').count()).toBe(0);
   });
 
+  test('when loading takes long the page says so, until it has loaded', async () => {
+    const page = await newPage();
+    await page.clock.install();
+    const { asked, release } = await heldBack(page);
+    await page.goto(inject('site'));
+    await asked;
+    await page.clock.fastForward(14_000);
+    expect(await page.getByRole('alert').count()).toBe(0);
+    await page.clock.fastForward(2000);
+    await page.getByRole('alert').getByText('The page is still loading.').waitFor();
+    await page.getByRole('button', { name: 'Load it again' }).waitFor();
+    await release();
+    await works(page);
+    await expect.poll(() => page.getByRole('alert').count()).toBe(0);
+  });
+
   test('the start is not shown at the address of another view', async () => {
     const page = await newPage();
     const { asked, release } = await heldBack(page);
