@@ -51,8 +51,8 @@ describe('the workflows', () => {
 describe('the docs', () => {
   it.each(texts)('%s links to what is there', (file) => {
     for (const { path, heading } of linksOf(file)) {
-      expect(existsSync(join(root, path)), `${file}: ${path}`).toBe(true);
-      if (heading) expect(headingsOf(path), `${file}: ${path}`).toContain(heading);
+      expect(existsSync(join(root, path)), `${file} links to ${path}, which does not exist`).toBe(true);
+      if (heading) expect(headingsOf(path), `${file} links to a heading that ${path} does not have`).toContain(heading);
     }
   });
 
@@ -68,7 +68,8 @@ describe('the docs', () => {
     const shown = texts.flatMap(linksOf).map(({ path }) => path);
     const kept = readdirSync(join(root, 'docs/pictures')).map((file) => file.replace('.webp', ''));
     expect(kept.sort()).toEqual([...inDocs].sort());
-    for (const name of inDocs) expect(shown, name).toContain(`docs/pictures/${name}.webp`);
+    for (const name of inDocs)
+      expect(shown, `no text shows the picture ${name}`).toContain(`docs/pictures/${name}.webp`);
   });
 
   it('name the browsers that reach a timer as the page does', () => {
@@ -87,7 +88,8 @@ describe('the docs', () => {
     expect(named.length).toBeGreaterThan(30);
     for (const [, file = '', names = ''] of named) {
       const tests = readFileSync(join(root, 'test', file), 'utf8');
-      for (const [, name] of names.matchAll(/“([^”]+)”/g)) expect(tests, `${file}: ${name}`).toContain(name);
+      for (const [, name] of names.matchAll(/“([^”]+)”/g))
+        expect(tests, `docs/claims.md names a test that ${file} does not have: ${name}`).toContain(name);
     }
   });
 
@@ -98,7 +100,7 @@ describe('the docs', () => {
 
   it('draw the rooms as they are: node test/tools/rooms.js draws them anew', () => {
     for (const [file, picture] of Object.entries(pictures)) {
-      expect(readFileSync(join(root, file), 'utf8'), file).toBe(picture());
+      expect(readFileSync(join(root, file), 'utf8'), `${file} is old`).toBe(picture());
     }
   });
 });

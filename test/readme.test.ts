@@ -31,7 +31,7 @@ describe('the packed package', () => {
     };
     for (const entry of Object.values(exports)) {
       for (const file of Object.values(typeof entry === 'string' ? [entry] : entry)) {
-        expect(existsSync(join(home, file)), file).toBe(true);
+        expect(existsSync(join(home, file)), `the package lacks ${file}`).toBe(true);
       }
     }
     expect(existsSync(join(home, 'LICENSE'))).toBe(true);
@@ -46,7 +46,7 @@ describe('the packed package', () => {
     expect(links.length).toBeGreaterThan(4);
     for (const link of links) {
       const [, path = ''] = /^https:\/\/github\.com\/[^/]+\/[^/]+\/blob\/main\/([^#]+)/.exec(link) ?? [];
-      expect(existsSync(join(root, path)), link).toBe(true);
+      expect(existsSync(join(root, path)), `this link leads nowhere: ${link}`).toBe(true);
     }
     expect(readFileSync(join(root, 'README.md'), 'utf8')).toMatch(/^# Sidus Timer\n/);
   });
@@ -73,7 +73,7 @@ describe('the examples of the README and the docs', () => {
       const lines = consumer.run(process.execPath, `example-${index}.js`).trim().split('\n');
       expect(
         lines.filter((line) => line !== ''),
-        `example ${index}`,
+        `example ${index} of the docs prints what its comments say`,
       ).toEqual(said);
     }
   });
@@ -84,7 +84,7 @@ describe('the examples of the README and the docs', () => {
       const { code: script } = await transformWithOxc(code, 'example.ts');
       const said = [...code.matchAll(/console\.log\(.*\/\/ (.*)/g)].flatMap(([, comment = '']) => comment.split(' | '));
       const lines = consumer.run(process.execPath, '--input-type=module', '--eval', script).trim().split('\n');
-      expect(lines, file).toEqual(said);
+      expect(lines, `the example in ${file} prints what its comments say`).toEqual(said);
     }
   });
 

@@ -41,12 +41,13 @@ async function typeAndWait(bench: AppBench, text: string): Promise<boolean> {
 
 /** What is true of any page, whatever its storage does. */
 function expectNothingLost(bench: AppBench, store: FaultyStore, typed: string, restored: boolean, said: boolean): void {
-  expect(screen.getByRole('table', { name: /^Time and servo positions/ }), 'drawn').toBeTruthy();
-  expect(bench.editor.textOf(S1), 'typed').toBe(typed);
-  if (bench.session.keptWork.kept.value) expect(kept(store), 'claimed to be kept').toContain(Number(typed));
-  else expect(said, 'said').toBe(true);
+  expect(screen.getByRole('table', { name: /^Time and servo positions/ }), 'the table is drawn').toBeTruthy();
+  expect(bench.editor.textOf(S1), 'the field shows what was typed').toBe(typed);
+  if (bench.session.keptWork.kept.value)
+    expect(kept(store), 'the page says that it is kept, and it is').toContain(Number(typed));
+  else expect(said, 'the page says that it keeps nothing').toBe(true);
   // What was left by the page before was seen before it was typed over, or is still there.
-  if (!restored) expect(kept(store), 'left before').toContain(7);
+  if (!restored) expect(kept(store), 'the draft of the page before is still kept').toContain(7);
 }
 
 describe.each(EACH)('where %s %s', (door, fault) => {
@@ -56,7 +57,10 @@ describe.each(EACH)('where %s %s', (door, fault) => {
     const bench = await appBench({ store, started: false, plug: { granted: true } });
     render(<App models={bench.models} />);
     void bench.session.keptWork.start();
-    expect(screen.getByRole('button', { name: 'Connect' }), 'before anything has answered').toBeTruthy();
+    expect(
+      screen.getByRole('button', { name: 'Connect' }),
+      'Connect is there before the storage has answered',
+    ).toBeTruthy();
     await idle(200);
     void bench.session.timer.connect();
     await idle(15_000);
@@ -131,20 +135,24 @@ function expectNoFalseWord({ session, editor, write, timer }: AppBench, before: 
   const isAsking = session.runner.job.value?.asking ?? false;
   if (value?.step === 'running' && !isAsking) return;
   if (value?.step === 'done' && value.report.result === 'verified') {
-    expect(holds(value.shown.goal), `verified, ${why}`).toBe(true);
+    expect(holds(value.shown.goal), `the page says verified, but the timer does not hold the goal: ${why}`).toBe(true);
   }
   if (session.notices.current.value?.code === 'nothing-written' || value?.step === 'refused' || isAsking) {
-    expect(holds(before), `nothing was written, ${why}`).toBe(true);
+    expect(holds(before), `the page says that nothing was written, but the timer has changed: ${why}`).toBe(true);
   }
-  if (known.state === 'read') expect(holds(known.program), `read, ${why}`).toBe(true);
+  if (known.state === 'read')
+    expect(holds(known.program), `the timer does not hold what the page says it has read: ${why}`).toBe(true);
   if (known.state === 'uncertain') {
     const either = [known.before, known.goal].map((program) => [...program.times, ...program.positions.flat()]);
     [...times, ...positions.flat()].forEach((held, i) => {
-      expect([either[0]?.[i], either[1]?.[i]], `one of the two, ${why}`).toContain(held);
+      expect(
+        [either[0]?.[i], either[1]?.[i]],
+        `a value is neither the one before the write nor the one of the goal: ${why}`,
+      ).toContain(held);
     });
   }
   if (known.state !== 'uncertain' && editor.baseline.value)
-    expect(holds(editor.baseline.value), `was, ${why}`).toBe(true);
+    expect(holds(editor.baseline.value), `the timer does not hold what the page shows as its value: ${why}`).toBe(true);
 }
 
 const ENDS = ['goes well', 'loses its answer', 'is unplugged'] as const;
@@ -174,7 +182,7 @@ async function written(store: FaultyStore, end: (typeof ENDS)[number], begin: ()
     expectNoFalseWord(bench, before, why);
     if (bench.session.runner.job.value?.asking) bench.session.runner.answer(true);
   }
-  expect([bench.editor.textOf(DT), bench.editor.textOf(S1)], 'typed').toEqual(['4:00', '8']);
+  expect([bench.editor.textOf(DT), bench.editor.textOf(S1)], 'the fields show what was typed').toEqual(['4:00', '8']);
   return bench;
 }
 

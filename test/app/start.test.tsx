@@ -114,7 +114,7 @@ describe('a storage that does not answer', () => {
     bench.editor.type(S1, '9');
     await idle();
     const kept = [...store.drafts.records.values()].map(({ key, working }) => [key, working.positions[0]?.[2]]);
-    expect(kept.map(([, value]) => value).sort(), 'the older one stands beside it').toEqual([7, 9]);
+    expect(kept.map(([, value]) => value).sort(), 'the older draft is kept beside the newer one').toEqual([7, 9]);
   });
 });
 

@@ -85,7 +85,7 @@ describe('an answer that names another memory than the one that was read', () =>
     const count = counting(made);
     expect((await run(client.readProgram())).memory).toBe(0);
     expect([[...client.quirksFound.keys()], client.quirksAssumed]).toEqual([[], {}]);
-    expect(count(), 'until two agree, and once at the end').toBe(5);
+    expect(count(), 'GETMEMORY goes out until two answers agree, and once at the end').toBe(5);
   });
 
   it('is asked for again when it names no memory at all', async () => {
@@ -135,9 +135,9 @@ describe('an impossible memory', () => {
     await run(client.request({ name: 'GETTIMERS' }));
     expect(count()).toBe(0);
     await expect(run(client.readMemories())).rejects.toMatchObject({ code: 'memory-unknown' });
-    expect(count(), 'asked for twice').toBe(2);
+    expect(count(), 'GETMEMORY goes out twice').toBe(2);
     await run(client.readProgram());
-    expect(count(), 'twice at the beginning, and twice at the end').toBe(4);
+    expect(count(), 'GETMEMORY goes out twice at the beginning and twice at the end').toBe(4);
   });
 });
 

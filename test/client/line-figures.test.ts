@@ -112,7 +112,7 @@ describe('requests that may still be answered', () => {
     send({ name: 'GETSWVER' });
     send({ name: 'GETSWVER' });
     expect([1, 2, 3].map(() => requests.take(version, true))).toEqual([true, true, false]);
-    expect(requests.has(0x6b), 'a doubled one may come yet').toBe(true);
+    expect(requests.has(0x6b), 'a doubled reply may still come').toBe(true);
   });
 
   it('are not answered by a frame of another letter', () => {
@@ -141,7 +141,7 @@ describe('requests that may still be answered', () => {
     send({ name: 'GETSWVER' });
     await clock.advance(1000);
     requests.take(version, false);
-    expect(own.delay, 'not one that was hidden').toBeNull();
+    expect(own.delay, 'a reply that was hidden behind a false header does not count').toBeNull();
     requests.take(version, true);
     expect(own.delay).toBe(1000 - wireTime(9 + 18, 10_000));
   });
@@ -163,7 +163,7 @@ describe('a frame as the reply to a question', () => {
       answer,
     });
     expect(asReply({ code: 0x6c, data: times }, ask({ name: 'GETTIMERS' }), quirks, false)).toBeUndefined();
-    expect(quirks.mayMisprint('GETTIMERS', 'yes'), 'this timer uses the right letter').toBe(false);
+    expect(quirks.mayMisprint('GETTIMERS', 'yes'), 'this timer has used the right letter').toBe(false);
   });
 
   it('may be a misprint where nothing else can be answered, and the timer is not known to print right', () => {

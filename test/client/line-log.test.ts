@@ -72,7 +72,7 @@ describe('a port whose streams are missing', () => {
     const client = new TimerClient(port, { clock, onLost: ({ code }) => lost.push(code) });
     await expect(clock.run(client.identify())).rejects.toMatchObject({ code: 'port-lost' });
     expect(lost).toEqual(['port-lost']);
-    await expect(clock.run(client.identify()), 'and stays so').rejects.toMatchObject({ code: 'port-lost' });
+    await expect(clock.run(client.identify()), 'the port stays lost').rejects.toMatchObject({ code: 'port-lost' });
     expect(lost).toHaveLength(1);
   });
 

@@ -139,7 +139,7 @@ async function happen(hit: Case): Promise<{ field: Field; result: unknown }> {
   field.line.arm(direction, index, befalling);
   const acting = act(field.client, field).catch((error: unknown) => error);
   const result = await field.run(event === 'gone' ? field.line.lost : acting);
-  expect(field.line.isArmed, `${label(hit)} has happened`).toBe(false);
+  expect(field.line.isArmed, `the fault has not happened: ${label(hit)}`).toBe(false);
   field.timer.core.press();
   if (event === 'gone' || event === 'cut') field.openPage();
   return { field, result };
@@ -195,7 +195,12 @@ export async function wentOutOnce(hit: Case): Promise<void> {
   await field.clock.advance(10_000);
   await field.run(field.client.readProgram());
   for (const name of DANGEROUS) {
-    expect(field.timesSent(name), label(hit)).toBe(name === hit.act ? 1 : 0);
-    expect(field.timesAnswered(name), label(hit)).toBeLessThanOrEqual(name === hit.act ? 1 : 0);
+    expect(field.timesSent(name), `a dangerous request went out too often: ${label(hit)}`).toBe(
+      name === hit.act ? 1 : 0,
+    );
+    expect(
+      field.timesAnswered(name),
+      `a dangerous request was carried out too often: ${label(hit)}`,
+    ).toBeLessThanOrEqual(name === hit.act ? 1 : 0);
   }
 }

@@ -64,7 +64,8 @@ describe('all quirks together', () => {
       // While the byte order is open the first write is refused, so its read-back tells nothing.
       if (!quirks.bigEndianTimes && quirks.servoNeedsMove) expected.add('positions-unchanged');
       else if (!quirks.bigEndianTimes && quirks.servoFirst) expected.add('servo-first');
-      for (const code of expected) expect(found(client), `${label} finds ${code}`).toContain(code);
+      for (const code of expected)
+        expect(found(client), `${code} was not found on a timer with ${label}`).toContain(code);
     }
   });
 

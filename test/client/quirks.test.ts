@@ -212,10 +212,13 @@ describe('an answer that makes no sense', () => {
     const { client, timer, run } = bench({}, { quirks: { memoriesFromOne: true } });
     timer.core.memory = 2;
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [0] : undefined));
-    expect((await run(client.readProgram())).memory, 'as was assumed').toBe(1);
+    expect((await run(client.readProgram())).memory, 'one answer is not enough: the timer still counts from 1').toBe(1);
     expect(client.quirksAssumed).toEqual({ memoriesFromOne: true });
     timer.core.memory = 0;
-    await expect(run(client.writeMemories([contentOf(timer)])), 'its number was another one').rejects.toMatchObject({
+    await expect(
+      run(client.writeMemories([contentOf(timer)])),
+      'the memory that was read has another number now',
+    ).rejects.toMatchObject({
       code: 'memory-unknown',
     });
     expect(client.quirksAssumed).toEqual({});
@@ -259,7 +262,7 @@ describe('times with their high byte first', () => {
     expect(found(client)).toEqual(['times-big-endian']);
     timer.core.content.times = Array.from({ length: 11 }, (_, slot) => 100 * Math.ceil(slot / 2));
     await run(client.readProgram());
-    expect(found(client), 'times that rise as they are').toEqual([]);
+    expect(found(client), 'times that rise without swapped bytes end the suspicion').toEqual([]);
   });
 
   it('are a hint only: the pilot may decide that they are as they were read', async () => {
@@ -340,7 +343,9 @@ describe('servo before function', () => {
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report).toMatchObject({ result: 'differs', stopped: { code: 'no-answer' } });
     expect(client.quirksFound.get('servo-unanswered')).toEqual({ servo: 1, slot: 3 });
-    expect(found(client), 'what it never took up it need not have kept').toEqual(['servo-unanswered']);
+    expect(found(client), 'no position was acknowledged, so the timer need not have kept any').toEqual([
+      'servo-unanswered',
+    ]);
     expect(client.quirksAssumed).toEqual({});
     client.assume({ servoFirst: true });
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');

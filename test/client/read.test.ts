@@ -128,7 +128,7 @@ describe('read program', () => {
     const begin = clock.now();
     const both = Promise.allSettled([client.readProgram(), client.identify()]);
     expect(await run(both)).toMatchObject([{ reason: { code: 'port-lost' } }, { reason: { code: 'port-lost' } }]);
-    expect(clock.now() - begin, 'at once').toBeLessThan(100);
+    expect(clock.now() - begin, 'both fail at once').toBeLessThan(100);
   });
 
   it('releases the streams when closed, and rejects what waits', async () => {

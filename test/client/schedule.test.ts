@@ -192,7 +192,7 @@ describe('the time of a job', () => {
     expect(schedule.hasTimeFor(left)).toBe(true);
     const failed = schedule.keepTimeFor(['GETMEMORY'], () => Promise.reject(new Error('failed')));
     await expect(failed).rejects.toThrow('failed');
-    expect(schedule.hasTimeFor(left), 'also when the work failed').toBe(true);
+    expect(schedule.hasTimeFor(left), 'no time is reserved any more, also after the work failed').toBe(true);
   });
 
   it('grows by the time that is spent on other things than the line', async () => {

@@ -17,7 +17,7 @@ describe('a frame sent by hand', () => {
     const answer = await run(client.send(0x63, [10, 2, 65]));
     expect(answer).toEqual({ code: 0x64, data: new Uint8Array(0) });
     expect(outgoing(line)[1]).toBe('00 00 00 00 00 06 63 0a 02 41 b0 45');
-    expect(clock.now(), 'nothing older is outstanding').toBe(begin);
+    expect(clock.now(), 'nothing is waited for, because no older reply can still come').toBe(begin);
   });
 
   it('goes out once, and null means that nobody answered', async () => {

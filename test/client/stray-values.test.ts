@@ -83,7 +83,7 @@ describe('an exception that is not an error of the line', () => {
     });
     await expect(run(client.writeProgram({ ...goal, times }, { baseline }))).rejects.toThrow(RangeError);
     expect(timer.core.content.times[10]).toBe(30_000);
-    expect((await run(client.readProgram())).times[10], 'and the client goes on').toBe(30_000);
+    expect((await run(client.readProgram())).times[10], 'the client can still be used').toBe(30_000);
   });
 });
 

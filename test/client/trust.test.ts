@@ -87,8 +87,10 @@ describe('another timer under the infra-red head, from any request of a write on
   ])('%s: up to request %i nothing is written', async (second, last, code) => {
     for (const swapAt of requests.filter((request) => request <= last)) {
       const { first, other, before, result } = await swapped(second, swapAt);
-      expect(result.code, `${swapAt}`).toBe(swapAt === 4 && code === 'stale' ? 'stale' : code);
-      expect([setsOf(first), setsOf(other)], `${swapAt}`).toEqual([[], []]);
+      expect(result.code, `the other timer came at request ${swapAt}`).toBe(
+        swapAt === 4 && code === 'stale' ? 'stale' : code,
+      );
+      expect([setsOf(first), setsOf(other)], `the other timer came at request ${swapAt}`).toEqual([[], []]);
       expect(contentOf(other)).toEqual(before);
     }
   });
@@ -125,8 +127,11 @@ describe('another timer under the infra-red head, after silence among the values
   it.each([1, 2, 4])('with other content: it gets none of them, however many requests were lost: %i', async (lost) => {
     for (const swapAt of sets) {
       const { other, before, result } = await swapped('another content', swapAt, lost);
-      expect(result, `${swapAt}`).toMatchObject({ result: 'unknown', stopped: { code: 'changed' } });
-      expect(setsOf(other), `${swapAt}`).toEqual([]);
+      expect(result, `the other timer came at request ${swapAt}`).toMatchObject({
+        result: 'unknown',
+        stopped: { code: 'changed' },
+      });
+      expect(setsOf(other), `the other timer came at request ${swapAt}`).toEqual([]);
       expect(contentOf(other)).toEqual(before);
     }
   });
@@ -134,8 +139,8 @@ describe('another timer under the infra-red head, after silence among the values
   it('of another class: it gets none of them', async () => {
     for (const swapAt of sets) {
       const { other, result } = await swapped('another class', swapAt, 1);
-      expect(result.stopped, `${swapAt}`).toMatchObject({ code: 'other-timer' });
-      expect(setsOf(other), `${swapAt}`).toEqual([]);
+      expect(result.stopped, `the other timer came at request ${swapAt}`).toMatchObject({ code: 'other-timer' });
+      expect(setsOf(other), `the other timer came at request ${swapAt}`).toEqual([]);
     }
   });
 });
@@ -157,10 +162,10 @@ describe('another memory, from any answer of the reading back on', () => {
         const report = await run(client.writeProgram(goal, { baseline }));
         // After the answer to the last GETMEMORY nothing asks again.
         const isSeen = at < VERIFY - 1;
-        expect(report.result, `${at}`).toBe(isSeen ? 'unknown' : 'verified');
-        if (isSeen) expect(report.stopped?.code, `${at}`).toBe('other-memory');
-        expect(timer.core.memories[1], `${at}`).toEqual(before);
-        expect(timer.core.memories[0]?.times, `${at}`).toEqual(goal.times);
+        expect(report.result, `the memory changed at request ${at}`).toBe(isSeen ? 'unknown' : 'verified');
+        if (isSeen) expect(report.stopped?.code, `the memory changed at request ${at}`).toBe('other-memory');
+        expect(timer.core.memories[1], `the memory changed at request ${at}`).toEqual(before);
+        expect(timer.core.memories[0]?.times, `the memory changed at request ${at}`).toEqual(goal.times);
       }
     },
   );
@@ -217,7 +222,7 @@ describe('a second reply to the first reading', () => {
     };
     const report = await run(client.writeProgram(goalOf(baseline), { baseline }));
     expect(asked).toBeGreaterThan(2);
-    expect(report.result === 'verified', 'verified only when it holds the goal').toBe(
+    expect(report.result === 'verified', 'a write is verified exactly when the timer holds the goal').toBe(
       JSON.stringify(contentOf(timer)) === JSON.stringify(goalOf(baseline)),
     );
   });

@@ -252,7 +252,7 @@ describe('a port that ends', () => {
     end();
     const error = await clock.run(asked).catch((reason: unknown) => reason as TimerError);
     expect(error).toMatchObject({ code: 'port-lost' });
-    expect('cause' in (error as TimerError), 'it has just ended').toBe(false);
+    expect('cause' in (error as TimerError), 'a stream that ends without an error gives no cause').toBe(false);
     await expect(clock.run(ask())).rejects.toMatchObject({ code: 'port-lost' });
     await clock.run(wire.close());
     await expect(clock.run(ask())).rejects.toMatchObject({ code: 'port-lost' });

@@ -292,10 +292,11 @@ describe('what the positions that were read back say of the timer', () => {
 
   it('it keeps them where the servos do not stand only when those of two functions were stored', () => {
     expect(arePositionsKept(planWrite(HELD, apart), apart)).toBe(true);
-    expect(arePositionsKept(planWrite(HELD, goal), goal), 'both of one function').toBe(false);
-    expect(arePositionsKept(planWrite(HELD, apart), edited(HELD, [[1, 1200]], [[0, 2, 99]])), 'only one took').toBe(
-      false,
-    );
+    expect(arePositionsKept(planWrite(HELD, goal), goal), 'both positions belong to one function').toBe(false);
+    expect(
+      arePositionsKept(planWrite(HELD, apart), edited(HELD, [[1, 1200]], [[0, 2, 99]])),
+      'the timer took only one of the two positions',
+    ).toBe(false);
     expect(
       arePositionsKept(
         planWrite(
@@ -307,18 +308,21 @@ describe('what the positions that were read back say of the timer', () => {
         ),
         HELD,
       ),
-      'none was asked',
+      'none of the kept positions was to be changed',
     ).toBe(false);
     const withTimes = edited(HELD, [[1, 1200]], [[0, 2, 99]]);
-    expect(arePositionsKept(planWrite(HELD, withTimes), withTimes), 'a time is no position').toBe(false);
+    expect(arePositionsKept(planWrite(HELD, withTimes), withTimes), 'a kept time is not a kept position').toBe(false);
   });
 
   it('it takes the servo first when a cell holds what was sent for the one with servo and function exchanged', () => {
     const plan = planWrite(HELD, edited(HELD, [[1, 1200]], [[0, 1, 99]]));
     expect(exchangedCell(plan, edited(HELD, [[2, 99]], [[1, 0, 99]]))).toEqual({ kind: 'position', servo: 1, slot: 0 });
-    expect(exchangedCell(plan, edited(HELD, [], [[1, 0, 98]])), 'another value').toBeNull();
-    expect(exchangedCell(plan, edited(HELD, [], [[1, 1, 99]])), 'another function').toBeNull();
-    expect(exchangedCell(plan, edited(HELD, [], [[0, 0, 99]])), 'another servo').toBeNull();
+    expect(
+      exchangedCell(plan, edited(HELD, [], [[1, 0, 98]])),
+      'the cell holds another value than was sent',
+    ).toBeNull();
+    expect(exchangedCell(plan, edited(HELD, [], [[1, 1, 99]])), 'the cell belongs to another function').toBeNull();
+    expect(exchangedCell(plan, edited(HELD, [], [[0, 0, 99]])), 'the cell belongs to another servo').toBeNull();
   });
 
   it('the first slot whose time it has rounded is found by the acknowledgement and the reading back', () => {
@@ -334,8 +338,11 @@ describe('what the positions that were read back say of the timer', () => {
       [1, 1200],
     ]);
     expect(roundedSlot(plan, held.times, held)).toBe(0);
-    expect(roundedSlot(plan, plan.goal.times, held), 'the acknowledgement says what was sent').toBeNull();
-    expect(roundedSlot(plan, null, held), 'no acknowledgement').toBeNull();
+    expect(
+      roundedSlot(plan, plan.goal.times, held),
+      'the acknowledgement gives the times as they were sent',
+    ).toBeNull();
+    expect(roundedSlot(plan, null, held), 'there was no acknowledgement').toBeNull();
     expect(roundedSlot(plan, [505, 1200, 2000, 9000], edited(held, [[0, 505]]))).toBe(1);
   });
 });

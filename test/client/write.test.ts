@@ -88,7 +88,7 @@ describe('write program', () => {
       details: { expected: 0, found: 2 },
     });
     expect(sets(timer.core.answered)).toEqual([]);
-    expect(names(timer.core.answered).slice(5), 'nothing is read of it').toEqual([
+    expect(names(timer.core.answered).slice(5), 'the content of the other memory is not read').toEqual([
       'GETSWVER',
       ...['GETSWVER', 'GETMEMORY', 'GETMEMORY', 'GETSWVER'],
     ]);
@@ -293,7 +293,7 @@ describe('write program', () => {
       };
       const goal = edited(baseline, [[10, 30003]], [[0, 2, 70]]);
       const report = await run(client.writeProgram(goal, { baseline }));
-      expect(report, JSON.stringify(quirks)).toMatchObject({ result: 'differs', stopped: null });
+      expect(report, `a timer with ${JSON.stringify(quirks)}`).toMatchObject({ result: 'differs', stopped: null });
     }
   });
 
@@ -308,7 +308,7 @@ describe('write program', () => {
     const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 70]]), { baseline }));
     expect(names(sets(timer.core.answered))).toEqual(Array(10).fill('SETSERVO'));
     expect(report).toMatchObject({ result: 'verified', acknowledged: 0, stopped: null });
-    expect(client.quirksFound.size, 'function 1 is a servo too').toBe(0);
+    expect(client.quirksFound.size, 'function 1 is also a servo number, so silence shows nothing').toBe(0);
   });
 
   it('stops within one reply when asked to, and says what is not known', async () => {

@@ -44,7 +44,7 @@ describe('after an unplug', () => {
     expect(await failure(port.open({ baudRate: 9600 }))).toBe('NetworkError');
     expect([port.connected, again.connected]).toEqual([false, true]);
     await again.open({ baudRate: 9600 });
-    expect(again.device, 'the device is the same').toBe(device);
+    expect(again.device, 'the new port object has the same device').toBe(device);
     device.write([7]);
     expect((await reading(again).read()).value).toEqual(Uint8Array.of(7));
   });
@@ -212,7 +212,7 @@ describe('as Web IDL has it', () => {
     await port.setSignals({ dataTerminalReady: 0, requestToSend: 'yes' } as unknown as { dataTerminalReady: boolean });
     expect(device.signals).toEqual({ dataTerminalReady: false, requestToSend: true, break: false });
     expect(await failure(port.setSignals(5 as unknown as object))).toBe('TypeError');
-    expect(await failure(port.setSignals(null as unknown as object)), 'no signal').toBe('TypeError');
+    expect(await failure(port.setSignals(null as unknown as object)), 'null gives no signal to set').toBe('TypeError');
   });
 
   test('the numbers of a filter are converted: text, and what is too large', async () => {

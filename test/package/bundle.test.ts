@@ -27,7 +27,7 @@ async function bundle(lines: string): Promise<{ code: string; modules: string[] 
     },
   })) as Rolldown.RolldownOutput;
   const [chunk, ...others] = built.output;
-  expect(others, 'one file').toEqual([]);
+  expect(others, 'the bundle is one file').toEqual([]);
   const modules = Object.entries(chunk.modules)
     .filter(([, { renderedLength }]) => renderedLength > 0)
     .map(([path]) => /sidus-timer\/dist\/lib\/(.*)$/.exec(path)?.[1] ?? '')

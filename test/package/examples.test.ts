@@ -127,7 +127,7 @@ describe('the program for Node', () => {
 
   it('says how it is called', () => {
     for (const wrong of [['dt', '-1'], ['--fly'], ['fly'], ['toString'], ['dt'], ['backup'], ['dt', '20', 'more']]) {
-      expect(tool('/dev/timer', ...wrong), wrong.join(' ')).toMatchObject({ code: 2, said: '' });
+      expect(tool('/dev/timer', ...wrong), `timer.js ${wrong.join(' ')}`).toMatchObject({ code: 2, said: '' });
     }
   });
 

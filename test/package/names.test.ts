@@ -54,13 +54,16 @@ describe('the public names and the codes of errors', () => {
       const [was, is] = [before[entry] ?? [], now[entry] ?? []];
       const changed = [...was.filter((name) => !is.includes(name)), ...is.filter((name) => !was.includes(name))];
       for (const name of changed)
-        expect(latest, `${entry}: ${name} has no line in the changelog`).toContain(`\`${name}`);
+        expect(
+          latest,
+          `${name} of ${entry} has changed, and the changelog does not say so under its first heading`,
+        ).toContain(`\`${name}`);
     }
   });
 
   it('are found: an empty list would hold nothing', async () => {
     const now = new Map(Object.entries(await present()));
-    for (const [entry, names] of now) expect(names.length, entry).toBeGreaterThan(1);
+    for (const [entry, names] of now) expect(names.length, `${entry} has names`).toBeGreaterThan(1);
     expect(now.get('./protocol')).toContain('FrameDecoder');
     expect(now.get('TimerErrorCode')).toContain('no-answer');
   });

@@ -68,12 +68,12 @@ describe('the package uses web standards only', () => {
   it('imports nothing but its own modules', () => {
     expect(modules.length).toBeGreaterThan(20);
     for (const [path, code] of modules) {
-      for (const specifier of uses(code).imports) expect(specifier, path).toMatch(/^\.\.?\/.*\.js$/);
+      for (const specifier of uses(code).imports) expect(specifier, `what ${path} imports`).toMatch(/^\.\.?\/.*\.js$/);
     }
   });
 
   it('uses no name that only Node has', () => {
-    for (const [path, code] of modules) expect(uses(code).globals, path).toEqual([]);
+    for (const [path, code] of modules) expect(uses(code).globals, `names that only Node has, in ${path}`).toEqual([]);
   });
 });
 

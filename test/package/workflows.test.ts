@@ -42,7 +42,7 @@ describe.each(workflows)('the workflow %s', (_, text) => {
       expect(Object.keys(scripts)).toContain(script);
     }
     for (const [, file = ''] of commands.join('\n').matchAll(/(?:python3|node) ([\w./-]+\.\w+)/g)) {
-      expect(existsSync(join(root, file)), file).toBe(true);
+      expect(existsSync(join(root, file)), `${file} does not exist`).toBe(true);
     }
   });
 
@@ -60,7 +60,7 @@ describe.each(workflows)('the workflow %s', (_, text) => {
     const jobs = jobsOf(text);
     expect(jobs.length).toBeGreaterThan(0);
     for (const [name, body] of jobs) {
-      expect(body, name).toMatch(/^ {4}timeout-minutes: \d+$/m);
+      expect(body, `the job ${name} has no time limit`).toMatch(/^ {4}timeout-minutes: \d+$/m);
       const [, needs = ''] = /^ {4}needs: \[?([\w, -]+)\]?$/m.exec(body) ?? [];
       for (const need of needs.split(', ').filter(Boolean)) expect(jobs.map(([each]) => each)).toContain(need);
     }

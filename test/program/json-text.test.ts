@@ -100,6 +100,8 @@ describe('JSON that a person can read', () => {
     expect(writeJson(fits)).toBe(`{ "a": "${fits.a}" }`);
     expect(writeJson(more)).toBe(`{\n  "a": "${more.a}"\n}`);
     expect(writeJson([more, 1])).toBe(`[\n  {\n    "a": "${more.a}"\n  },\n  1\n]`);
-    expect(writeJson([fits]), 'one that stands further in has less room').toBe(`[\n  {\n    "a": "${fits.a}"\n  }\n]`);
+    expect(writeJson([fits]), 'an object that is indented has less room on its line').toBe(
+      `[\n  {\n    "a": "${fits.a}"\n  }\n]`,
+    );
   });
 });

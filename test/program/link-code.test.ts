@@ -156,7 +156,9 @@ describe('a link', () => {
   });
 
   it('is refused unread when it is far too long', () => {
-    expect(refusal('A'.repeat(60_000)), 'one that is not is').toBe('bad-link link');
+    expect(refusal('A'.repeat(60_000)), 'a code of a length that is allowed is read, and then refused').toBe(
+      'bad-link link',
+    );
     expect(refusal('A'.repeat(60_001))).toBe('too-large link');
     expect(refusal(`${' '.repeat(1_000_000)}${encodeLink(SHARED)}`)).toBe('too-large link');
   });
@@ -180,7 +182,7 @@ describe('a link', () => {
     expect(encodeLink(long, { longest: whole.length })).toBe(whole);
     expect(decodeLink(encodeLink(long, { longest: 0 })).note).toBe('');
     const cut = encodeLink(long, { longest: 1000 });
-    expect(encodeLink(long, { longest: cut.length }), 'what just fits').toBe(cut);
+    expect(encodeLink(long, { longest: cut.length }), 'a note that just fits is not cut').toBe(cut);
   });
 
   it('cuts a note after a word, however long the gap is', () => {

@@ -60,8 +60,8 @@ describe('the cost of a byte', () => {
     it(`is bounded for ${name}, and ten frames behind them are delivered`, () => {
       for (const chunk of [SIZE, 4096, 1]) {
         const { perByte, last } = cost(repeated(bytes, SIZE), chunk);
-        expect(perByte, `chunks of ${chunk}`).toBeLessThanOrEqual(chunk === SIZE ? inOne : most);
-        expect(last, `chunks of ${chunk}`).toBe(10);
+        expect(perByte, `visits a byte in chunks of ${chunk}`).toBeLessThanOrEqual(chunk === SIZE ? inOne : most);
+        expect(last, `frames after the hostile bytes, in chunks of ${chunk}`).toBe(10);
       }
     });
 

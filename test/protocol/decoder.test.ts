@@ -114,7 +114,7 @@ describe('headers inside held bytes', () => {
       const pieces = Array.from({ length: Math.ceil(bytes.length / size) }, (_, index) =>
         bytes.subarray(index * size, (index + 1) * size),
       );
-      expect(shown(decode(pieces)), `pieces of ${size}`).toHaveLength(1);
+      expect(shown(decode(pieces)), `the frame is found in pieces of ${size} bytes`).toHaveLength(1);
     }
   });
 

@@ -82,12 +82,15 @@ describe('a caller without types', () => {
 describe('shared data', () => {
   it('cannot be changed: the table of commands, down to its rows and lists', () => {
     const change = (object: object, name: string): void => {
-      expect(Reflect.set(object, name, 0), name).toBe(false);
+      expect(Reflect.set(object, name, 0), `${name} can be changed`).toBe(false);
     };
     change(COMMANDS, 'GETTIMERS');
     for (const name of COMMAND_NAMES) {
       for (const field of Object.keys(COMMANDS[name])) change(COMMANDS[name], field);
-      expect(Object.isFrozen(COMMANDS[name].sends) && Object.isFrozen(COMMANDS[name].answers), name).toBe(true);
+      expect(
+        Object.isFrozen(COMMANDS[name].sends) && Object.isFrozen(COMMANDS[name].answers),
+        `the lists of ${name} are frozen`,
+      ).toBe(true);
       for (const field of [...COMMANDS[name].sends, ...COMMANDS[name].answers]) change(field, 'encode');
     }
     expect(() => (COMMAND_NAMES as string[]).push('X')).toThrow(TypeError);

@@ -38,7 +38,7 @@ describe('servos that follow', () => {
     expect(stand()).toEqual([2, [35, 35, 35]]);
     await toggle.click();
     await pilot.sees(en.bench.tried(0));
-    expect(sent(rig, 'SETSERVO'), 'nothing has changed yet').toBe(0);
+    expect(sent(rig, 'SETSERVO'), 'no position is sent before one is changed').toBe(0);
     const begin = rig.frames.length;
 
     await pilot.goTo('program');
@@ -62,14 +62,14 @@ describe('servos that follow', () => {
     ]).flat();
     expect(
       frames.map(({ direction, code }) => [direction, code]),
-      'each position is commanded anew, each request behind the reply to the one before',
+      'each position is sent as SETSERVO and MOVETOFUNC, each request after the reply to the one before',
     ).toEqual(exchanges);
     const [first, ...others] = frames;
     const bits = BITS * others.reduce((sum, { code, data }) => sum + encodeFrame(code, data).length, 0);
     const time = (others.at(-1)?.at ?? 0) - (first?.at ?? 0);
     expect(bits).toBeLessThanOrEqual((BAUD_RATE * time) / 1000);
     const stepped = core.answered.flatMap((request) => (request.name === 'SETSERVO' ? [request.position] : []));
-    expect(stepped, 'never back').toEqual([...new Set(stepped)].sort((a, b) => a - b));
+    expect(stepped, 'the servo never moves back').toEqual([...new Set(stepped)].sort((a, b) => a - b));
     expect(stepped.length).toBeLessThanOrEqual(60);
 
     // Another function waits for a click.
@@ -110,7 +110,7 @@ describe('servos that follow', () => {
     expect(core.content.positions).toEqual(before);
     await pilot.goTo('bench');
     expect(await toggle.getAttribute('aria-checked')).toBe('false');
-    expect(sent(rig, 'MOVETOFUNC'), 'a write moves nothing').toBe(asked);
+    expect(sent(rig, 'MOVETOFUNC'), 'a write sends no MOVETOFUNC').toBe(asked);
   });
 
   test('a movement without an answer ends following, is reported, and is not sent again', async () => {
@@ -180,7 +180,7 @@ describe('hold to unlock', () => {
     // The button has lost the focus when it went out; where the answer is quicker than that, the next repeat finds it
     // again.
     await pilot.button(en.bench.unlock).dispatchEvent('keydown', { key: ' ', repeat: true });
-    expect(await pilot.button(en.bench.unlockHold).count(), 'no second hold').toBe(0);
+    expect(await pilot.button(en.bench.unlockHold).count(), 'a key that repeats does not begin a second hold').toBe(0);
     await keyboard.up('Space');
     expect(sent(rig, 'UNLOCK')).toBe(1);
   });

@@ -67,7 +67,7 @@ export class Rig {
       for (const dispose of disposals.reverse()) {
         await dispose()?.catch((error: unknown) => faults.push(String(error)));
       }
-      expect(faults, 'errors of the page or of the rig').toEqual([]);
+      expect(faults, 'the page or the rig reported errors').toEqual([]);
     });
     const box = await Box.start(inject('builtPage'));
     disposals.push(() => box.close());

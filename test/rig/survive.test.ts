@@ -67,7 +67,7 @@ test('plugged in again, also under another name, the connection is back in a mom
     times.push(Math.round(time));
     expect(await pilot.shown(Object.keys(values(1)))).toEqual(values(1));
     await pilot.sees(en.notes['back-same'].title);
-    expect(await isNewObject(pilot), 'Chromium gives a new object each time').toBe(true);
+    expect(await isNewObject(pilot), 'Chromium gives a new port object each time').toBe(true);
   }
   stdout.write(`From plugging in to the program on the screen: ${times.join(', ')} ms.\n`);
   await pilot.write();
@@ -144,7 +144,10 @@ async function halfWritten(): Promise<{ rig: Rig; pilot: Pilot }> {
   await pilot.startWriting();
   await covered;
   const [time, , , last] = held(rig);
-  expect([time === wanted(1)[0], last === wanted(1)[3]], 'in the middle').toEqual([true, false]);
+  expect(
+    [time === wanted(1)[0], last === wanted(1)[3]],
+    'the write was interrupted in the middle: the time is written, the last position is not',
+  ).toEqual([true, false]);
   return { rig, pilot };
 }
 
@@ -204,7 +207,7 @@ test('a timer that answers only at 19200 baud is found, and the next time that r
   const { opened } = rig.sessions;
   await pilot.clickConnect();
   await pilot.isConnected();
-  expect(rig.sessions.opened, 'opened once, at the rate that is known').toBe(opened + 1);
+  expect(rig.sessions.opened, 'the port is opened once, at the rate that is known').toBe(opened + 1);
 });
 
 test('a timer that sleeps is found when it wakes, and waited for when it falls asleep', async () => {

@@ -35,9 +35,15 @@ test.for(whileReading)(
       await pilot.button(en.program.read).click();
       await unplugged;
       await pilot.isAway();
-      expect(await pilot.shown(Object.keys(typed)), `unplugged after ${bytes}`).toEqual(typed);
+      expect(
+        await pilot.shown(Object.keys(typed)),
+        `the fields after the cable was pulled after ${bytes} bytes`,
+      ).toEqual(typed);
       await comesBack(rig, pilot);
-      expect(await pilot.shown(Object.keys(typed)), `connected after ${bytes}`).toEqual(typed);
+      expect(
+        await pilot.shown(Object.keys(typed)),
+        `the fields after the return, with the cable pulled after ${bytes} bytes`,
+      ).toEqual(typed);
     }
     const good = { 'Function 4, S3': '54' };
     await pilot.type(good);
@@ -62,12 +68,22 @@ test.for(whileWriting)(
       const unplugged = rig.unplugAfter(bytes, direction);
       await pilot.startWriting();
       await unplugged;
-      expect(await pilot.writeEnds(), `unplugged after ${bytes}`).not.toContain(en.write.verified.title);
-      expect(await pilot.shown(Object.keys(typed)), `unplugged after ${bytes}`).toEqual(typed);
+      expect(await pilot.writeEnds(), `the end of a write with the cable pulled after ${bytes} bytes`).not.toContain(
+        en.write.verified.title,
+      );
+      expect(
+        await pilot.shown(Object.keys(typed)),
+        `the fields after the cable was pulled after ${bytes} bytes`,
+      ).toEqual(typed);
       await comesBack(rig, pilot);
-      expect(await pilot.shown(Object.keys(typed)), `connected after ${bytes}`).toEqual(typed);
+      expect(
+        await pilot.shown(Object.keys(typed)),
+        `the fields after the return, with the cable pulled after ${bytes} bytes`,
+      ).toEqual(typed);
       await pilot.write();
-      expect(await pilot.result(), `written after ${bytes}`).toContain(en.write.verified.title);
+      expect(await pilot.result(), `the second write, after the cable was pulled after ${bytes} bytes`).toContain(
+        en.write.verified.title,
+      );
       const { times, positions } = rig.timer.core.content;
       expect([times[10], positions[0]?.[3], positions[2]?.[10]]).toEqual([12_000 + 100 * index, index, 100 + index]);
     }

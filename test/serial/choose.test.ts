@@ -34,7 +34,7 @@ describe('choosing a port', () => {
     for (const info of [{}, { usbVendorId: 0xbeef, usbProductId: 1 }, { bluetoothServiceClassId: 0x1101 }]) {
       const port = serial.plug(info);
       serial.choose(port);
-      expect(await choosePort(serial), JSON.stringify(info)).toBe(port);
+      expect(await choosePort(serial), `the port with ${JSON.stringify(info)} was not offered`).toBe(port);
     }
   });
 

@@ -184,7 +184,7 @@ describe('waiting for a timer', () => {
       await clock.advance(ms);
       timer.core.press();
       await clock.advance(2000);
-      expect(link.state.status, `awake after ${ms}`).toBe('on');
+      expect(link.state.status, `the timer was not found within 2 s after it woke at ${ms} ms`).toBe('on');
     }
   });
 

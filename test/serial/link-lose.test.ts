@@ -131,7 +131,7 @@ describe('a port that returns', () => {
       if (as === 'a new') adapter.returnAsNew();
       else adapter.replug();
       await clock.advance(150);
-      expect(link.state.status, `time ${i + 1}`).toBe('on');
+      expect(link.state.status, `the link did not come back after loss ${i + 1}`).toBe('on');
     }
   });
 
@@ -143,7 +143,7 @@ describe('a port that returns', () => {
       adapter.unplug();
       adapter.replug();
       await clock.advance(150);
-      expect(link.state.status, `time ${i + 1}`).toBe('on');
+      expect(link.state.status, `the link did not come back after loss ${i + 1}`).toBe('on');
     }
   });
 
@@ -168,7 +168,7 @@ describe('a port that returns', () => {
       adapter.unplug();
       adapter.replug();
       await clock.advance(200);
-      expect(link.state.status, `time ${i + 1}`).toBe('on');
+      expect(link.state.status, `the link did not come back after loss ${i + 1}`).toBe('on');
     }
   });
 
@@ -192,7 +192,7 @@ describe('a port that returns', () => {
     await clock.advance(10_000);
     const again = serial.replug(twin);
     await clock.advance(1000);
-    expect(portOf(link), 'that one was plugged in again').toBe(again);
+    expect(portOf(link), 'the twin counts once it was plugged in again').toBe(again);
   });
 
   it('is noticed where there is only a port and no browser', async () => {
@@ -386,7 +386,10 @@ describe('a line that is disturbed', () => {
       const toPage = (byte: number, index: number) => (index === 70 ? damage : [byte]);
       const { clock, link } = await on({ plug: { timing: true, fault: { toPage } } });
       const program = await clock.run(connectionOf(link).client.readProgram());
-      expect(program.positions, JSON.stringify(damage)).toEqual(positions);
+      expect(
+        program.positions,
+        `the program is read right with these bytes in place of one: ${JSON.stringify(damage)}`,
+      ).toEqual(positions);
     }
   });
 });

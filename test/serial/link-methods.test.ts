@@ -14,7 +14,7 @@ describe('wait()', () => {
     link.wait();
     expect(link.state).toEqual({ status: 'waiting', port, baudRate: 9600, asked: 0, heard: null });
     await clock.advance(2500);
-    expect(opened, 'the port stays open').toBe(0);
+    expect(opened, 'the port is neither closed nor opened again').toBe(0);
     timer.core.press();
     await clock.advance(2000);
     expect(way(states)).toBe('waiting > on');
@@ -160,7 +160,7 @@ describe('stop()', () => {
     adapter.replug({ samePort: true });
     await clock.advance(1000);
     expect(link.state.status).toBe('on');
-    expect(calls(added) - calls(removed), 'one hears of the loss').toBe(1);
+    expect(calls(added) - calls(removed), 'one listener waits for the next loss, and no more').toBe(1);
     await clock.run(link.stop());
     expect(calls(added)).toBe(calls(removed));
     const end = clock.now();
@@ -217,7 +217,10 @@ describe('stop()', () => {
       await clock.advance(10_000);
       adapter.unplug();
       await clock.advance(10_000);
-      expect(way(states).endsWith(`${at} > closing > off`), way(states)).toBe(true);
+      expect(
+        way(states).endsWith(`${at} > closing > off`),
+        `the link must close and end off, but it went ${way(states)}`,
+      ).toBe(true);
       adapter.replug({ samePort: true });
       expect(await canBeOpened(port)).toBe(true);
     }

@@ -342,7 +342,7 @@ describe('the table', () => {
     for (const status of statuses) {
       for (const event of events) {
         if (event in LINK_TABLE[status]) continue;
-        expect(() => nextStatus(status, event), `${status} ${event}`).toThrow(event);
+        expect(() => nextStatus(status, event), `${status} must refuse ${event}`).toThrow(event);
       }
     }
   });

@@ -94,7 +94,7 @@ describe('a recorded timer', () => {
     expect(program.positions).toEqual([CAPTURED_POSITIONS, CAPTURED_POSITIONS, CAPTURED_POSITIONS]);
     expect(program.identity).toMatchObject({ timerClass: 'B', firmware: '536' });
     expect([program.memory, program.times[10]]).toEqual([3, 18000]);
-    expect(clock.now(), 'the pauses of the recorded client are not waited for').toBeLessThan(500);
+    expect(clock.now(), 'the pauses of the recorded client are left out').toBeLessThan(500);
   });
 
   it('sends each reply in the pieces and with the delays of the recording', async () => {
@@ -228,7 +228,7 @@ describe('a recorded timer', () => {
     await ask({ name: 'GETSWVER' }, 10);
     timer.cut();
     await expect(clock.run(new Promise(() => {}))).rejects.toThrow('Nothing is due');
-    expect(clock.now(), 'no appointment was kept').toBe(10);
+    expect(clock.now(), 'nothing is planned any more').toBe(10);
     expect(received).toEqual([[10, 'The line to the recorded timer is cut.']]);
     await expect(ask({ name: 'GETSWVER' })).rejects.toThrow('cut');
   });

@@ -396,6 +396,6 @@ export class AppPage {
       );
       return [`${scrollWidth - clientWidth} px`, ...over.map((element) => element.outerHTML.slice(0, 90))];
     });
-    expect(beyond, 'beyond the edge').toEqual([]);
+    expect(beyond, 'the page is wider than the window').toEqual([]);
   }
 }

@@ -99,7 +99,7 @@ test.each([
     await ear.hears('table', 'Time and servo positions of each function');
     await ear.hears('status', /.*/);
     await ear.hears('StaticText', /^As in the timer, read \d\d:\d\d$/);
-    expect(await ear.nameless(), 'program').toEqual([]);
+    expect(await ear.nameless(), 'controls of the program view without a name').toEqual([]);
 
     await ear.enter('DT time', '2:30');
     await ear.enter('Function 4, S2', '70');
@@ -107,7 +107,7 @@ test.each([
     await ear.press('button', 'Write 2…');
     await ear.hears('dialog', 'Write to the timer');
     await ear.hears('rowheader', 'Function 4, S2');
-    expect(await ear.nameless(), 'difference').toEqual([]);
+    expect(await ear.nameless(), 'controls of the difference without a name').toEqual([]);
     await ear.press('checkbox', /^The propeller is off/, 'Space');
     expect(await ear.isChecked('checkbox', /^The propeller is off/)).toBe('true');
     await ear.press('button', 'Write 2 changes');
@@ -124,20 +124,20 @@ test.each([
     await ear.press('button', 'Close');
     await ear.press('button', 'Compare with M1: M2');
     await ear.hears('heading', 'M2 and M1 compared');
-    expect(await ear.nameless(), 'memories').toEqual([]);
+    expect(await ear.nameless(), 'controls of the comparison without a name').toEqual([]);
 
     await ear.press('link', 'Bench');
     await ear.hears('heading', 'Bench');
-    expect(await ear.isChecked('checkbox', /^The propeller/), 'it was said before the write').toBe('true');
+    expect(await ear.isChecked('checkbox', /^The propeller/), 'the tick from the write still counts').toBe('true');
     await ear.press('button', 'Function 4');
     await ear.hears('StaticText', 'Servos at function 4');
     await ear.press('button', 'Step up Function 4, S1');
-    expect(await ear.nameless(), 'bench').toEqual([]);
+    expect(await ear.nameless(), 'controls of the Bench view without a name').toEqual([]);
 
     await ear.press('link', 'Settings');
     await ear.hears('heading', 'Settings');
     await ear.press('radio', 'Dark', 'Space');
     expect(await ear.isChecked('radio', 'Dark')).toBe('true');
-    expect(await ear.nameless(), 'settings').toEqual([]);
+    expect(await ear.nameless(), 'controls of the settings without a name').toEqual([]);
   },
 );

@@ -20,7 +20,7 @@ for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
     await app.type('DT time', '5:00');
     await app.type('Function 2, S1', '0');
     await app.type('DT, S3', '130');
-    await expect.poll(() => app.valueOf('DT'), { message: 'the large figure follows' }).toBe('5:00');
+    await expect.poll(() => app.valueOf('DT'), { message: 'the large figure shows the new DT' }).toBe('5:00');
     await app.text('3 changes').waitFor();
 
     await app.review();
@@ -32,8 +32,8 @@ for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
         `DT, S3 | ${held.wingAtDt} | 130`,
       ]);
     const start = app.dialog.getByRole('button', { name: 'Write 3 changes' });
-    expect(await start.isDisabled(), 'not before the tick').toBe(true);
-    expect(await app.sets(), 'nothing yet').toEqual([]);
+    expect(await start.isDisabled(), 'a write can start only after the tick').toBe(true);
+    expect(await app.sets(), 'nothing is sent before the write starts').toEqual([]);
     await app.tickSafety();
     await start.click();
     await app.result('Verified.');
@@ -43,7 +43,7 @@ for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
     const sent = await app.sent();
     const content = ['GETTIMERS', 'GETSERVOPOS', ...(name === 'F1Q' ? ['GETLOWRPM'] : [])];
     const reading = ['GETSWVER', 'GETMEMORY', ...content, ...content, 'GETMEMORY', 'GETSWVER'];
-    expect(sent.slice(sent.lastIndexOf('SETSERVO') + 1), 'read back').toEqual(reading);
+    expect(sent.slice(sent.lastIndexOf('SETSERVO') + 1), 'after the last SET everything is read back').toEqual(reading);
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
     await app.readAgain();
     await expect.poll(() => app.valueOf('Function 2, S1')).toBe('0');

@@ -52,7 +52,7 @@ test('everything that the page keeps is deleted, and nothing of another program 
   );
   await app.button('Delete everything on this device…').click();
   await app.button('Delete everything').click();
-  expect(await forgotten, 'the right to use the port').toBe(0);
+  expect(await forgotten, 'the right to use the port is given back').toBe(0);
   await page.waitForFunction(() => document.title === 'Empty');
   const { settings, ...rest } = await kept(app);
   expect(rest).toEqual({ databases: ['another program'], caches: ['another program'], workers: 0 });

@@ -95,7 +95,9 @@ test('a file that is dropped while the page still loads is not opened by the bro
   for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
     await mouse.send('Input.dispatchDragEvent', { type, x: 200, y: 200, data });
   }
-  expect(await page.evaluate(() => location.protocol), 'the page is still there').toBe('http:');
+  expect(await page.evaluate(() => location.protocol), 'the browser has not opened the file in place of the page').toBe(
+    'http:',
+  );
   comes();
   const notice = page.getByRole('alert').filter({ hasText: 'The dialogs of this page could not be loaded.' });
   await notice.waitFor();

@@ -81,7 +81,10 @@ describe('the start is part of the page as it is sent:', () => {
     await page.unroute(PAGE_SCRIPT);
     await page.reload();
     await works(page);
-    expect(await page.locator('.first-steps-room').count(), 'they are not told again').toBe(0);
+    expect(
+      await page.locator('.first-steps-room').count(),
+      'the first steps that were skipped are not shown again',
+    ).toBe(0);
   });
 
   test('a click on Connect before the page has loaded opens the choice of a port', async () => {
@@ -97,7 +100,9 @@ describe('the start is part of the page as it is sent:', () => {
     await expect.poll(() => app.button('New program…').getAttribute('aria-disabled')).toBeNull();
     await release();
     await app.hasRead();
-    await expect.poll(() => app.page.getByRole('dialog').count(), { message: 'of two clicks the last counts' }).toBe(0);
+    await expect
+      .poll(() => app.page.getByRole('dialog').count(), { message: 'of two clicks only the last counts' })
+      .toBe(0);
   });
 
   test('when the page cannot be loaded it says so, and a click loads it again', async () => {
@@ -175,5 +180,5 @@ test('the table of a timer is seen before its picture, and stays where it is whe
   await expect.poll(async () => (await seen()).whole).toBe(true);
   const { first, places } = await seen();
   expect(first).toBe('the table');
-  expect(new Set(places).size, 'places of the table').toBe(1);
+  expect(new Set(places).size, 'the table stays in one place').toBe(1);
 });

@@ -58,7 +58,9 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   const file = await download;
   expect(file.suggestedFilename()).toMatch(/^flights-\d{4}-\d\d-\d\d\.csv$/);
   const bytes = await readFile(await file.path());
-  expect([...bytes.subarray(0, 3)], 'the mark by which Excel knows UTF-8').toEqual([0xef, 0xbb, 0xbf]);
+  expect([...bytes.subarray(0, 3)], 'the file begins with the mark by which Excel knows UTF-8').toEqual([
+    0xef, 0xbb, 0xbf,
+  ]);
   const [head = [], row = [], ...more] = readCsv(bytes.toString('utf8').slice(1), ';');
   expect(more).toEqual([]);
   const cells = Object.fromEntries(head.map((name, at) => [name, row[at]]));

@@ -131,7 +131,7 @@ for (const [how, comeBack] of Object.entries(returns)) {
     expect(await app.page.getByRole('checkbox', { name: 'The propeller is off' }).isChecked()).toBe(false);
     // The switch is marked as disabled, but a finger can still press it.
     await followSwitch(app).click({ force: true });
-    expect(await isOn(app), 'not before the tick').toBe(false);
+    expect(await isOn(app), 'the switch stays off before the tick').toBe(false);
     await isOff(app);
   });
 }

@@ -12,9 +12,10 @@ test('where colours are forced on the page, what is chosen and ticked can be see
   const [chosen, ...others] = await grounds(app.page.locator('.memories label > span'));
   expect(others).not.toContain(chosen);
   const ink = await app.page.evaluate(() => getComputedStyle(document.body).color);
-  expect(new Set(await strokes(app.page.locator('.servo-line.front path'))), 'lines are drawn in the ink').toEqual(
-    new Set([ink]),
-  );
+  expect(
+    new Set(await strokes(app.page.locator('.servo-line.front path'))),
+    'the lines have the colour of the text',
+  ).toEqual(new Set([ink]));
   await app.page.locator('.presets button', { hasText: '3 min' }).click();
   const presets = await grounds(app.page.locator('.presets button'));
   expect(presets.filter((ground) => ground === chosen)).toHaveLength(1);

@@ -52,7 +52,7 @@ for (const end of ['is loaded again', 'crashes']) {
     await expect.poll(() => next.entries()).toEqual(entries);
     await expect.poll(() => steps(next)).toEqual(names);
     await next.connect();
-    await expect.poll(() => next.entries(), { message: 'after reading the timer' }).toEqual(entries);
+    await expect.poll(() => next.entries(), { message: 'the edits stay after the timer was read' }).toEqual(entries);
     await expect.poll(() => steps(next)).toEqual(names);
 
     await next.redo.click();
@@ -92,7 +92,7 @@ test('each memory keeps its own history, also through a reload', async () => {
   await app.connect();
   const first = await work(app);
   await app.fly('M2');
-  await expect.poll(() => steps(app), { message: 'nothing was done here' }).toEqual(['Undo', 'Redo']);
+  await expect.poll(() => steps(app), { message: 'M2 has no steps to undo' }).toEqual(['Undo', 'Redo']);
   const second = new Trail(app);
   await second.note();
   await app.type('Function 3, S2', '99');
@@ -119,7 +119,7 @@ test('each timer keeps its own history: the F1B at the port, and a simulated F1Q
   await app.button('Disconnect').click();
   await app.connect();
   await app.page.getByRole('banner').getByText('F1B').waitFor();
-  await expect.poll(() => steps(app), { message: 'nothing was done here' }).toEqual(['Undo', 'Redo']);
+  await expect.poll(() => steps(app), { message: 'the F1B has no steps to undo' }).toEqual(['Undo', 'Redo']);
   const real = await work(app);
   await app.button('Disconnect').click();
   await app.kept();

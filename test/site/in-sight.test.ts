@@ -68,7 +68,7 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   await app.connect();
   const isIn = async (place: Locator): Promise<void> => {
     const box = await place.boundingBox();
-    expect((box?.x ?? 0) + (box?.width ?? 0), String(place)).toBeLessThan(320);
+    expect((box?.x ?? 0) + (box?.width ?? 0), `beyond the right edge: ${place}`).toBeLessThan(320);
   };
   await app.showFigures();
   await isIn(app.page.locator('.memories label').last());

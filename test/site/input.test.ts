@@ -35,10 +35,10 @@ describe('what no timer can hold is refused at the field', () => {
       await expect
         .poll(() => cause.evaluate((input) => input === document.activeElement), { message: `Write leads to ${what}` })
         .toBe(true);
-      await expect.poll(() => cause.evaluate(isInSight), { message: `${what} is in sight` }).toBe(true);
+      await expect.poll(() => cause.evaluate(isInSight), { message: `Write brings ${what} into sight` }).toBe(true);
 
       await app.kept();
-      expect(await answered(app), 'nothing was sent').toBe(asked);
+      expect(await answered(app), 'nothing was sent to the timer').toBe(asked);
       await app.reload();
       await expect.poll(() => app.valueOf(field), { message: what }).toBe(shown);
       await app.button('Connect').click();

@@ -38,7 +38,7 @@ test('the screenshots of the manifest have their stated size, are quick to load,
       return `${image.naturalWidth}x${image.naturalHeight}`;
     }, address);
     expect([src, size]).toEqual([src, sizes]);
-    expect((await (await fetch(address)).arrayBuffer()).byteLength, src).toBeLessThan(80_000);
+    expect((await (await fetch(address)).arrayBuffer()).byteLength, `the bytes of ${src}`).toBeLessThan(80_000);
   }
 });
 

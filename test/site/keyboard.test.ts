@@ -51,7 +51,9 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
 
   await keys.enter(/^Write \d+…$/);
   await app.dialog.waitFor();
-  await expect.poll(() => app.dialog.locator('.differs').count(), { message: 'in the grid of the program' }).toBe(44);
+  await expect
+    .poll(() => app.dialog.locator('.differs').count(), { message: 'the dialog shows 44 different values' })
+    .toBe(44);
   await keys.tabTo(/^The propeller is off/);
   await keys.press('Space');
   await keys.enter(/^Write 44 changes$/);

@@ -90,10 +90,10 @@ describe('the port is taken', () => {
     await other.button('Take over').click();
     await app.says('Another tab of this page uses the port now.');
     await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();
-    await expect.poll(() => edits(app), { message: 'kept' }).toEqual(['4:00', '7']);
+    await expect.poll(() => edits(app), { message: 'the first tab keeps its edits' }).toEqual(['4:00', '7']);
     await other.bench((bench) => bench.setBusy(false));
     await other.hasRead();
-    await expect.poll(() => edits(other), { message: 'and here too' }).toEqual(['4:00', '7']);
+    await expect.poll(() => edits(other), { message: 'the second tab shows the same edits' }).toEqual(['4:00', '7']);
   });
 
   test('by another program: the page says what to do, with a rule for this adapter to copy', async () => {

@@ -20,16 +20,19 @@ test('the pilot looks at a memory, makes another fly next, and Disconnect repeat
 
   await app.lookAt('M3');
   await app.page.getByRole('heading', { name: 'M3 has not been read' }).waitFor();
-  expect(await asked(), 'a tap sends nothing').toEqual([]);
+  expect(await asked(), 'a tap on a memory sends nothing').toEqual([]);
   await app.button('Look at M3').click();
   await app.page.getByRole('heading', { name: /^M3, read \d\d:\d\d$/ }).waitFor();
   const held = app.page.getByRole('table', { name: 'What was read of M3' });
   await expect.poll(() => held.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:15');
-  expect(await current(), 'M1 again').toBe(0);
+  expect(await current(), 'M1 is current again').toBe(0);
   const wire = await asked();
   expect(wire.filter((name) => !name.startsWith('GET'))).toEqual(['SETMEMORY 2', 'SETMEMORY 0']);
   expect(wire.slice(wire.indexOf('SETMEMORY 2'), wire.indexOf('SETMEMORY 0'))).toContain('GETTIMERS');
-  expect(wire.slice(wire.indexOf('SETMEMORY 0')), 'the timer says so').toContain('GETMEMORY');
+  expect(
+    wire.slice(wire.indexOf('SETMEMORY 0')),
+    'after going back, the timer is asked which memory is current',
+  ).toContain('GETMEMORY');
   await app.page.getByRole('radio', { name: 'M1, flies next' }).waitFor({ state: 'attached' });
 
   await app.fly('M2');
@@ -40,7 +43,7 @@ test('the pilot looks at a memory, makes another fly next, and Disconnect repeat
   await dialog.getByText('M2 will fly next. When you connected it was M1.').waitFor();
   await app.page.keyboard.press('Escape');
   await dialog.waitFor({ state: 'hidden' });
-  expect(await current(), 'Escape changes nothing').toBe(1);
+  expect(await current(), 'Escape changes no memory').toBe(1);
 
   await app.button('Disconnect').click();
   await dialog.getByRole('button', { name: 'Back to M1 and disconnect' }).click();

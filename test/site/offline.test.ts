@@ -12,7 +12,9 @@ for (const site of ['site', 'siteUnderPath'] as const) {
     expect(await page.title()).toBe('Sidus Timer');
     await page.goto(`${inject(site)}?any=thing`);
     expect(await page.title()).toBe('Sidus Timer');
-    await expect(page.goto(`${inject(site)}another-page`), 'the network is gone').rejects.toThrow('DISCONNECTED');
+    await expect(page.goto(`${inject(site)}another-page`), 'the network is really gone').rejects.toThrow(
+      'DISCONNECTED',
+    );
   });
 
   test(`without a network the page at ${new URL(inject(site)).pathname} reads, writes and verifies`, async () => {

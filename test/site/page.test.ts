@@ -44,7 +44,7 @@ for (const site of ['site', 'siteUnderPath'] as const) {
     const told = [...pictures.map(({ src }) => src), ...shortcuts.map(({ url }) => url)];
     for (const address of [...named, ...told.map((each) => new URL(each, manifest).href)]) {
       expect(address).toContain(inject(site));
-      expect((await fetch(address)).status, address).toBe(200);
+      expect((await fetch(address)).status, `the page names ${address}, which must exist`).toBe(200);
     }
   });
 }

@@ -85,8 +85,8 @@ async function tried(app: AppPage, field: string, text: string): Promise<number>
   await paste(app, field, text);
   await dialog.getByRole('button', { name: 'Cancel' }).click();
   await gone();
-  await expect.poll(() => app.entries(), { message: 'cancelled' }).toEqual(before);
-  await expect.poll(() => app.undo.isDisabled(), { message: 'no step' }).toBe(true);
+  await expect.poll(() => app.entries(), { message: 'Cancel pastes nothing' }).toEqual(before);
+  await expect.poll(() => app.undo.isDisabled(), { message: 'after Cancel there is no step to undo' }).toBe(true);
 
   await paste(app, field, text);
   await dialog.getByText(/^This changes/).waitFor();
@@ -99,7 +99,7 @@ async function tried(app: AppPage, field: string, text: string): Promise<number>
   if (promised.length === 0) return 0;
   await app.undo.click();
   await expect.poll(() => app.entries()).toEqual(before);
-  await expect.poll(() => app.undo.isDisabled(), { message: 'it was one step' }).toBe(true);
+  await expect.poll(() => app.undo.isDisabled(), { message: 'the whole paste is one step of undo' }).toBe(true);
   return promised.length;
 }
 

@@ -27,18 +27,18 @@ test('the model is shown under the timeline, both in one window, at the time of 
   await app.trySimulated('F1Q');
   await app.field('Function 6, S2').focus();
   await preview(app).getByText('Function 6 at 10.60 s').waitFor();
-  expect(await turned(app, 'tailplane'), 'the bunt').toBe('rotate(16deg)');
+  expect(await turned(app, 'tailplane'), 'at the bunt the tailplane is turned down').toBe('rotate(16deg)');
   const above = (await app.page.locator('.strip, header').first().boundingBox()) ?? { y: 0, height: 0 };
   const below = await app.actions.boundingBox();
   for (const part of [app.page.locator('.timeline-room').first(), preview(app)]) {
     const box = await part.boundingBox();
-    expect(box?.y, 'below the strip').toBeGreaterThanOrEqual(above.y + above.height);
-    expect((box?.y ?? 0) + (box?.height ?? 0), 'above the commands').toBeLessThanOrEqual(below?.y ?? 0);
+    expect(box?.y, 'it lies below the strip').toBeGreaterThanOrEqual(above.y + above.height);
+    expect((box?.y ?? 0) + (box?.height ?? 0), 'it lies above the command bar').toBeLessThanOrEqual(below?.y ?? 0);
   }
 
   await app.field('DT, S2').focus();
   await preview(app).getByText('DT: the model comes down').waitFor();
-  expect(await turned(app, 'tailplane'), 'all the way up').toBe('rotate(-42deg)');
+  expect(await turned(app, 'tailplane'), 'at DT the tailplane is turned all the way up').toBe('rotate(-42deg)');
   await app.type('DT, S2', '56');
   await app.field('DT time').focus();
   await preview(app).getByText('No servo moves at DT', { exact: true }).waitFor();
@@ -49,7 +49,7 @@ test('the flight can be played with keys alone, and the timeline shows the time'
   const app = await AppPage.open({ viewport: SIZES.desktop });
   await app.trySimulated('F1Q');
   const cursor = app.page.locator('.crosshair');
-  await expect.poll(() => cursor.count(), { message: 'nothing is played' }).toBe(0);
+  await expect.poll(() => cursor.count(), { message: 'there is no time mark before the flight is played' }).toBe(0);
   await preview(app).getByRole('combobox', { name: 'Speed' }).selectOption('60×');
   await preview(app).getByRole('button', { name: 'Play' }).press('Enter');
   await preview(app).getByText('3:03 min', { exact: true }).waitFor();
@@ -69,7 +69,9 @@ test('the pilot names the servos once: on the sketch, in the lanes, and after a 
   await app.page.getByRole('textbox', { name: 'Name for what S1 moves' }).fill('Left flap');
   await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('131');
   await app.button('Save').click();
-  await expect.poll(() => app.page.getByRole('dialog').isVisible(), { message: 'there is no step 131' }).toBe(true);
+  await expect
+    .poll(() => app.page.getByRole('dialog').isVisible(), { message: 'the dialog stays open: there is no step 131' })
+    .toBe(true);
   await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('20');
   await app.button('Save').click();
   await app.page.getByRole('dialog').waitFor({ state: 'hidden' });

@@ -72,7 +72,9 @@ describe('a write that the page did not survive', () => {
       .click();
     await panel(app).waitFor({ state: 'detached' });
     await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
-    await expect.poll(() => app.valueOf('Function 3 time'), { message: 'as before' }).toBe('11.50');
+    await expect
+      .poll(() => app.valueOf('Function 3 time'), { message: 'a value that nobody changed shows what the timer holds' })
+      .toBe('11.50');
     expect(await app.bench(({ sets }) => sets), 'nothing is written unasked').toEqual([]);
   });
 });
@@ -93,19 +95,21 @@ test('all memories are backed up, one is copied to another, and the backup is re
   await job('Read and keep all memories').getByRole('button', { name: 'Read and keep' }).click();
   await job('Read and keep all memories').getByText('4 memories were read and kept.').waitFor();
   await app.button('Close').click();
-  expect(await memories(), 'nothing is changed').toEqual(before);
+  expect(await memories(), 'a backup changes no memory').toEqual(before);
 
   await app.button('Copy to…: M1').click();
   await app.button('Copy M1 to M3…').click();
   const copy = job('Copy a memory');
-  expect(await copy.getByRole('button', { name: 'Copy' }).isDisabled(), 'not before the tick').toBe(true);
+  expect(await copy.getByRole('button', { name: 'Copy' }).isDisabled(), 'a copy can start only after the tick').toBe(
+    true,
+  );
   await copy.getByRole('checkbox', { name: 'The propeller is off' }).check();
   await copy.getByRole('button', { name: 'Copy' }).click();
   await copy.getByText(/^M3\sverified\s\d\d:\d\d\s· DT\s3:00\smin\s· motor\sstop\s10\.0\ss\s· 2\schanges$/).waitFor();
   await copy.getByText('M1 flies next.').waitFor();
   await app.button('Close').click();
   expect(await memories()).toEqual([before[0], before[1], before[0], before[3]]);
-  expect(await app.bench(({ adapter }) => adapter.timer.core.memory), 'current again').toBe(0);
+  expect(await app.bench(({ adapter }) => adapter.timer.core.memory), 'M1 is current again').toBe(0);
 
   await app.page
     .getByRole('listitem')

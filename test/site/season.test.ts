@@ -394,7 +394,7 @@ test('a season of three models is flown, and a lost device comes back on another
   expect(after.library).toEqual(before.library);
   const factsOf = ({ library, facts }: LibraryFile) =>
     [...library.models, ...library.settings, ...library.flights].map((entry) => facts.get(entry));
-  expect(factsOf(after), 'also what its models were seen to hold').toEqual(factsOf(before));
+  expect(factsOf(after), 'the file also carries what the timers were seen to hold').toEqual(factsOf(before));
   await second.showsTheSeason();
 
   // That device recognises the timer of Lancer, too, and loads another of its settings.

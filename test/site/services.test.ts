@@ -121,14 +121,14 @@ async function works(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Try a simulated F1Q timer' }).click();
   const field = page.getByRole('textbox', { name: 'DT time' });
   await field.waitFor();
-  expect(await page.evaluate(() => window.keptTimes()), 'kept at first').toEqual([]);
+  expect(await page.evaluate(() => window.keptTimes()), 'nothing is kept at first').toEqual([]);
   await field.fill('4:00');
   await field.press('Enter');
   await expect.poll(() => field.inputValue()).toBe('4:00');
   const said = page.getByText(en.keeping.title);
   const keptOrSaid = async (): Promise<boolean> =>
     (await page.evaluate(() => window.keptTimes())).includes(24_000) || (await said.isVisible());
-  await expect.poll(keptOrSaid, { message: 'kept, or said not to be' }).toBe(true);
+  await expect.poll(keptOrSaid, { message: 'the edit is kept, or the page says that it is not' }).toBe(true);
 }
 
 /** The message after a fault of one of these calls, or of the whole service. */
@@ -196,7 +196,9 @@ describe('the page is drawn and works, whatever a browser does with', () => {
         await works(page);
         const now = (): Promise<string[]> => page.evaluate(() => [...window.asked]);
         // Some of it only when something is stored.
-        await expect.poll(now, { message: 'what is to be asked for' }).toEqual(expect.arrayContaining(ASKED));
+        await expect
+          .poll(now, { message: 'the page asks for every service of the list' })
+          .toEqual(expect.arrayContaining(ASKED));
         for (const each of await now()) all.add(each);
         await page.goto('about:blank');
       }
@@ -214,7 +216,7 @@ describe('the page is drawn and works, whatever a browser does with', () => {
     const broken = await page.addInitScript(breakAll, faults);
     await works(page);
     const met = (): Promise<number> => page.evaluate(() => window.met.size);
-    if (areMet) await expect.poll(met, { message: 'faults that have befallen it' }).toBe(faults.length);
+    if (areMet) await expect.poll(met, { message: 'the page has met every fault' }).toBe(faults.length);
     for (const { name, call } of faults) {
       const [sentence, ...calls] = SAID[name] ?? NOTHING;
       if (sentence && calls.includes(call)) await page.getByRole('status').filter({ hasText: sentence }).waitFor();
@@ -234,7 +236,7 @@ describe('the page is drawn and works, whatever a browser does with', () => {
       }
     };
     await Promise.all(lanes.map(go));
-    expect(found.splice(0), 'errors').toEqual([]);
+    expect(found.splice(0), 'errors on the page').toEqual([]);
   };
 
   /** The faults that happen in this run, and those of calls that it does not make. */

@@ -42,7 +42,7 @@ test('a setting that is shared by link can be kept on another device, after one 
   await friend.page.getByRole('heading', { name: 'windy' }).waitFor();
   await expect.poll(() => dialog.count()).toBe(0);
   await friend.page.goBack();
-  await expect.poll(() => dialog.count(), { message: 'nor on the way back' }).toBe(0);
+  await expect.poll(() => dialog.count(), { message: 'the question does not come again on the way back' }).toBe(0);
 });
 
 test('the QR code of a setting can be read from the screen, in every theme', async () => {

@@ -70,7 +70,10 @@ test('a program is made without a timer, survives a reload, and is written after
   await app.reload();
   await app.says('Your program is back.');
   await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
-  expect(await app.bench(({ sets, rates }) => [sets, rates]), 'no port was opened').toEqual([[], []]);
+  expect(await app.bench(({ sets, rates }) => [sets, rates]), 'nothing was sent and no port was opened').toEqual([
+    [],
+    [],
+  ]);
   await app.button('Connect and write…').click();
   await app.dialog.getByRole('checkbox', { name: /^The propeller is off/ }).check();
   await app.dialog.getByRole('button', { name: /^Write \d+ changes$/ }).click();

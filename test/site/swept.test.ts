@@ -25,7 +25,7 @@ test('a test leaves something of every kind in its profile,', async () => {
 
 test('and the next test finds only the worker of the page', async () => {
   const { page } = await AppPage.open(OWN);
-  expect(page.context(), 'the same profile').toBe(first);
+  expect(page.context(), 'the next test uses the same profile').toBe(first);
   const left = await page.evaluate(async () => {
     const files: string[] = [];
     const folder = (await navigator.storage.getDirectory()) as unknown as AsyncIterable<[string, unknown]>;

@@ -40,8 +40,8 @@ const stands = (mark: Locator, time: number): Promise<void> =>
 async function isMoved({ app, mark }: Seen): Promise<void> {
   const hundredths = Math.round(Number(await mark.getAttribute('aria-valuenow')) * 100);
   expect(hundredths).toBeGreaterThan(1150);
-  expect(hundredths, 'before its neighbour').toBeLessThan(1200);
-  expect(hundredths % 10, `steps of 0.1 s: ${hundredths}`).toBe(0);
+  expect(hundredths, 'the mark stays before its neighbour').toBeLessThan(1200);
+  expect(hundredths % 10, `the time is no whole step of 0.1 s: ${hundredths} hundredths`).toBe(0);
   if (await app.button('Table').isVisible()) await app.button('Table').click();
   const value = (hundredths / 100).toFixed(2);
   await expect.poll(() => cell(app).inputValue()).toBe(value);
@@ -52,7 +52,7 @@ async function isMoved({ app, mark }: Seen): Promise<void> {
   await app.text('1 change').waitFor();
   await app.button(`Undo moving ${FIELD}`).click();
   await expect.poll(() => cell(app).inputValue()).toBe('11.50');
-  await expect.poll(() => app.undo.isDisabled(), { message: 'it was one step' }).toBe(true);
+  await expect.poll(() => app.undo.isDisabled(), { message: 'the whole drag was one step of undo' }).toBe(true);
   await app.button(`Redo moving ${FIELD}`).click();
   await expect.poll(() => cell(app).inputValue()).toBe(value);
 }

@@ -51,7 +51,10 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   }
   // To the 20 of the sheet.
   await press('DT, S3', ['−1', '−1', '+1']);
-  expect(await app.page.evaluate(() => document.activeElement?.ariaLabel), 'the keys stay').toBe('DT, S3');
+  expect(
+    await app.page.evaluate(() => document.activeElement?.ariaLabel),
+    'the field keeps the focus, so the keys stay',
+  ).toBe('DT, S3');
   await keysFor(app, 'DT, S3').getByRole('button', { name: 'Done' }).tap();
   await trail.note();
   await app.page.locator('.strip-figures').tap();
@@ -135,15 +138,17 @@ describe('a finger on the table', () => {
   test('that swipes steps the field that has the focus, and that is one step to undo', async () => {
     const { app, draw, tap, marked, topOf } = await opened();
     await draw('Function 2, S2', 60, 0);
-    await expect.poll(() => app.undo.isDisabled(), { message: 'nothing without the focus' }).toBe(true);
+    await expect
+      .poll(() => app.undo.isDisabled(), { message: 'a swipe over a field without the focus changes nothing' })
+      .toBe(true);
 
     await tap('Function 2, S2');
     const before = await topOf('Function 2, S2');
     await draw('Function 2, S2', 60, 40);
     await expect.poll(() => app.valueOf('Function 2, S2')).toBe('39');
-    await expect.poll(() => marked('Function 2, S2'), { message: 'all of it, as before' }).toEqual([0, 2]);
+    await expect.poll(() => marked('Function 2, S2'), { message: 'the whole text is still selected' }).toEqual([0, 2]);
     // The row has got a button: that may take a few pixels.
-    expect(Math.abs((await topOf('Function 2, S2')) - before), 'nothing scrolls').toBeLessThan(10);
+    expect(Math.abs((await topOf('Function 2, S2')) - before), 'the page does not scroll').toBeLessThan(10);
     await app.button('Done').tap();
     await app.button('Undo stepping Function 2, S2').tap();
     await expect.poll(() => app.valueOf('Function 2, S2')).toBe('35');
@@ -167,7 +172,7 @@ describe('a finger on the table', () => {
     await expect.poll(() => app.undo.isDisabled()).toBe(true);
     await tap('Function 2, S2');
     const [start, end] = await marked('Function 2, S2');
-    expect(start, 'a tap puts the caret').toBe(end);
+    expect(start, 'a tap puts the caret and selects nothing').toBe(end);
   });
 
   test('selects a range, copies it, fills it down and pastes it', async () => {
@@ -177,7 +182,7 @@ describe('a finger on the table', () => {
     await app.page.getByRole('toolbar', { name: 'Selected range' }).getByText('Now tap another cell.').waitFor();
     await tap('Function 3, S2');
     await app.text('3 functions, 2 columns').waitFor();
-    expect(await focused(), 'no keyboard comes up').toBeFalsy();
+    expect(await focused(), 'no field has the focus, so no keyboard comes up').toBeFalsy();
     await isWellMade(app, 'a range', { phone: SIZES.phone });
     await app.button('Copy').tap();
     await app.page.getByText('Copied.', { exact: true }).waitFor();
@@ -243,11 +248,15 @@ test('the keys on the touch screen do not cover the edited field or its row', as
       for (const field of ['Start, S1', 'Motor stop time', 'Function 5, S2', 'Function 9 time', 'DT, S3', 'DT time']) {
         await app.field(field).tap();
         await keysFor(app, field).waitFor();
-        await expect.poll(() => faults(app), { message: `${field}, ${look}` }).toEqual([]);
+        await expect
+          .poll(() => faults(app), { message: `the keys cover the field ${field} or its row: ${look}` })
+          .toEqual([]);
       }
       await app.button('+10 s').tap();
       await app.button('Put back').waitFor();
-      await expect.poll(() => faults(app), { message: `a value with its old one, ${look}` }).toEqual([]);
+      await expect
+        .poll(() => faults(app), { message: `the keys cover a field with its old value: ${look}` })
+        .toEqual([]);
       await app.button('Put back').tap();
       await app.button('Done').tap();
       await expect.poll(() => app.page.locator('.edit-sheet').isVisible()).toBe(false);

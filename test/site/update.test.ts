@@ -17,7 +17,7 @@ const item = newest?.changes.flatMap(({ items }) => items).find((each) => /^[\w 
 function publishLater(host: Host): void {
   publish(host, 'A later version');
   const worker = String(host.files.get('sw.js'));
-  expect(worker, 'what is new is in the worker').toContain(item);
+  expect(worker, 'the worker carries what is new').toContain(item);
   host.files.set('sw.js', worker.replaceAll(version, '99.0.0').replace(item, 'The model comes back by itself.'));
 }
 
@@ -42,7 +42,10 @@ test('a new version says what is new in it, also without a network, and can be u
   await dialog.getByRole('button', { name: 'Use it now' }).click();
   await isTaken(page);
   await page.getByRole('button', { name: 'Connect', exact: true }).waitFor();
-  expect(await page.evaluate(async () => (await caches.keys()).length), 'the older one is gone').toBe(1);
+  expect(
+    await page.evaluate(async () => (await caches.keys()).length),
+    'the older version is gone from the cache',
+  ).toBe(1);
 });
 
 test('a new version does not start while another tab writes, but does when that tab disconnects', async () => {
@@ -57,7 +60,7 @@ test('a new version does not start while another tab writes, but does when that 
   await other.page.getByRole('button', { name: 'Use it now' }).click();
   await isTaken(other.page);
   await app.result('Verified.');
-  expect(await page.title(), 'the worker is new by now, the page is not').toBe('Sidus Timer');
+  expect(await page.title(), 'the page is still the old one, although its worker is new').toBe('Sidus Timer');
   await app.close();
   await app.button('Disconnect').click();
   await isTaken(page);

@@ -65,9 +65,9 @@ export async function isWellMade(app: AppPage, screen: string, sizes: Sizes = SI
     for (const [index, each] of THEMES.entries()) {
       await showTheme(app, each);
       const rules = index === 0 ? undefined : ['color-contrast', 'link-in-text-block'];
-      expect(await violations(app, rules), `${screen}: ${name}, ${each}`).toEqual([]);
+      expect(await violations(app, rules), `rules of axe that are broken: ${screen}, ${name}, ${each}`).toEqual([]);
     }
-    expect(await smallTargets(app), `${screen}: ${name}`).toEqual([]);
+    expect(await smallTargets(app), `targets that are too small: ${screen}, ${name}`).toEqual([]);
     await app.expectNoSidewaysScrolling();
   }
   if (size) await app.resize(size);

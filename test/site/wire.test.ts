@@ -5,7 +5,7 @@ import { edited } from './edited.js';
 describe('through a serial port', () => {
   test('a pilot connects, reads, edits, writes, and sees it verified', async () => {
     const app = await AppPage.open({ bench: {} });
-    expect(await app.bench(({ opened }) => opened), 'nothing is opened without a click').toBeNull();
+    expect(await app.bench(({ opened }) => opened), 'no port is opened without a click').toBeNull();
     await app.connect();
     expect(await app.bench(({ opened }) => opened)).toMatchObject({
       baudRate: 9600,
@@ -23,7 +23,7 @@ describe('through a serial port', () => {
     await app.result('Verified.');
     await app.close();
     expect(await app.sets()).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
-    expect(await app.bench(({ sets }) => sets), 'the timer has seen the same').toEqual(await app.sets());
+    expect(await app.bench(({ sets }) => sets), 'the timer got the same requests').toEqual(await app.sets());
     const { times, positions } = await app.bench(({ content }) => content);
     expect([times[10], positions[0]?.[2], positions[2]?.[9]]).toEqual([24000, 7, 130]);
 
@@ -80,7 +80,7 @@ describe('the plug is pulled', () => {
     await app.isReady();
     await app.review();
     const safety = app.dialog.getByRole('checkbox', { name: 'The propeller is off' });
-    expect(await safety.isChecked(), 'asked again for this connection').toBe(false);
+    expect(await safety.isChecked(), 'the safety is asked again on a new connection').toBe(false);
     await app.tickSafety();
     await app.dialog.getByRole('button', { name: /^(Write|Read back)/ }).click();
     await app.result('Verified.');
@@ -143,7 +143,7 @@ describe('an impatient pilot', () => {
     await app.bench((bench) => bench.press());
     await app.isReady();
     await app.page.waitForFunction(() => document.querySelector('dialog [role=alert]'));
-    await expect.poll(() => app.dialog.isVisible(), { message: 'the dialog is open' }).toBe(true);
+    await expect.poll(() => app.dialog.isVisible(), { message: 'the dialog stays open' }).toBe(true);
     await app.close();
     await app.review();
   });

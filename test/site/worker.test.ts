@@ -12,20 +12,20 @@ const lies: [string, (body: Uint8Array) => Answer][] = [
   ['its own page for a script', () => ({ type: 'text/html', body: '<!doctype html><title>Welcome</title>' })],
   ['its own page as a script', () => ({ body: '<!doctype html><title>Welcome</title>' })],
   ['half of a script', (body) => ({ body: body.subarray(0, body.length / 2) })],
-  ['that there is none', () => ({ status: 404, body: 'gone' })],
-  ['that it is broken', () => ({ status: 503, type: 'text/html', body: 'later' })],
+  ['a 404', () => ({ status: 404, body: 'gone' })],
+  ['a 503', () => ({ status: 503, type: 'text/html', body: 'later' })],
 ];
 test('a host that sends wrong files for a new version changes nothing, and right files are used', async () => {
   const { host, page, script } = await visited();
   publish(host, 'A new version');
   for (const [what, lie] of lies) {
     host.lie = (address) => (address === script ? lie(host.files.get(script) as Uint8Array) : undefined);
-    expect(await update(page), what).toBe('redundant');
+    expect(await update(page), `the host sends ${what}`).toBe('redundant');
     for (const offline of [false, true]) {
       await page.context().setOffline(offline);
       await page.reload();
       await isDrawn(page);
-      expect(await page.title(), what).toBe('Sidus Timer');
+      expect(await page.title(), `the host sends ${what}`).toBe('Sidus Timer');
     }
     await page.context().setOffline(false);
   }
@@ -86,7 +86,7 @@ describe('a kept file that is gone', () => {
   test('is fetched again', async () => {
     const { page } = await visited();
     for (const ending of ['.js', '.css', 'index.html']) {
-      expect(await lose(page, ending), ending).toBeGreaterThan(0);
+      expect(await lose(page, ending), `kept files that end in ${ending}`).toBeGreaterThan(0);
       for (const offline of [false, true]) {
         await page.context().setOffline(offline);
         await page.reload();

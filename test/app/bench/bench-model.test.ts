@@ -55,7 +55,7 @@ describe('moving to a function', () => {
     expect(timer.core.slot).toBe(4);
     expect(bench.done.value).toEqual({ action: { kind: 'move', slot: 4 }, certain: true });
     const moving = bench.moveTo(5);
-    expect(bench.done.value, 'they are on their way').toBeNull();
+    expect(bench.done.value, 'nothing is said while the servos move').toBeNull();
     await run(moving);
     expect(bench.done.value).toMatchObject({ action: { slot: 5 } });
   });
@@ -374,7 +374,7 @@ describe('following', () => {
     app.timer.core.onAnswer = undefined;
     const { memory } = app.timer.core;
     expect([app.follow.on.value, app.session.nextFlight.open.value]).toEqual([false, false]);
-    expect(app.editor.working.value?.memory, 'what is shown is current').toBe(memory);
+    expect(app.editor.working.value?.memory, 'the page shows the memory that is current in the timer').toBe(memory);
     set(app, S2, 66);
     await idle();
     expect(stored(app)).toEqual([]);

@@ -105,7 +105,7 @@ describe('the bench', () => {
 
   it('asks once more before the jump', async () => {
     const { timer, models } = await opened();
-    expect(screen.queryByRole('button', { name: 'Jump…' }), 'for experts').toBeNull();
+    expect(screen.queryByRole('button', { name: 'Jump…' }), 'the jump is shown only with Expert on').toBeNull();
     models.views.setExpert(true);
     await idle(0);
     const jumps = () => timer.core.answered.filter(({ name }) => name === 'JUMP2').length;

@@ -130,11 +130,13 @@ class Judge {
   }
 
   #explains(slot: number, undone: boolean): void {
-    expect(this.#safe, `a movement to ${slot} while it is not said to be safe`).toBe(true);
+    expect(this.#safe, `the servos moved to function ${slot} although nobody had said that it is safe`).toBe(true);
     const isAgain = this.#stored && this.#at === slot;
     const isEdited = this.#edited === slot || (undone && this.#going);
     const why = { isAgain, moved: this.#moved === slot, brought: this.#brought === slot, isEdited };
-    expect(Object.values(why).some(Boolean), `a movement to ${slot} that nobody asked for`).toBe(true);
+    expect(Object.values(why).some(Boolean), `the servos moved to function ${slot} although nobody asked for it`).toBe(
+      true,
+    );
     if (isAgain) return;
     // One click, one movement.
     if (why.moved) this.#moved = null;
@@ -205,7 +207,7 @@ it('every movement on the wire comes from a click or the switch, and the servos 
         if ((wasOn && !isOn) || app.session.connection.value !== connection) judge.ends();
         wasOn = isOn;
         connection = app.session.connection.value;
-        expect(app.follow.going.value && !isOn, 'the switch is off with the servos').toBe(false);
+        expect(app.follow.going.value && !isOn, 'the servos still follow although the switch is off').toBe(false);
         const at = app.bench.stand.at.value;
         if (at === null || app.session.runner.busy.value) continue;
         const { core } = app.timer;

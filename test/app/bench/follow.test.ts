@@ -197,7 +197,9 @@ describe('servos that follow', () => {
     expect(app.editor.changes.value).toHaveLength(2);
     await run(app.write.open());
     await run(app.write.start());
-    expect(app.follow.trials.tried.value, 'a write was shown and confirmed').toMatchObject([{ field: S2, to: 70 }]);
+    expect(app.follow.trials.tried.value, 'a write keeps what was tried: the pilot saw and confirmed it').toMatchObject(
+      [{ field: S2, to: 70 }],
+    );
   });
 });
 
@@ -367,7 +369,7 @@ describe('following ends', () => {
       ({ direction, frame }) => direction === 'out' && frame?.code === 0x69,
     );
     expect(sent).toHaveLength(1);
-    expect(app.bench.done.value?.certain, 'it may have moved, also after the timer is back').toBe(false);
+    expect(app.bench.done.value?.certain, 'the servos may have moved, also once the timer is back').toBe(false);
   });
 
   it('and what is not confirmed to be stored is uncertain until a reading', async () => {

@@ -28,7 +28,7 @@ it('keeps the last dropped file until a part of the page takes it', () => {
   expect(tell('dragover', [FILE])).toEqual({ isOurs: true, effect: 'copy' });
   expect([tell('drop', [FILE]).isOurs, tell('drop', [later]).isOurs]).toEqual([true, true]);
   expect(taker().drop.mock.calls).toEqual([[[later]]]);
-  expect(taker().drop, 'only one has it').not.toHaveBeenCalled();
+  expect(taker().drop, 'only one part of the page gets the file').not.toHaveBeenCalled();
 });
 
 it('gives it to that part at once, and keeps the next one when that part has gone', () => {

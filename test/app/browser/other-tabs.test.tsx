@@ -161,7 +161,7 @@ describe('which other tab holds a port', () => {
     const { tabs } = browser.tab(IDLE);
     expect(await browser.clock.run(tabs.holders(PORT))).toEqual([]);
     say = (whole) => ({ ...whole, colour: 'red' });
-    expect(await browser.clock.run(tabs.holders(PORT)), 'what a later version adds is passed over').toHaveLength(1);
+    expect(await browser.clock.run(tabs.holders(PORT)), 'fields that a later version adds are ignored').toHaveLength(1);
   });
 
   it('is answered however long the text is', async () => {
@@ -182,7 +182,7 @@ describe('taking a port over', () => {
     expect([other.asked, third.asked]).toEqual([1, 0]);
     expect(await browser.clock.run(tabs.holders(PORT))).toEqual([]);
     await expect(browser.clock.run(new Promise(() => {}))).rejects.toThrow('Nothing is due');
-    expect(browser.clock.now(), 'no one waits any more').toBeLessThan(1000);
+    expect(browser.clock.now(), 'nothing waits any more').toBeLessThan(1000);
   });
 
   it('waits until the last request has ended there', async () => {
@@ -204,7 +204,10 @@ describe('taking a port over', () => {
     expect(await browser.clock.run(tabs.takeOver(tab))).toBe('writing');
     expect(other.asked).toBe(0);
     other.state = HOLDER;
-    expect(await browser.clock.run(tabs.takeOver(tab)), 'after it has ended').toBe('released');
+    expect(
+      await browser.clock.run(tabs.takeOver(tab)),
+      'the other tab releases the port once its write has ended',
+    ).toBe('released');
   });
 
   it('does not disturb a write that has begun meanwhile', async () => {
@@ -236,7 +239,7 @@ describe('taking a port over', () => {
     const again = tabs.takeOver(tab);
     other.state = { ...HOLDER, writing: true };
     held.resolve(true);
-    expect(await browser.clock.run(again), 'the answer to the question that was asked last').toBe('writing');
+    expect(await browser.clock.run(again), 'the answer is that to the latest question').toBe('writing');
     other.tabs.close();
     expect(await browser.clock.run(tabs.takeOver(tab))).toBe('gone');
   });

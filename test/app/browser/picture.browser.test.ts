@@ -61,7 +61,7 @@ describe('a picture from a file', () => {
     expect(await taken(await made(type, 120, 90))).toEqual([[120, 90], true]);
     expect(await taken(await made(type, 1200, 600))).toEqual([[200, 100], true]);
     expect(await taken(await made(type, 600, 1200))).toEqual([[200, 400], true]);
-    expect(await taken(await made(type, 4000, 300)), 'a strip').toEqual([[4000, 300], true]);
+    expect(await taken(await made(type, 4000, 300)), 'a narrow strip keeps its size').toEqual([[4000, 300], true]);
   });
 
   it('that was taken upright keeps its form', async () => {

@@ -86,7 +86,7 @@ describe('the number of a tab', () => {
     await taken(newTab().page());
     const page = newTab().page();
     expect([await taken(page), await page.take(1), await page.take(2)]).toEqual([2, false, true]);
-    expect([await page.take(3), page.value], 'also where another is free').toEqual([false, 2]);
+    expect([await page.take(3), page.value], 'the number stays, also when another one is free').toEqual([false, 2]);
     await page.takeAny();
     expect(page.value).toBe(2);
   });
@@ -158,7 +158,10 @@ describe.each([
     first.editor.type(S1, '7');
     await idle();
     const second = await trying({ store, tab: tabs[1].page() });
-    expect([notice(second), second.editor.textOf(S1)], 'nothing of the first').toEqual([undefined, '35']);
+    expect([notice(second), second.editor.textOf(S1)], 'the second tab shows no edits of the first').toEqual([
+      undefined,
+      '35',
+    ]);
     second.editor.type(S1, '8');
     await idle();
     for (const [i, text] of ['7', '8'].entries()) {
@@ -193,7 +196,7 @@ describe.each([
     await idle();
     const next = await appBench({ store, tab: tabs[1].page() });
     await idle(8000);
-    expect(next.editor.working.value, 'as far as anybody can tell it is open').toBeNull();
+    expect(next.editor.working.value, 'the closed tab still counts as open, so its edits are not taken').toBeNull();
     tabs[0].close();
     await idle();
     expect([notice(next), next.editor.textOf(S1)]).toEqual(['edits-restored', '7']);
@@ -278,13 +281,13 @@ it('a tab that takes over the timer of another one continues with what was typed
   await idle();
   const second = await appBench({ store, plug, tab: newTab().page() });
   await run(second.session.timer.connect());
-  expect(second.editor.textOf(S1), 'another timer').toBe('35');
+  expect(second.editor.textOf(S1), 'the second tab is on another timer, so it shows no edits of the first').toBe('35');
   await run(second.session.timer.disconnect());
   await run(second.session.timer.takeOver());
   expect(second.editor.textOf(S1)).toBe('7');
   await idle();
   expect(
     [...store.drafts.records.values()].map((draft) => draft.tab),
-    'the other has it still',
+    'the first tab keeps its draft, too',
   ).toEqual([1, 2]);
 });

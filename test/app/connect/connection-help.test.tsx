@@ -67,7 +67,7 @@ describe('what to do', () => {
             const address = 'http://timers.example/';
             const { here, elsewhere } = helpFor(code, { platform: on(system, browser), info, address });
             const codes = here.map((step) => step.code);
-            expect(new Set(codes).size, `${code} ${system} ${browser}`).toBe(codes.length);
+            expect(new Set(codes).size, `a step comes twice: ${code} ${system} ${browser}`).toBe(codes.length);
             expect(elsewhere.map((other) => other.system)).not.toContain(system);
             for (const list of [here, ...elsewhere.map((other) => other.steps)]) {
               for (const step of list) used.add(step.code);
@@ -199,7 +199,7 @@ describe('the help under a notice', () => {
     });
     const details = container.querySelector('details') as HTMLDetailsElement;
     fireEvent(details, new Event('toggle'));
-    expect(scrolled, 'folded up').toEqual([]);
+    expect(scrolled, 'nothing scrolls while it is folded up').toEqual([]);
     details.open = true;
     fireEvent(details, new Event('toggle'));
     expect(scrolled[0]).toBe(container.querySelector('.top'));

@@ -77,7 +77,7 @@ describe('while a timer or its adapter is waited for', () => {
     await press('Connect');
     const ways = ['Connect', /^Connect to FTDI/, 'Choose a port', /^Try a simulated F1Q/];
     const shown = () => ways.flatMap((name) => screen.queryAllByRole<HTMLButtonElement>('button', { name }));
-    expect(shown(), 'no dead button stands about').toEqual([]);
+    expect(shown(), 'the buttons are gone, not only disabled').toEqual([]);
     await press('Stop');
     expect([shown()[0]?.textContent, shown().some(({ disabled }) => disabled)]).toEqual(['Connect', false]);
   });
@@ -137,7 +137,7 @@ describe('what to do while no timer answers', () => {
     const title = screen.getByRole('heading', { level: 1, name: 'Looking for the timer' });
     expect([document.activeElement, title.closest('[role=status]')]).toEqual([title, expect.anything()]);
     await press('Stop');
-    expect(document.activeElement, 'what was pressed is gone').toBe(screen.getByRole('main'));
+    expect(document.activeElement, 'the button is gone, so the focus goes to the page').toBe(screen.getByRole('main'));
   });
 
   it('offers another port, and keeps asking at this one until one is chosen', async () => {
@@ -316,7 +316,7 @@ describe('what an interrupted job left behind', () => {
     const region = screen.getByRole('region', { name: 'An earlier write was interrupted' });
     const panel = within(region);
     expect(region.querySelector('summary')?.textContent).toBe('Compare');
-    expect(document.querySelectorAll('.notice'), 'it speaks alone').toHaveLength(1);
+    expect(document.querySelectorAll('.notice'), 'there is no notice beside it').toHaveLength(1);
     expect(panel.getByText(/The timer holds 1 value of that write; 1 value is still as before\./)).toBeTruthy();
     await press('Finish it…');
     await tickSafety();

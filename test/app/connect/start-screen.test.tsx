@@ -125,7 +125,7 @@ describe('what this device keeps', () => {
     expect(card('Backups').getByText(/^1 backup, kept before a write\. The last: \d\d:\d\d, F1Q M1\.$/)).toBeTruthy();
     const picture = within(screen.getByRole('figure'));
     expect(picture.getByText('F1Q, M1')).toBeTruthy();
-    expect(picture.getByText('DT 3:00 min'), 'as it was before the write').toBeTruthy();
+    expect(picture.getByText('DT 3:00 min'), 'the picture shows the backup: the DT before the write').toBeTruthy();
   });
 
   it('is nothing at first, and then the picture says that it is an example', async () => {
@@ -166,7 +166,7 @@ describe('the page on this device', () => {
     });
     window.dispatchEvent(offer);
     await idle(0);
-    expect(offer.defaultPrevented, 'it does not ask by itself').toBe(true);
+    expect(offer.defaultPrevented, 'the browser does not ask before the click').toBe(true);
     await press('Install');
     expect([asked, screen.queryByRole('button', { name: 'Install' })]).toEqual([1, null]);
   });
@@ -179,6 +179,6 @@ describe('Firefox', () => {
     cleanup();
     await opened({ platform: FIREFOX });
     expect(screen.getByText(/Firefox asks for the port again each time this page is loaded\./)).toBeTruthy();
-    expect(screen.queryByText(/permission/), 'the page does not come by https here').toBeNull();
+    expect(screen.queryByText(/permission/), 'no permission is named: this page did not come by https').toBeNull();
   });
 });

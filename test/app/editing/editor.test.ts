@@ -94,7 +94,7 @@ describe('what is typed', () => {
     expect(editor.textOf(field)).toBe(text);
     expect([...editor.unreadable.value]).toEqual([[fieldKey(field), { field, reason }]]);
     expect([editor.blocked.value, editor.dirty.value, editor.changes.value.length]).toEqual([true, true, 0]);
-    expect(goalOf(editor, field), 'the last value that was one').toBe(valueAt(held, field));
+    expect(goalOf(editor, field), 'the goal keeps the last readable value').toBe(valueAt(held, field));
   });
 
   it.each([
@@ -355,7 +355,10 @@ describe('whatever a pilot and the timer do', () => {
             const shown = parseValue(held.identity, each, editor.textOf(each));
             // A DT of a few seconds could, if it were typed as it is shown, be meant for minutes.
             if ('either' in shown && !editor.isTyped(each)) expect(shown.either).toContain(goalOf(editor, each));
-            else if ('value' in shown) expect(shown.value + 0, fieldKey(each)).toBe(goalOf(editor, each));
+            else if ('value' in shown)
+              expect(shown.value + 0, `the field does not show what would be written: ${fieldKey(each)}`).toBe(
+                goalOf(editor, each),
+              );
             else expect(editor.blocked.value).toBe(true);
           }
         }

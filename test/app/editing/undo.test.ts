@@ -146,7 +146,7 @@ describe('Escape', () => {
     editor.escape(DT);
     expect(editor.textOf(DT)).toBe('3:00');
     editor.undo();
-    expect(editor.textOf(DT), 'that too can be undone').toBe('4:00');
+    expect(editor.textOf(DT), 'Escape itself can be undone').toBe('4:00');
   });
 });
 

@@ -56,7 +56,7 @@ describe('one tap', () => {
     ]);
     expect(kept(app)).toEqual(logged(app));
     await write(app, '3:00');
-    expect(latest(app).program.times[10], 'a copy never changes').toBe(24_000);
+    expect(latest(app).program.times[10], 'a later write does not change a logged flight').toBe(24_000);
     const again = await reloaded(app);
     await again.session.library.flights.load();
     expect(logged(again)).toEqual(logged(app));
@@ -64,12 +64,12 @@ describe('one tap', () => {
 
   it('logs nothing where it is not known what flies next', async () => {
     const app = await connectedBench();
-    expect(app.flights.held.value, 'read is enough').not.toBeNull();
+    expect(app.flights.held.value, 'after a reading it is known what flies').not.toBeNull();
     app.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') app.timer.core.sleep();
     };
     await write(app, '4:00');
-    expect(app.flights.held.value, 'a write was cut off').toBeNull();
+    expect(app.flights.held.value, 'after a write that was cut off it is not known what flies').toBeNull();
     app.flights.flying();
     await run(app.session.timer.disconnect());
     app.flights.flying();
@@ -89,7 +89,10 @@ describe('one tap', () => {
     app.flights.flying();
     await idle();
     const names = logged(app).map(({ place, modelName }) => `${place} ${modelName}`);
-    expect(names.sort(), 'the name of its day').toEqual(['Gyula Lancer 07', 'Gyula Lancer 07b']);
+    expect(names.sort(), 'each flight keeps the name that its model had that day').toEqual([
+      'Gyula Lancer 07',
+      'Gyula Lancer 07b',
+    ]);
   });
 
   it('names the setting on the screen only when nothing on the screen differs from the timer', async () => {
@@ -263,14 +266,17 @@ describe('a round with a short DT', () => {
     expect(app.flights.canPutBack(latest(app))).toBe(true);
     app.flights.fillIn(id);
     await run(app.flights.putBack(id));
-    expect([app.flights.filling.value, app.timer.core.content.times[10]], 'asked first').toEqual([null, 2000]);
+    expect([app.flights.filling.value, app.timer.core.content.times[10]], 'the page asks before it writes').toEqual([
+      null,
+      2000,
+    ]);
     await run(app.write.start());
     await idle(0);
     expect(app.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
     expect([latest(app).program.times[10], app.timer.core.content.times[10]]).toEqual([18_000, 18_000]);
     app.write.dismiss();
     await write(app, '25 s');
-    expect(latest(app).program.times[10], 'that write was for nothing else').toBe(18_000);
+    expect(latest(app).program.times[10], 'a later write of something else does not change the flight').toBe(18_000);
   });
 
   it('is not put back when it has a result, when the timer holds another DT, or when the write is cancelled', async () => {
@@ -284,6 +290,6 @@ describe('a round with a short DT', () => {
     app.write.dismiss();
     await write(app, '25 s');
     expect(latest(app).program.times[10]).toBe(2000);
-    expect(app.flights.canPutBack(latest(app)), 'not what the timer holds').toBe(false);
+    expect(app.flights.canPutBack(latest(app)), 'the DT of the flight is not the one that the timer holds').toBe(false);
   });
 });

@@ -164,7 +164,7 @@ describe('the log', () => {
     await toLog(app);
     expect(rows().length).toBe(40);
     expect(document.querySelector('.flight-totals')?.textContent).toBe('300 flights');
-    expect(document.querySelectorAll('.flight-days > div').length, 'the others keep their place').toBe(8);
+    expect(document.querySelectorAll('.flight-days > div').length, 'days that are not drawn keep their place').toBe(8);
   });
 
   it('says that it cannot be read, and never that it is empty, when the browser does not give the flights', async () => {
@@ -193,7 +193,7 @@ describe('after a verified write', () => {
     const app = await connected();
     await type('DT time', '20 s');
     await press('Write…');
-    expect(screen.queryByRole('button', { name: 'Flying this' }), 'not before it').toBeNull();
+    expect(screen.queryByRole('button', { name: 'Flying this' }), 'the button comes only after the write').toBeNull();
     app.session.safety.confirm();
     await idle(0);
     await press(/^Write \d+ change/);

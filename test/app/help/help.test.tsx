@@ -104,7 +104,7 @@ describe('the first steps', () => {
     cleanup();
     const store: MemoryStore = bench.store;
     await opened({ store });
-    expect(screen.getByText('First steps, 1 of 3'), 'nothing is kept yet').toBeTruthy();
+    expect(screen.getByText('First steps, 1 of 3'), 'nothing is kept yet, so the first steps are shown').toBeTruthy();
     await press('New program…');
     await press('Make the program');
     await press('Close program');

@@ -58,9 +58,9 @@ describe.each(Object.keys(FAULTS) as FaultName[])('where the storage %s', (fault
       done.catch(() => {});
       await idle(6000);
       const wanted = shown(library);
-      expect(wanted, 'on the screen').not.toEqual(before);
+      expect(wanted, 'the screen shows the change').not.toEqual(before);
       expect([library.kept.value, app.keeping.storage.value !== null]).toEqual([false, true]);
-      expect(app.update.waitsFor.value, 'no new version takes it away').toBe('edits');
+      expect(app.update.waitsFor.value, 'a new version waits, so the change is not lost').toBe('edits');
       // What hangs for ever is a matter for a reload; what was typed stays on the screen.
       if (fault === 'hangs') return expect(shown(library)).toEqual(wanted);
       // It keeps again, and the pilot does anything at all.

@@ -43,7 +43,7 @@ describe('the search', () => {
     expect(named('FLY-OFF')).toBe(
       list.value.filter(({ setting }) => JSON.stringify(setting).includes('fly-off')).length,
     );
-    expect(named('muller'), 'the model is Müller').toBe(
+    expect(named('muller'), '“muller” finds the model “Müller”').toBe(
       list.value.filter(({ setting }) => setting.model === 'model-7').length,
     );
     expect(named('series Tailplane')).toBeLessThan(named('series'));
@@ -323,9 +323,11 @@ it('every view of the library has its address', () => {
   expect(addressAt('#library')).toEqual({ view: 'library', path: '' });
   for (const word of ['none', 'flights', 'compare', 'a']) {
     const path = addressAt(addressOf(word, word))?.path ?? '';
-    expect(placeOf(path), 'an id that comes in a file').toEqual({ model: word, setting: word });
+    expect(placeOf(path), 'an id from a file may be a word that addresses use').toEqual({ model: word, setting: word });
     expect(['none', 'flights', 'compare']).not.toContain(addressAt(addressOf(word))?.path);
-    expect(placeOf(`${word}/x`).model, 'as an address was before').toBe(word === 'none' ? NO_MODEL : word);
+    expect(placeOf(`${word}/x`).model, 'an address of the old form still works').toBe(
+      word === 'none' ? NO_MODEL : word,
+    );
   }
   expect([addressAt('#library/<b>'), addressAt(`#library/${'x'.repeat(400)}`), addressAt('#nothing/a')]).toEqual([
     null,
@@ -367,7 +369,7 @@ describe('two tabs that save one thing within moments, before they hear of each 
       other.keepSetting({ ...settingIn(other), note: 'of the other', name: 'another' }),
     ]);
     expect(all).toHaveLength(2);
-    expect(keptSetting(store)?.note, 'nothing is overwritten unasked').toBe('of the one');
+    expect(keptSetting(store)?.note, 'nothing is overwritten before the pilot has chosen').toBe('of the one');
     expect(other.clash.value).toMatchObject({ kind: 'settings', disagreed: ['note'] });
     expect([settingIn(other).note, one.clash.value]).toEqual(['of the one', null]);
     await other.settings.settle(choice);

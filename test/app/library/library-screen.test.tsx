@@ -196,7 +196,10 @@ it('a phone saves a program from the large figures', async () => {
   })) as typeof real;
   await at('model-0/setting-0');
   await press('Open');
-  expect(screen.queryByRole('button', { name: 'Save as new…' }), 'no room in the bar').toBeNull();
+  expect(
+    screen.queryByRole('button', { name: 'Save as new…' }),
+    'the bar of a phone has no room for this button',
+  ).toBeNull();
   fireEvent.click(document.querySelector('.strip-figures') as HTMLElement);
   await idle();
   expect(screen.getByRole('button', { name: 'Save as new…' })).toBeTruthy();

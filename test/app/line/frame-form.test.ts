@@ -70,7 +70,7 @@ describe('a frame by hand', () => {
     form.edit({ command: 'GETMEMORY' });
     await run(form.send());
     expect(form.result.value?.reply).toEqual({ code: 0x72, data: Uint8Array.of(0) });
-    expect(asked(), 'and nothing is read again').toEqual(['GETMEMORY']);
+    expect(asked(), 'nothing else is sent to the timer').toEqual(['GETMEMORY']);
   });
 
   it.each([
@@ -87,7 +87,7 @@ describe('a frame by hand', () => {
     await form.send();
     await idle();
     expect(form.step.value).toBe('confirm');
-    expect(asked(), 'nothing yet').toEqual([]);
+    expect(asked(), 'nothing is sent before the pilot confirms it').toEqual([]);
     const sending = form.confirm();
     await form.confirm();
     await form.send();
@@ -111,7 +111,7 @@ describe('a frame by hand', () => {
       true,
     ]);
     form.edit({ command: 'GETTIMERS' });
-    expect([await session.reader.read(), asked()], 'nothing else goes out').toEqual([false, []]);
+    expect([await session.reader.read(), asked()], 'nothing else is sent meanwhile').toEqual([false, []]);
     await run(sending);
     expect([form.command.value, form.step.value, session.runner.busy.value]).toEqual(['GETMEMORY', 'edit', false]);
   });
@@ -204,7 +204,7 @@ describe('a frame by hand', () => {
     adapter.unplug();
     await run(sending);
     expect(session.connection.value).toBeNull();
-    expect(session.notices.current.value?.kind, 'nothing is said of the frame').not.toBe('timer');
+    expect(session.notices.current.value?.kind, 'there is no notice about the frame').not.toBe('timer');
     expect([form.step.value, form.result.value]).toEqual(['edit', null]);
   });
 });

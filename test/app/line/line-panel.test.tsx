@@ -301,7 +301,7 @@ describe('a recording', () => {
     await load('field.txt', ...RECORDING);
     fireEvent.click(await screen.findByRole('button', { name: 'Replay it as a timer' }));
     expect(tried.mock.calls[0]?.[0].map(({ time }) => time)).toEqual([0, 52, 100]);
-    expect(await screen.findByRole('button', { name: 'Pause' }), 'the live line is shown').toBeTruthy();
+    expect(await screen.findByRole('button', { name: 'Pause' }), 'the live line is shown again').toBeTruthy();
   });
 
   it('is not offered for replay without the identity of the timer', async () => {
@@ -327,7 +327,7 @@ describe('a recording', () => {
     Object.assign(drop, { dataTransfer: { types: ['Files'], files } });
     fireEvent(screen.getByRole('table'), drop);
     expect(await screen.findByText('dropped.txt: a recording of 3 entries.')).toBeTruthy();
-    expect(drop.defaultPrevented, 'the browser does not open it').toBe(true);
+    expect(drop.defaultPrevented, 'the browser does not open the file').toBe(true);
   });
 });
 
@@ -384,7 +384,7 @@ describe('a frame by hand', () => {
     await press('Send…');
     const asking = screen.getByRole('alertdialog', { name: 'Send this frame to the timer?' });
     expect(asking.textContent).toContain(warning);
-    expect(document.activeElement, 'a key that is held down presses nothing').toBe(asking);
+    expect(document.activeElement, 'no button has the focus, so a key that is held down presses nothing').toBe(asking);
     expect(timer.core.answered).toEqual([]);
     const yes = button('Yes, send it once');
     fireEvent.click(yes);

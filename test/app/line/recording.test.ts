@@ -82,7 +82,7 @@ describe('a recording', () => {
     ]);
     expect(toHex(records[3]?.bytes as Uint8Array)).toBe(CAPTURE);
     expect(records[3]?.layout.identity).toEqual(B536);
-    expect(entries, 'in their pieces').toHaveLength(3 + CAPTURE_PIECES.length);
+    expect(entries, 'the entries are the pieces that were recorded').toHaveLength(3 + CAPTURE_PIECES.length);
     expect(replayable).toBe(true);
   });
 
@@ -144,7 +144,7 @@ describe('a recording', () => {
     expect(view.shown.value.flatMap(({ records }) => records.map(({ frame }) => frame?.code))).toEqual([0x6b]);
     await view.load(new File(['no'], 'no.txt'));
     expect(view.fault.value?.fault).toBe('heading');
-    expect(view.recording.value?.name, 'still').toBe('field.txt');
+    expect(view.recording.value?.name, 'the first file stays open').toBe('field.txt');
     view.dismissFault();
     view.back();
     expect([view.fault.value, view.recording.value, view.shown.value.length]).toEqual([null, null, 0]);
@@ -168,7 +168,7 @@ describe('a recording', () => {
     expect([shown(), view.shownCount.value]).toEqual([newest(1200), 1200]);
     view.setSearch('m2');
     expect(view.found.value).toHaveLength(300);
-    expect(shown().length, 'a search begins with a few again').toBe(32);
+    expect(shown().length, 'a search begins with the newest few rows').toBe(32);
   });
 });
 
@@ -189,7 +189,7 @@ describe('a session that was saved', () => {
     const again = await appBench();
     await run(again.session.timer.tryRecording(parseRecording('x', text).entries));
     expect(again.editor.working.value).toEqual(program);
-    expect(again.session.simulated.value, 'its edits are no edits of a timer').toBe(true);
+    expect(again.session.simulated.value, 'a replayed timer counts as a simulated one').toBe(true);
   });
 
   it('answers although the log no longer has the identity of the timer', async () => {

@@ -88,7 +88,7 @@ describe('a report', () => {
     const client = session.connection.value?.client as TimerClient;
     for (let i = 0; i < 30; i++) await run(client.send(0x71));
     const later = parseRecording('report', reportText(gatherFacts(session)));
-    expect(later.entries, 'asked 30 times, and what the timer is').toHaveLength(62);
+    expect(later.entries, '30 requests and their replies, and the exchange that identifies the timer').toHaveLength(62);
     expect(later.replayable).toBe(true);
     await run(session.timer.disconnect());
 

@@ -69,7 +69,7 @@ describe('copying a memory', () => {
     );
     screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
     await idle(0);
-    expect(screen.getByRole('dialog', { name: 'Copy a memory' }), 'it has to be seen').toBeTruthy();
+    expect(screen.getByRole('dialog', { name: 'Copy a memory' }), 'Escape does not close the dialog').toBeTruthy();
     await press('Close');
     expect(screen.queryByRole('dialog')).toBeNull();
   });

@@ -147,7 +147,10 @@ describe('two memories', () => {
     expect(screen.queryByRole('article')).toBeNull();
     await goTo('bench');
     await goTo('memories');
-    expect(screen.getByRole('heading', { name: 'M3 and M1 compared' }), 'another view ends it not').toBeTruthy();
+    expect(
+      screen.getByRole('heading', { name: 'M3 and M1 compared' }),
+      'the comparison stays open while another view is shown',
+    ).toBeTruthy();
     await press('All memories');
     expect(document.activeElement).toBe(button('Compare with M1: M3'));
   });

@@ -91,7 +91,10 @@ describe('backing up all memories', () => {
       outcome: { saved: 4, stopped: null },
     });
     expect(kept(made).reverse()).toEqual(before.map((content, memory) => ({ reason: 'memories', memory, ...content })));
-    expect(new Set(made.session.backups.list.value.map(({ savedAt }) => savedAt)).size, 'one set').toBe(1);
+    expect(
+      new Set(made.session.backups.list.value.map(({ savedAt }) => savedAt)).size,
+      'all backups of one job have the same time',
+    ).toBe(1);
     expect(made.store.backups.records.size).toBe(4);
     expect([made.timer.core.memory, selected(made).at(-1)]).toEqual([1, 1]);
     expect([contents(made), made.store.unfinished.records.size]).toEqual([before, 0]);
@@ -134,7 +137,10 @@ describe('backing up all memories', () => {
     made.memories.jobs.dismiss();
     made.store.broken = false;
     await job(made, { kind: 'back-up' });
-    expect(made.memories.jobs.current.value, 'of each backup anew').toMatchObject({ step: 'done', kept: true });
+    expect(made.memories.jobs.current.value, 'whether it was kept is found out for each backup').toMatchObject({
+      step: 'done',
+      kept: true,
+    });
   });
 
   it('is refused for a timer that does not say which memory is current', async () => {
@@ -165,14 +171,19 @@ describe('copying a memory', () => {
       outcome: { stopped: null, ends: [{ memory: 3, state: 'verified' }] },
     });
     expect(contents(made)).toEqual([before[0], before[1], before[2], before[1]]);
-    expect([made.timer.core.memory, selected(made)], 'read for the difference, then written').toEqual([
-      1,
-      [3, 1, 3, 1],
-    ]);
+    expect(
+      [made.timer.core.memory, selected(made)],
+      'the memory is selected to read the difference, and again to write',
+    ).toEqual([1, [3, 1, 3, 1]]);
     expect(kept(made)).toEqual([{ reason: 'write', memory: 3, ...before[3] }]);
     expect(made.store.unfinished.records.size).toBe(0);
     expect(made.timer.core.idleThrottle).toBe(30);
-    expect(known(made), 'what was read on the way').toEqual(['read', 'read', 'unread', 'read']);
+    expect(known(made), 'the memories that were selected on the way count as read').toEqual([
+      'read',
+      'read',
+      'unread',
+      'read',
+    ]);
   });
 
   it('leaves the idle throttle alone, also where each memory has its own', async () => {
@@ -394,7 +405,7 @@ describe('a plug that is pulled in the middle', () => {
         record: { original: 1 },
         current: left,
       });
-      expect(made.timer.core.memory, 'nothing is selected unasked').toBe(left);
+      expect(made.timer.core.memory, 'no memory is selected unasked').toBe(left);
       await run(made.session.reader.selectMemory(1));
       expect(made.timer.core.memory).toBe(1);
       if (rest) expect(made.session.recovery.offer.value).toMatchObject(rest as object);

@@ -28,7 +28,7 @@ describe('the memories', () => {
     await idle();
     expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
     expect(screen.getByRole('heading', { name: 'M3 has not been read' })).toBeTruthy();
-    expect(screen.queryByRole('textbox', { name: 'DT time' }), 'edits belong to the current one').toBeNull();
+    expect(screen.queryByRole('textbox', { name: 'DT time' }), 'only the current memory can be edited').toBeNull();
     expect(screen.queryByRole('button', { name: /^Write/ })).toBeNull();
     expect([timer.core.answered.length - asked, timer.core.memory]).toEqual([0, 0]);
     await lookAt('M1, flies next');
@@ -43,7 +43,10 @@ describe('the memories', () => {
     await press('Look at M3');
     const asked = app.timer.core.answered.map(({ name }) => name);
     expect([selected(app), app.timer.core.memory]).toEqual([[2, 0], 0]);
-    expect(asked.slice(asked.lastIndexOf('SETMEMORY')), 'the timer says that it is back').toContain('GETMEMORY');
+    expect(
+      asked.slice(asked.lastIndexOf('SETMEMORY')),
+      'after going back, the timer is asked which memory is current',
+    ).toContain('GETMEMORY');
     expect(screen.getByRole('heading', { name: `M3, read ${clockText(Date.now())}` })).toBeTruthy();
     const held = within(screen.getByRole('table', { name: 'What was read of M3' }));
     const row = held.getByRole('rowheader', { name: 'DT' }).parentElement;
@@ -52,7 +55,7 @@ describe('the memories', () => {
     expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
     expect([app.session.notices.current.value, app.session.nextFlight.word.value]).toEqual([null, null]);
     await press('Show M1');
-    expect(field('DT time').value, 'edits are as they were').toBe('5:00');
+    expect(field('DT time').value, 'the edits of M1 are still there').toBe('5:00');
   });
 
   it('keep the focus while one is looked at', async () => {
@@ -86,7 +89,7 @@ describe('the memories', () => {
     await press('Back to M1');
     expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
     expect(screen.queryByRole('alert')).toBeNull();
-    expect(field('DT time').value, 'its edits are kept').toBe('5:00');
+    expect(field('DT time').value, 'the edits of M1 are still there').toBe('5:00');
   });
 
   it('show none while it is not known whether the selection worked, then the current one', async () => {
@@ -245,6 +248,9 @@ describe('Disconnect', () => {
     expect(app.session.link.state.value.status).toBe('off');
     await press('Connect');
     await press('Disconnect');
-    expect(app.session.link.state.value.status, 'nothing was selected since').toBe('off');
+    expect(
+      app.session.link.state.value.status,
+      'no memory was selected on this connection, so there is no question',
+    ).toBe('off');
   });
 });

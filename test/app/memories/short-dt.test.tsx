@@ -40,7 +40,7 @@ describe('with a short DT in the timer', () => {
     ]);
     expect(buttons()).toEqual(['Stay connected', 'Fly with 20 s', 'Put back to 2:45 min…']);
     await press('Put back to 2:45 min…');
-    expect(dt(), 'it never writes by itself').toBe(2000);
+    expect(dt(), 'nothing is written before the pilot confirms the write').toBe(2000);
     expect(screen.getByRole('dialog', { name: 'Write to the timer' }).textContent).toContain('2:45 min');
     await finish(app);
     expect([dt(), status(app)]).toEqual([16_500, 'on']);
@@ -75,7 +75,10 @@ describe('with a short DT in the timer', () => {
     await press('Disconnect');
     expect(buttons()).toContain('Put back to 4:00 min…');
     app.models.preferences.setShortDt(30_000);
-    expect(app.session.shortDt.held.value?.back, 'what was long is short by now').toBe(30_000);
+    expect(
+      app.session.shortDt.held.value?.back,
+      '4:00 min is short by the new limit, so the limit itself is offered',
+    ).toBe(30_000);
   });
 
   it('is put back to the DT of a round of the class when no long one was seen', async () => {
@@ -90,7 +93,10 @@ describe('with a short DT in the timer', () => {
       await run(session.timer.connect());
       expect(session.shortDt.held.value).toEqual({ memory: 0, dt: 1500, back });
       preferences.setShortDt(36_000);
-      expect(session.shortDt.held.value?.back, 'never to another short one').toBe(36_000);
+      expect(
+        session.shortDt.held.value?.back,
+        'a round of the class is short by the new limit, so the limit itself is offered',
+      ).toBe(36_000);
     }
   });
 
@@ -113,14 +119,14 @@ describe('with a short DT in the timer', () => {
     ]);
     screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
     await idle();
-    expect(status(app), 'another memory would fly').toBe('on');
+    expect(status(app), 'Escape does not disconnect').toBe('on');
     await press('Disconnect');
     await press('Back to M1 and disconnect');
     expect([status(app), dialog().getByRole('status').textContent]).toEqual([
       'on',
       'DT of M1 is 20 s. Put back to 3:00 min?',
     ]);
-    expect(dialog().queryByRole('alert'), 'going back did work').toBeNull();
+    expect(dialog().queryByRole('alert'), 'going back worked, so there is no warning').toBeNull();
     await press('Fly with 20 s');
     expect([status(app), first?.times[10]]).toEqual(['off', 2000]);
   });
@@ -128,7 +134,7 @@ describe('with a short DT in the timer', () => {
   it('says nothing about a DT that is only typed', async () => {
     const app = await connected();
     await type('DT time', '20 s');
-    expect(app.session.shortDt.held.value, 'not written').toBeNull();
+    expect(app.session.shortDt.held.value, 'the timer does not hold the typed DT').toBeNull();
     await press('Disconnect');
     expect(status(app)).toBe('off');
   });
@@ -186,7 +192,7 @@ describe('the limit of a short DT', () => {
     expect([limit().value, figure(), app.session.shortDt.held.value?.dt]).toEqual(['210', 'strip-figure bad', 18_000]);
     await say('never');
     expect(screen.getByRole('alert').textContent).toBe('Not a time: type seconds like 12.5, or minutes like 2:05.');
-    expect(limit().value, 'what was typed stays').toBe('never');
+    expect(limit().value, 'the text in the field stays').toBe('never');
     await say('0');
     expect([screen.queryByRole('alert'), figure()]).toEqual([null, 'strip-figure ']);
     const again = await reloaded(app);

@@ -38,7 +38,7 @@ describe('sheets are distributed over pages', () => {
   it('empty rows fill the last page, or get their own', () => {
     expect(paginate([block(50)], 100, FILLER)).toMatchObject({ pages: [[{}]], empty: 4 });
     expect(paginate([block(61)], 100, FILLER)).toMatchObject({ pages: [[{}], []], empty: 9 });
-    expect(paginate([block(20)], 1000, FILLER).empty, 'no more than anybody flies').toBe(12);
+    expect(paginate([block(20)], 1000, FILLER).empty, 'there are never more than 12 empty rows').toBe(12);
     expect(paginate([block(20)], 100, null).empty).toBe(0);
   });
 

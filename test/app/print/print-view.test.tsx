@@ -37,7 +37,7 @@ describe('the print view', () => {
     expect(rows).toHaveLength(13);
     expect(rows.at(-1)).toMatch(/^DT 2:30/);
     expect(sheet?.textContent).toMatch(/As in the timer, read .*1 value is not in the timer yet/);
-    expect(sheet?.textContent, 'a line to write the name on').toMatch(/^Model/);
+    expect(sheet?.textContent, 'there is a line to write the name of the model on').toMatch(/^Model/);
   });
 
   it('begins with the choice of settings where there is nothing to print', async () => {
@@ -79,7 +79,10 @@ describe('the print view', () => {
     expect(screen.getByRole('button', { name: 'Print 2 pages…' })).toBeTruthy();
     const said = () => sheets()[0]?.textContent ?? '';
     expect(said()).toMatch(/Turns left after 12 s\..*Flights/);
-    expect(screen.getAllByRole('img', { name: /S1 Tailplane, S2 flaps/ }), 'of those with a model').toHaveLength(2);
+    expect(
+      screen.getAllByRole('img', { name: /S1 Tailplane, S2 flaps/ }),
+      'the sheets of a model show its picture',
+    ).toHaveLength(2);
     for (const part of [/^Notes/, /^Timeline/, /^Lines to write on/]) choose(part);
     expect(said()).not.toMatch(/Turns left|Flights/);
     expect(screen.queryByRole('img', { name: /S1 Tailplane/ })).toBeNull();

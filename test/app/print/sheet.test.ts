@@ -57,7 +57,7 @@ describe('a setting sheet', () => {
     const late = programOf('Q', [20_000, 30, 18_000], [[1, 2, 3]]);
     expect(linesOf(late)).toEqual(['Start 0  1', 'Function 1 0.30 0.30 2', 'DT 3:00 2:59.70 3', 'Motor stop 3:20']);
     const same = programOf('Q', [30, 30, 18_000], [[1, 2, 3]]);
-    expect(linesOf(same), 'what comes at its very time follows it').toEqual([
+    expect(linesOf(same), 'at an equal time the motor stop comes first').toEqual([
       'Start 0  1',
       'Motor stop 0.30',
       'Function 1 0.30 0.30 2',

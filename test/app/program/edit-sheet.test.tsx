@@ -154,7 +154,10 @@ describe('its keys', () => {
     expect(document.activeElement).toBe(field('Function 9, S2'));
     await press('Go to ↓ DT');
     expect(document.activeElement).toBe(field('DT, S2'));
-    expect(sheet('DT, S2').queryByRole('button', { name: /↓/ }), 'nothing below').toBeNull();
+    expect(
+      sheet('DT, S2').queryByRole('button', { name: /↓/ }),
+      'DT is the last row, so there is no key to go down',
+    ).toBeNull();
   });
 
   it.each([

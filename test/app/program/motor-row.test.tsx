@@ -149,7 +149,7 @@ describe('the tools of a row', () => {
     expect(screen.getByRole('alert').textContent).toMatch(/^Nothing was changed\. .*This would be before launch\.$/);
     put('By, in seconds', 'soon');
     await idle();
-    expect(screen.queryByRole('alert'), 'that is over').toBeNull();
+    expect(screen.queryByRole('alert'), 'the message is gone once another value is typed').toBeNull();
     await press('Later');
     expect(screen.getByRole('alert').textContent).toMatch(/^Not a time/);
     expect(editor.dirty.value).toBe(false);
@@ -210,7 +210,10 @@ describe('the old value in a cell', () => {
     await type('Function 2, S1', '70');
     const cell = field('Function 2, S1').closest('td') as HTMLElement;
     expect(cell.querySelector('s')?.textContent).toBe('35');
-    expect(within(cell).queryByRole('button'), 'a click into the field is only that').toBeNull();
+    expect(
+      within(cell).queryByRole('button'),
+      'the old value is no button, so a click into the field puts nothing back',
+    ).toBeNull();
     field('Function 2, S1').focus();
     await idle();
     fireEvent.click(within(cell).getByRole('button', { name: 'Put back Function 2, S1' }));

@@ -55,7 +55,7 @@ it('a digit draws first what was typed and its colour, then the old value and th
   act(() => type('Function 4, S2', '99'));
   const cell = field('Function 4, S2').closest('.value') as HTMLElement;
   expect([field('Function 4, S2').value, cell.classList.contains('changed')]).toEqual(['99', true]);
-  expect(cell.children, 'the page is not laid out again').toHaveLength(1);
+  expect(cell.children, 'the old value and the notes are not drawn yet').toHaveLength(1);
   await late();
   expect(cell.querySelector('s')?.textContent).toBe('55');
 });

@@ -85,7 +85,10 @@ describe('the start', () => {
     port.device.busy = true;
     await press('Connect');
     expect(screen.getByText('The port cannot be opened.')).toBeTruthy();
-    expect(screen.queryByText(/in use/), 'that is more than the browser tells').toBeNull();
+    expect(
+      screen.queryByText(/in use/),
+      'the browser does not say that the port is in use, so the page must not',
+    ).toBeNull();
     expect(screen.getAllByRole('button', { name: /Choose|Another/ })).toHaveLength(1);
     port.device.busy = false;
     await press('Choose a port');
@@ -148,7 +151,9 @@ describe('the table', () => {
     const { write, timer } = await connected();
     timer.core.answered.length = 0;
     await type(name, text);
-    expect(field(name).value, 'in minutes where it is a time').toBe(text === '999999' ? '16666:39' : text);
+    expect(field(name).value, 'the field keeps the text; a time is shown in minutes').toBe(
+      text === '999999' ? '16666:39' : text,
+    );
     expect(field(name).getAttribute('aria-invalid')).toBe('true');
     expect(described(name)).toContain(reason);
     expect(table().getAllByText(`${name}:`)[0]?.parentElement?.textContent).toBe(`${name}: ${reason}`);
@@ -296,7 +301,10 @@ describe('writing', () => {
     expect([timer.core.content.times[10], timer.core.content.positions[0]?.[2]]).toEqual([24000, 7]);
     const shining = () =>
       [...document.querySelectorAll('td .confirmed input')].map((input) => input.getAttribute('aria-label'));
-    expect(shining(), 'as long as the result is on the screen').toEqual(['Function 2, S1', 'DT time']);
+    expect(shining(), 'the confirmed fields are marked as long as the result is shown').toEqual([
+      'Function 2, S1',
+      'DT time',
+    ]);
     await press('Close');
     expect(shining()).toEqual([]);
     expect(screen.queryByRole('dialog')).toBeNull();
@@ -345,7 +353,7 @@ describe('writing', () => {
     const move = () => screen.queryByRole<HTMLInputElement>('checkbox', { name: /^Move the servos to each function/ });
     await type('Function 2, S1', '7');
     await press('Write…');
-    expect(move(), 'nothing is known yet').toBeNull();
+    expect(move(), 'it is not known yet that positions need a move').toBeNull();
     fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
     await press('Write 1 change');
     expect(screen.getByRole('alert').textContent).toContain(
@@ -364,7 +372,7 @@ describe('writing', () => {
     await press('Close');
     await type('DT time', '4:00');
     await press('Write…');
-    expect(move(), 'no position is among the changes').toBeNull();
+    expect(move(), 'no position has changed, so there is no offer to move').toBeNull();
   });
 
   it('can be cancelled without a trace', async () => {

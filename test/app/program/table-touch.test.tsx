@@ -56,7 +56,7 @@ describe('stepping', () => {
       const right = field(name).value;
       editor.undo();
       await idle();
-      expect(field(name).value, 'one step').toBe(before);
+      expect(field(name).value, 'the whole swipe is one step of undo').toBe(before);
       field(name).select();
       await draw(name, [
         [-30, 0],
@@ -64,7 +64,7 @@ describe('stepping', () => {
         [-28, 0],
       ]);
       expect([right, field(name).value]).toEqual(expected);
-      expect([field(name).selectionStart, field(name).selectionEnd], 'all is still marked').toEqual([
+      expect([field(name).selectionStart, field(name).selectionEnd], 'the whole text is still selected').toEqual([
         0,
         field(name).value.length,
       ]);
@@ -176,7 +176,10 @@ describe('a range without a Shift key', () => {
     expect(texts).toEqual(['10.50\t25\t25\n11.00\t35\t35']);
     expect(screen.getByText('Copied.', { exact: true })).toBeTruthy();
     await tap('Function 3, S2');
-    expect(screen.queryByText('Copied.', { exact: true }), 'that was another range').toBeNull();
+    expect(
+      screen.queryByText('Copied.', { exact: true }),
+      '“Copied.” is gone once another range is selected',
+    ).toBeNull();
   });
 
   it('is filled down in the same way as by keys', async () => {

@@ -147,10 +147,10 @@ describe('stepping', () => {
         return moves;
       };
       field(name).focus();
-      expect(await turn({}), 'a wheel that scrolls').toBe(true);
+      expect(await turn({}), 'a wheel without a key scrolls').toBe(true);
       expect(await turn({ shiftKey: true })).toBe(true);
-      expect(await turn({ altKey: true, ctrlKey: true }), 'a wheel that zooms').toBe(true);
-      expect(await turn({ altKey: true }, 'Function 3, S1'), 'another field').toBe(true);
+      expect(await turn({ altKey: true, ctrlKey: true }), 'a wheel with Ctrl zooms').toBe(true);
+      expect(await turn({ altKey: true }, 'Function 3, S1'), 'a wheel over another field changes nothing').toBe(true);
       expect(editor.dirty.value).toBe(false);
       expect(await turn({ altKey: true })).toBe(false);
       const turned = field(name).value;
@@ -341,7 +341,7 @@ describe('a range', () => {
     await key('ArrowDown', { shiftKey: true });
     await key('ArrowDown', { shiftKey: true });
     await key('D', { ctrlKey: true, shiftKey: true });
-    expect(field('Function 2, S1').value, 'that key is the browser’s').toBe('35');
+    expect(field('Function 2, S1').value, 'Ctrl+Shift+D belongs to the browser').toBe('35');
     await key('d', { ctrlKey: true });
     expect(['Function 2, S1', 'Function 3, S1', 'Function 4, S1'].map((name) => field(name).value)).toEqual([
       '25',
@@ -419,7 +419,7 @@ describe('a paste', () => {
         const dialog = screen.getByRole('dialog', { name: 'Paste' });
         const promised = [...dialog.querySelectorAll('.paste-changes li')].map(({ textContent }) => textContent);
         const apply = within(dialog).getByRole<HTMLButtonElement>('button', { name: /^Paste/ });
-        expect(editor.working.value, 'nothing is done before it is confirmed').toBe(before);
+        expect(editor.working.value, 'nothing changes before it is confirmed').toBe(before);
         if (apply.disabled) {
           expect(promised).toEqual([]);
           await press('Cancel');
@@ -434,7 +434,7 @@ describe('a paste', () => {
           expect(read(field(label).value)).toEqual(read(to));
         }
         expect(editor.changes.value).toHaveLength(promised.length);
-        expect(editor.blocked.value, 'what no timer can hold is never taken').toBe(false);
+        expect(editor.blocked.value, 'a value that no timer can hold is never pasted').toBe(false);
         editor.undo();
         if (promised.length > 0) expect(editor.working.value).toEqual(before);
         await idle();
@@ -525,7 +525,10 @@ describe('undo by keys', () => {
     await enter('Function 2, S1', '7');
     const reading = session.reader.read();
     field('Function 2, S1').focus();
-    expect(fireEvent.keyDown(field('Function 2, S1'), { key: 'z', ctrlKey: true }), 'the browser may').toBe(false);
+    expect(
+      fireEvent.keyDown(field('Function 2, S1'), { key: 'z', ctrlKey: true }),
+      'the browser does not undo in the field',
+    ).toBe(false);
     await idle();
     await reading;
     expect(field('Function 2, S1').value).toBe('7');
@@ -624,9 +627,12 @@ describe('a time that can be read in two ways', () => {
       const { editor } = await connected();
       const before = editor.working.value;
       await typeOut(where, text);
-      expect(screen.queryByRole('button', { name: answers[0] }), 'it may not be finished').toBeNull();
+      expect(
+        screen.queryByRole('button', { name: answers[0] }),
+        'no question comes while the pilot may still be typing',
+      ).toBeNull();
       await key('Enter');
-      expect(document.activeElement, 'the focus waits').toBe(field(where));
+      expect(document.activeElement, 'the focus stays in the field until the answer').toBe(field(where));
       const asked = within(screen.getByRole('group', { name: `What ${where} means` }));
       expect(asked.getAllByRole('button').map(({ textContent }) => textContent)).toEqual(answers);
       expect([editor.working.value?.times, editor.blocked.value]).toEqual([before?.times, true]);
@@ -716,7 +722,7 @@ describe('figures and their units', () => {
     expect([field('DT').value, describedBy('DT').slice(0, 2)]).toEqual(['20', ['s', '20 s']]);
     await enter('Motor stop', '9.55');
     await late();
-    expect(field('Motor stop').value, 'no hundredth is hidden').toBe('9.55');
+    expect(field('Motor stop').value, 'hundredths of a second are shown').toBe('9.55');
     expect(describedBy('Motor stop')).toContain('was 10.0 s');
     expect(describedBy('Motor stop time')).toContain('was 10.0 s');
   });

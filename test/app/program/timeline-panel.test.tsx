@@ -129,7 +129,7 @@ describe('the timeline', () => {
     observer.disconnect();
     expect(
       removed.map(({ textContent }) => textContent),
-      'that it comes down was never not so',
+      'the preview never forgets that the model has come down',
     ).toEqual([]);
   });
 
@@ -151,9 +151,9 @@ describe('the timeline', () => {
       await late();
       await idle(200);
     }
-    expect(drawn, 'between the keys').toBe(0);
+    expect(drawn, 'the preview was drawn between the keys').toBe(0);
     await idle(400);
-    expect(drawn, 'after the last').toBe(1);
+    expect(drawn, 'the preview is drawn once after the last key').toBe(1);
   });
 
   it('is as it was left when the view comes back', async () => {

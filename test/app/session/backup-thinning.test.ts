@@ -99,7 +99,7 @@ describe('backups before writes, over three years', () => {
   it('are kept when the clock of the device is years ahead for once', () => {
     const today = [1, 2, 3].map((hours) => backup({ at: NOW - hours * 3_600_000 }));
     expect(left(today, NOW + 4000 * DAY)).toEqual(today);
-    expect(left(left(all, NOW + 4000 * DAY)), 'and it comes to the same when it is right again').toEqual(kept);
+    expect(left(left(all, NOW + 4000 * DAY)), 'with the right clock again, the same backups are kept').toEqual(kept);
   });
 
   it('are at most 3000: the oldest are deleted', () => {

@@ -88,7 +88,7 @@ describe('a write of which a part arrived', () => {
     });
     await idle();
     expect(sets(bench)).toEqual(['SETTIMERS']);
-    expect(notice(bench), 'nothing else is said of what it explains').toBeUndefined();
+    expect(notice(bench), 'there is no notice beside the offer').toBeUndefined();
   });
 
   it('can be finished by a write of what is missing', async () => {
@@ -231,10 +231,10 @@ describe('another way in which a write can end', () => {
       timer.core.memory = 2;
     });
     expect(offer(bench)).toMatchObject({ kind: 'elsewhere', memory: 0 });
-    expect(sets(bench), 'nothing is selected unasked').toEqual(['SETTIMERS']);
+    expect(sets(bench), 'no memory is selected unasked').toEqual(['SETTIMERS']);
     await run(bench.session.reader.selectMemory(0));
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
-    expect(notice(bench), 'the edits are those of that write').toBeUndefined();
+    expect(notice(bench), 'there is no notice of edits: they are those of the interrupted write').toBeUndefined();
   });
 
   it('in another memory is not shown again once the pilot has said “another timer”', async () => {

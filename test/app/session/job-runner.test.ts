@@ -75,7 +75,7 @@ describe('a job', () => {
     expect([await run(job), runner.ready.value]).toEqual([true, true]);
     const next = runner.run('read', async () => late());
     await run(next);
-    expect(seen, 'and what comes late belongs to no other').toEqual([
+    expect(seen, 'progress that comes late is not shown for the next job').toEqual([
       null,
       ['look', 3, null, false],
       ['look', 3, 2, false],

@@ -141,7 +141,9 @@ describe('everything on this device', () => {
     expect(dialog().getByText('Edits that are not written: 1')).toBeTruthy();
     expect(dialog().getByText('Adapters with their settings: 1')).toBeTruthy();
     expect(dialog().queryByRole('alert')).toBeNull();
-    expect([bench.store.drafts.records.size, reload.mock.calls.length], 'nothing before it is asked').toEqual([1, 0]);
+    expect([bench.store.drafts.records.size, reload.mock.calls.length], 'nothing is deleted before the answer').toEqual(
+      [1, 0],
+    );
     await press('Delete everything');
     await idle();
     expect([bench.store.drafts.records.size, bench.store.ports.records.size]).toEqual([0, 0]);

@@ -78,7 +78,7 @@ describe('what is known of a memory', () => {
     expect(knowledge.of(0).state).toBe('unread');
     timer.value = null;
     expect(knowledge.of(0).state).toBe('unread');
-    expect(knowledge.uncertain.value, 'but no timer makes it certain').toHaveLength(1);
+    expect(knowledge.uncertain.value, 'an uncertain write stays known without a timer').toHaveLength(1);
   });
 });
 
@@ -205,7 +205,10 @@ describe('a fresh reading', () => {
     one.knowledge.notThisTimer(key);
     expect([one.knowledge.of(0).state, one.knowledge.uncertain.value.length]).toEqual(['read', 1]);
     one.knowledge.read(GOAL);
-    expect(one.knowledge.uncertain.value, 'nothing that is read of it explains the first').toHaveLength(1);
+    expect(
+      one.knowledge.uncertain.value,
+      'a reading of another timer does not explain the write to the first',
+    ).toHaveLength(1);
     one.knowledge.anotherTimer();
     expect(one.knowledge.of(0).state).toBe('uncertain');
     expect((await page(one.store)).knowledge.uncertain.value).toHaveLength(1);
@@ -217,7 +220,7 @@ describe('a fresh reading', () => {
     const other = withValue(STRANGE, DT, 12_000);
     await one.knowledge.begin(STRANGE, other);
     await one.knowledge.cut(STRANGE, other);
-    expect(one.knowledge.uncertain.value, 'the second does not take the place of the first').toHaveLength(2);
+    expect(one.knowledge.uncertain.value, 'both writes stay uncertain').toHaveLength(2);
     one.knowledge.anotherTimer();
     one.knowledge.read(other);
     expect(one.knowledge.uncertain.value).toMatchObject([{ before: BEFORE }]);
@@ -266,7 +269,7 @@ describe('single values, sent one after the other', () => {
     await one.knowledge.begin(BEFORE, step(40));
     one.knowledge.acknowledged(0);
     one.knowledge.jobOver();
-    expect(one.knowledge.read(step(40)), 'nothing was interrupted').toBeNull();
+    expect(one.knowledge.read(step(40)), 'nothing was interrupted, so the reading explains nothing').toBeNull();
     one.knowledge.connectionOver();
     expect([one.knowledge.uncertain.value, one.store.unfinished.records.size]).toEqual([[], 0]);
   });

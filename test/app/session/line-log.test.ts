@@ -53,7 +53,7 @@ describe('the log of the line', () => {
       drawn++;
     });
     for (let i = 0; i < 50; i++) log.add(sent({ name: 'GETMEMORY' }));
-    expect(drawn, 'not yet').toBe(1);
+    expect(drawn, 'the screen is not drawn at each entry').toBe(1);
     await told();
     expect(drawn).toBe(2);
     expect(log.entries.value).toHaveLength(50);
@@ -76,11 +76,11 @@ describe('the log of the line', () => {
     await told();
     expect(log.entries.value).toEqual([]);
     expect(log.counts.value).toEqual({ out: 0, in: 0, damaged: 0, errors: 0 });
-    expect(log.used.value, 'the panel stays').toBe(true);
+    expect(log.used.value, 'the panel stays open').toBe(true);
     log.add(sent({ name: 'GETTIMERS' }));
     await told();
     expect(numbers(log.entries.value)).toEqual([3]);
-    expect(log.entries.value[0]?.layout.identity, 'the timer is still the same').toEqual(B536);
+    expect(log.entries.value[0]?.layout.identity, 'the identity of the timer is still known').toEqual(B536);
   });
 
   it('keeps the order also after it was full and then cleared', async () => {
@@ -113,7 +113,9 @@ describe('the log of the line', () => {
   it('puts the identity of the timer in front of newer entries', async () => {
     const log = logOf(...IDENTIFIED);
     await told();
-    expect(numbers(log.introduced(log.entries.value)), 'it is among them').toEqual([1, 2]);
+    expect(numbers(log.introduced(log.entries.value)), 'the identity is among the entries, so it is not added').toEqual(
+      [1, 2],
+    );
     for (let i = 0; i < 500; i++) log.add(sent({ name: 'GETMEMORY' }));
     await told();
     expect(numbers(log.introduced(log.entries.value)).slice(0, 4)).toEqual([1, 2, 3, 4]);

@@ -109,7 +109,7 @@ describe('a program that was made here', () => {
     await idle();
     expect(bench.editor.working.value).toBeNull();
     const again = await reloaded(bench);
-    expect(again.editor.working.value, 'what was put away stays away').toBeNull();
+    expect(again.editor.working.value, 'a closed program stays closed after a reload').toBeNull();
     await again.session.keptPrograms.load();
     const list = again.session.keptPrograms.list.value;
     expect(list.map(({ working }) => working.identity.timerClass).sort()).toEqual(['E', 'Q']);
@@ -120,7 +120,7 @@ describe('a program that was made here', () => {
     again.editor.type(S2, '71');
     await idle();
     const last = await reloaded(again);
-    expect(last.editor.textOf(S2), 'what was taken up comes back').toBe('71');
+    expect(last.editor.textOf(S2), 'a program that was opened again comes back after a reload').toBe('71');
   });
 
   it('is deleted for good', async () => {

@@ -104,7 +104,7 @@ describe('a setting that is opened without a timer', () => {
     await idle();
     await run(bench.session.opened.show(calm));
     expect([names(bench)[1], bench.editor.textOf(DT), bench.editor.textOf(S2)]).toEqual(['calm', '2:00', 'x']);
-    expect(bench.session.opened.savable.value, 'a field has no value').toBe(false);
+    expect(bench.session.opened.savable.value, 'a field has no readable value, so it cannot be saved').toBe(false);
     expect([await run(bench.session.opened.save()), dtOf(bench, 'calm')]).toEqual([false, 18000]);
   });
 
@@ -188,9 +188,12 @@ describe('another tab saves the setting that is open here', () => {
     };
     await run(bench.saveSetting.save());
     expect([bench.saveSetting.current.value?.step, dtOf(bench, 'calm')]).toEqual(['elsewhere', 6000]);
-    expect([bench.editor.textOf(DT), bench.editor.textOf(S2)], 'what was typed is there').toEqual(['3:00', '70']);
+    expect([bench.editor.textOf(DT), bench.editor.textOf(S2)], 'the fields show what was typed').toEqual([
+      '3:00',
+      '70',
+    ]);
     expect(bench.session.opened.unsaved.value).toEqual({ changes: 2, unreadable: 0, elsewhere: true });
-    expect(bench.session.library.clash.value, 'and is asked about once').toBeNull();
+    expect(bench.session.library.clash.value, 'the question comes once').toBeNull();
     await run(bench.saveSetting.replace());
     expect([dtOf(bench, 'calm'), bench.session.opened.unsaved.value?.elsewhere]).toEqual([18000, false]);
     expect(bench.saveSetting.current.value).toBeNull();
@@ -262,7 +265,7 @@ describe('a setting with a timer', () => {
     const memory = bench.timer.core.memories[0];
     if (memory) memory.times[10] = 7700;
     await run(bench.session.reader.read());
-    expect(bench.session.opened.shown.value, 'it may be another timer').toBeNull();
+    expect(bench.session.opened.shown.value, 'it may be another timer, so the setting is closed').toBeNull();
   });
 
   it('stays open during a write', async () => {

@@ -65,7 +65,10 @@ describe('a port that another tab holds', () => {
       'taken-over',
       null,
     ]);
-    expect(first.editor.textOf({ kind: 'position', servo: 0, slot: 2 }), 'what was typed is kept').toBe('7');
+    expect(
+      first.editor.textOf({ kind: 'position', servo: 0, slot: 2 }),
+      'the first tab still shows what was typed',
+    ).toBe('7');
     expect([status(second), second.session.notices.current.value, second.portHolder.tab.value]).toEqual([
       'on',
       null,

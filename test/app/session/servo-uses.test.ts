@@ -36,7 +36,7 @@ describe('what the servos move', () => {
     expect(uses.named.value).toBeNull();
     uses.say([FLAP, FLAP]);
     atHand.value = { kind: 'timer/Q', servos: 2 };
-    expect(uses.named.value, 'without a timer nothing can be said').toEqual([TAILPLANE, FLAP]);
+    expect(uses.named.value, 'a name that is given while there is no timer is not kept').toEqual([TAILPLANE, FLAP]);
   });
 
   it('belongs to the model when that is known, and only then', () => {
@@ -49,15 +49,21 @@ describe('what the servos move', () => {
     const uses = new ServoUses(atHand, ofModel);
     uses.say([TAILPLANE, FLAP]);
     servos.value = [];
-    expect(uses.named.value, 'as near as one can come').toEqual([TAILPLANE, FLAP]);
+    expect(uses.named.value, 'the model has no names, so those of the kind of timer are used').toEqual([
+      TAILPLANE,
+      FLAP,
+    ]);
     uses.say([FLAP, FLAP]);
     expect([servos.value, uses.named.value]).toEqual([
       [FLAP, FLAP],
       [FLAP, FLAP],
     ]);
-    expect(opened().uses.named.value, 'of its kind').toEqual([TAILPLANE, FLAP]);
+    expect(opened().uses.named.value, 'the names for the kind of timer have not changed').toEqual([TAILPLANE, FLAP]);
     servos.value = [FLAP];
-    expect(uses.named.value, 'it has another number of them').toEqual([TAILPLANE, FLAP]);
+    expect(uses.named.value, 'the model has another number of servos, so its names are not used').toEqual([
+      TAILPLANE,
+      FLAP,
+    ]);
     uses.say(null);
     expect([servos.value, uses.named.value]).toEqual([[], null]);
   });

@@ -204,7 +204,7 @@ describe('a lost port', () => {
     expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
     expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
     await run(bench.session.reader.read());
-    expect(notice(bench), 'it was not away again').toBeUndefined();
+    expect(notice(bench), 'the notice of the return is gone after a reading').toBeUndefined();
   });
 
   it('keeps what was typed', async () => {
@@ -313,7 +313,10 @@ describe('disconnect', () => {
     expect([status(bench), bench.editor.textOf(S1)]).toEqual(['off', '35']);
     bench.adapter.replug();
     await run(bench.session.timer.connect());
-    expect([status(bench), notice(bench)], 'it was not waited for').toEqual(['on', undefined]);
+    expect([status(bench), notice(bench)], 'after Disconnect, a new connection is not called a return').toEqual([
+      'on',
+      undefined,
+    ]);
   });
 
   it.each([0, 300])('and Connect work without a pause, where a port takes %i ms to close', async (ms) => {
@@ -549,17 +552,17 @@ describe('after a reload', () => {
       move(value);
       await idle(10);
     }
-    expect([saved.mock.calls.length, kept()], 'not at each step').toEqual([0, undefined]);
+    expect([saved.mock.calls.length, kept()], 'not every step of the drag is kept').toEqual([0, undefined]);
     await idle(500);
-    expect([saved.mock.calls.length, kept()], 'while it is still in hand').toEqual([1, 59]);
+    expect([saved.mock.calls.length, kept()], 'the value is kept during a long drag').toEqual([1, 59]);
     move(60);
     bench.editor.settle();
     await idle(0);
-    expect(kept(), 'let go').toBe(60);
+    expect(kept(), 'the value is kept on release').toBe(60);
     move(61);
     bench.session.keptWork.keepNow();
     await idle(0);
-    expect(kept(), 'left').toBe(61);
+    expect(kept(), 'the value is kept when the page is left').toBe(61);
   });
 
   it('edits of the simulated timer are not put onto a real one', async () => {
@@ -604,7 +607,7 @@ describe('after a reload', () => {
     store.drafts.records.set(draft.key, { ...draft, working: small });
     store.drafts.records.set('older', { ...draft, key: 'older', savedAt: 0 });
     const after = await appBench({ store });
-    expect(after.editor.textOf(S1), 'an older one that does').toBe('7');
+    expect(after.editor.textOf(S1), 'an older draft that fits is used').toBe('7');
     await run(after.session.timer.connect());
     expect(status(after)).toBe('on');
   });

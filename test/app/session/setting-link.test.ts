@@ -40,7 +40,7 @@ describe('a setting as a link', () => {
     expect(link).toMatch(/^https:\/\/pilot\.example\/timer\/#s=[\w-]+$/);
     expect(decodeLink(link)).toEqual(SHARED);
     expect(SHARED).toMatchObject({ name: 'calm morning', modelName: 'Lancer 07', note: SETTING.note });
-    expect(Object.keys(SHARED), 'nothing that only this library knows').not.toContain('id');
+    expect(Object.keys(SHARED), 'the link holds nothing that only this library knows').not.toContain('id');
   });
 
   it('works for a page that lies on a disc', () => {

@@ -25,7 +25,7 @@ it('the height of rows follows the screen or the choice, and is kept', () => {
   expect(shown()).toBe('comfortable');
   stop();
   turn(false);
-  expect(shown(), 'nobody listens any more').toBe('comfortable');
+  expect(shown(), 'after stop() the page no longer follows the screen').toBe('comfortable');
 });
 
 it('rows are dense when the browser says nothing about the screen', () => {

@@ -18,6 +18,8 @@ it('tried values are “in the timer” only as long as it is certain what the t
   app.editor.type({ kind: 'position', servo: 1, slot: 4 }, '75');
   await idle();
   expect(app.session.standing.value.sure).toBe('not');
-  expect(app.follow.trials.tried.value, 'there is something that could be said').toHaveLength(1);
+  expect(app.follow.trials.tried.value, 'a tried value is noted, and still the line is silent about it').toHaveLength(
+    1,
+  );
   expect(screen.queryByText(/tried in the timer/)).toBeNull();
 });

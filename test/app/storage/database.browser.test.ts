@@ -279,7 +279,7 @@ describe('an old version of the page in another tab', () => {
     const { models, ports } = browserStorage(own);
     expect([await models.all(), (await ports.all()).map(({ key }) => key)]).toEqual([[], ['old']]);
     expect(await codeOf(old.put('ports', PORT))).toBe('failed');
-    expect(await codeOf(openDB(own, 4)), 'loaded again').toBe('newer');
+    expect(await codeOf(openDB(own, 4)), 'an old page that loads again is refused').toBe('newer');
   });
 });
 
@@ -311,7 +311,7 @@ describe('an exchange', () => {
     await models.save(first);
     const { order, ...rest } = first;
     expect(await models.exchange({ record: named('b'), known: [{ ...rest, order }] })).toBeNull();
-    expect(await models.exchange({ record: named('b'), known: [] }), 'it is there').toBeNull();
+    expect(await models.exchange({ record: named('b'), known: [] }), 'the record exists').toBeNull();
     await models.remove(first.key);
     expect(await models.exchange({ record: named('c'), known: [named('b')] })).toBeNull();
     expect(await models.exchange({ record: named('d'), known: [named('b')] })).toEqual(named('c'));

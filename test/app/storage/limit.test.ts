@@ -75,7 +75,7 @@ describe('a request to the storage', () => {
 it('every call of every shelf of the storage goes through it', async () => {
   const store = new MemoryStore();
   const storage = limited(store, { answered: () => {}, failed: () => {} });
-  expect(Object.keys(storage), 'all shelves').toEqual([...SHELVES, 'erase']);
+  expect(Object.keys(storage), 'every shelf goes through the limit').toEqual([...SHELVES, 'erase']);
   for (const shelf of SHELVES) {
     expect(Object.keys(storage[shelf])).toEqual(Object.keys(SHELF_CALLS));
     for (const call of Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[]) {
@@ -85,7 +85,10 @@ it('every call of every shelf of the storage goes through it', async () => {
         limited(store, { answered: () => {}, failed: () => {} })[shelf][call]({ key: 'a' } as never),
       );
       await vi.advanceTimersByTimeAsync(5000);
-      expect([said.said, spy.mock.calls.length], `${shelf}.${call}`).toEqual(['slow', 1]);
+      expect(
+        [said.said, spy.mock.calls.length],
+        `a call without an answer must be called slow: ${shelf}.${call}`,
+      ).toEqual(['slow', 1]);
     }
   }
 });
@@ -102,7 +105,7 @@ it('after one without an answer, the next ones wait only briefly until one answe
   await vi.advanceTimersByTimeAsync(2999);
   expect(told).toEqual([]);
   await vi.advanceTimersByTimeAsync(1);
-  expect(told, 'it is said before it is given up').toEqual(['slow']);
+  expect(told, '“slow” is reported before the call is given up').toEqual(['slow']);
   await vi.advanceTimersByTimeAsync(2000);
   const second = watched(drafts.all());
   await vi.advanceTimersByTimeAsync(250);

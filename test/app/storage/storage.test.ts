@@ -86,6 +86,6 @@ describe('what is remembered of a port', () => {
     await run(bench.session.timer.disconnect());
     bench.session.log.clear();
     await run(bench.session.timer.connect());
-    expect(asked(bench), 'this page remembers').toBe(2);
+    expect(asked(bench), 'the page remembers the speed although nothing is stored').toBe(2);
   });
 });

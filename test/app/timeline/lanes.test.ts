@@ -21,7 +21,11 @@ describe('the lanes', () => {
       fc.property(lanes, ({ servos, bottom, lanes }) => {
         expect(lanes).toHaveLength(servos);
         lanes.forEach(({ from, top, bottom: low, until }, servo) => {
-          expect([from < top, top < low, low < until], `the edges of lane ${servo}`).toEqual([true, true, true]);
+          expect([from < top, top < low, low < until], `the edges of lane ${servo} are in order`).toEqual([
+            true,
+            true,
+            true,
+          ]);
           expect(from).toBeGreaterThanOrEqual(lanes[servo - 1]?.until ?? 36);
         });
         expect(lanes.at(-1)?.until).toBeLessThanOrEqual(bottom + 1e-6);

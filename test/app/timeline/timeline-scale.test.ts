@@ -270,7 +270,7 @@ describe('moving a time', () => {
     expect(limitsOf(q, at(2))).toEqual({ min: 210, max: 590 });
     expect(limitsOf(q, at(1))).toEqual({ min: 10, max: 390 });
     expect(limitsOf(q, at(4))).toEqual({ min: 700, max: 65500 });
-    expect(limitsOf(q, at(0)), 'the motor stop, between launch and DT').toEqual({ min: 10, max: 17990 });
+    expect(limitsOf(q, at(0)), 'the motor stop moves between launch and DT').toEqual({ min: 10, max: 17990 });
     expect(limitsOf(q, at(2), true)).toEqual({ min: 0, max: 65530 });
   });
 
@@ -318,7 +318,7 @@ describe('moving a position', () => {
   it('is a whole step from 0 to 130', () => {
     expect([-5, 3.4, 3.5, 130.4, 500].map((to) => snapped(program, position(1), to))).toEqual([0, 3, 4, 130, 130]);
     expect([stepped(program, position(0), -1), stepped(program, position(3), 10)]).toEqual([0, 130]);
-    expect(stepped(program, position(2), -1), 'from past the last step').toBe(130);
+    expect(stepped(program, position(2), -1), 'a step down from past the last step gives the last step').toBe(130);
   });
 });
 
@@ -368,6 +368,8 @@ describe('a flight', () => {
   it('ends after the last event', () => {
     expect(flightEnd(rising)).toBe(18000 + RUN_OUT);
     expect(flightEnd(programOf('Q', [20000, 200, 18000]))).toBe(20000 + RUN_OUT);
-    expect(flightEnd(programOf('B', [20000, 200, 18000])), 'slot 0 is reserved').toBe(18000 + RUN_OUT);
+    expect(flightEnd(programOf('B', [20000, 200, 18000])), 'on B slot 0 is reserved, so it does not count').toBe(
+      18000 + RUN_OUT,
+    );
   });
 });

@@ -167,7 +167,7 @@ describe('the lanes', () => {
     shown(PROGRAM, { names: ['rudder', '', 'wing'] });
     const names = screen.getAllByRole('button', { name: /^S\d/ }).map((button) => button.getAttribute('aria-label'));
     expect(names).toEqual(['S1 rudder', 'S2', 'S3 wing']);
-    expect(document.querySelector('.lane-names')?.textContent, 'in the tall one').toBe('rudder');
+    expect(document.querySelector('.lane-names')?.textContent, 'the tall lane shows its name').toBe('rudder');
   });
 
   it('can be visited by the keyboard, and a screen reader says them', async () => {
@@ -219,7 +219,7 @@ describe('the mouse', () => {
     expect(log).toEqual([]);
     expect(selected.value).toEqual({ kind: 'time', slot: 2 });
     expect(document.activeElement).toBe(handle('Function 2 time'));
-    expect(handle('DT time').getAttribute('tabindex'), 'from here Tab goes on among the handles').toBe('0');
+    expect(handle('DT time').getAttribute('tabindex'), 'the Tab key goes on among the handles').toBe('0');
   });
 
   it('puts back with Escape, and nothing moves after that', async () => {
@@ -232,7 +232,7 @@ describe('the mouse', () => {
     await act(() => void fireEvent.keyDown(document.body, { key: 'Escape' }));
     document.removeEventListener('keydown', outside);
     expect(log.at(-1)).toBe('move-position 12 back.');
-    expect(seen, 'nothing else is to be left by this Escape').toEqual([]);
+    expect(seen, 'this Escape does nothing else on the page').toEqual([]);
     await release();
     expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12 back.', 12]);
   });
@@ -396,7 +396,7 @@ describe('fingers', () => {
     }
     expect(screen.getByText('Step by step')).toBeTruthy();
     await act(() => void fireEvent.pointerUp(window, at(300, 70)));
-    expect(seen.size, 'it goes on').toBeGreaterThanOrEqual(4);
+    expect(seen.size, 'the mark moves on in steps').toBeGreaterThanOrEqual(4);
     expect([...seen]).toEqual(Array.from(seen, (_, count) => begin + count * step));
     expect(log.at(-1)).toMatch(/\.$/);
   });
@@ -515,7 +515,7 @@ describe('reading', () => {
       '22',
       '32',
     ]);
-    expect(screen.getByRole('status').textContent, 'not said at each movement').toBe('');
+    expect(screen.getByRole('status').textContent, 'a screen reader is not told at each movement').toBe('');
     const [, line] =
       /translate\((\S+) /.exec(document.querySelector('.crosshair')?.getAttribute('transform') ?? '') ?? [];
     expect(Number(line)).toBeCloseTo(clientX - picture().getBoundingClientRect().left, 0);
@@ -536,7 +536,7 @@ describe('reading', () => {
     await drawn();
     expect(told.at(-1)).toEqual({ kind: 'position', servo: 0, slot: 2 });
     const release = await hold('Function 2 time', 12, 0);
-    expect(told.at(-1), 'the focus says what is in hand').toBeNull();
+    expect(told.at(-1), 'during a drag the mouse reports nothing: the handle has the focus').toBeNull();
     await release();
   });
 

@@ -53,14 +53,14 @@ it('a late value waits while it changes at each frame, but not for ever', async 
     await set(change);
     await frames(1);
   }
-  expect(shown(), 'after 320 ms').toBe('one 0');
+  expect(shown(), 'after 320 ms the value still waits').toBe('one 0');
   for (let change = 21; change <= 40; change++) {
     await set(change);
     await frames(1);
   }
-  expect(shown(), 'after 500 ms').toMatch(/^one 3\d$/);
+  expect(shown(), 'after 500 ms the value has come').toMatch(/^one 3\d$/);
   await frames(2);
-  expect(shown(), 'once it rests').toBe('one 40');
+  expect(shown(), 'once it no longer changes, the last value comes').toBe('one 40');
 });
 
 it('a late value shows nothing of the former subject', async () => {

@@ -106,7 +106,7 @@ describe('a write into the timer of another model', () => {
     bench.session.onScreen.showBackup(BACKUP);
     bench.editor.undo();
     await run(bench.write.open());
-    expect(shown(bench).from, 'what was typed before it is for the timer at hand').toBeUndefined();
+    expect(shown(bench).from, 'the edits made before the backup belong to the connected timer').toBeUndefined();
     bench.write.dismiss();
     bench.editor.redo();
     await run(bench.write.open());

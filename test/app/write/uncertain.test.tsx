@@ -50,10 +50,13 @@ describe('after a write whose answer never came', () => {
 
   it('the dialog and the page say what is not known, and nothing false', async () => {
     expect(screen.getByRole('dialog').textContent).toContain('It is not certain what the timer holds.');
-    expect(screen.getByRole('dialog').textContent, 'over the dialog, too').toContain(SENTENCE);
+    expect(screen.getByRole('dialog').textContent, 'the band is shown over the dialog, too').toContain(SENTENCE);
     await press('Close');
     expect(band()).toContain(ELSEWHERE);
-    expect(screen.getByText('Not known what M1 holds'), 'before how many values differ').toBeTruthy();
+    expect(
+      screen.getByText('Not known what M1 holds'),
+      'the page says this in place of the number of changes',
+    ).toBeTruthy();
     expect(screen.queryByText('was 3:00')).toBeNull();
     expect(described('DT time')).toContain('last read 3:00, not certain now');
     expect(document.body.textContent).not.toContain('Timer holds');
@@ -135,7 +138,7 @@ describe('a write that was read back in part', () => {
     await write();
     bench.timer.core.onAnswer = undefined;
     const dialog = within(screen.getByRole('dialog'));
-    expect(dialog.getByText(SENTENCE), 'over the dialog, too').toBeTruthy();
+    expect(dialog.getByText(SENTENCE), 'the band is shown over the dialog, too').toBeTruthy();
     expect(dialog.queryAllByText(/not known not known/)).toEqual([]);
     await press('Close');
     expect(band()).toContain(SENTENCE);

@@ -80,28 +80,32 @@ class Witness {
     const { session, write } = this.#bench;
     const { value } = write.current;
     if (value?.step === 'done' && value.report.result === 'verified') {
-      expect([this.said.times, this.said.positions], `verified, ${why}`).toEqual([
-        this.goal.times,
-        this.goal.positions,
-      ]);
-      expect(this.said.identity, `of this timer, ${why}`).toEqual(this.goal.identity);
+      expect(
+        [this.said.times, this.said.positions],
+        `the page says verified, but the timer does not hold the goal: ${why}`,
+      ).toEqual([this.goal.times, this.goal.positions]);
+      expect(this.said.identity, `the page says verified of another timer: ${why}`).toEqual(this.goal.identity);
     }
     if (value?.step === 'done' && value.report.held) {
       const { times, positions } = value.report.held;
-      expect([times, positions], `was read back, ${why}`).toEqual([this.said.times, this.said.positions]);
+      expect([times, positions], `the timer did not say what the report calls read back: ${why}`).toEqual([
+        this.said.times,
+        this.said.positions,
+      ]);
     }
     const standing = session.standing.value;
     if (standing.sure === 'now' && standing.verified) {
-      expect([this.said.times, this.said.positions], `as in the timer, verified, ${why}`).toEqual([
-        this.goal.times,
-        this.goal.positions,
-      ]);
+      expect(
+        [this.said.times, this.said.positions],
+        `the page shows a verified program that the timer did not say: ${why}`,
+      ).toEqual([this.goal.times, this.goal.positions]);
     }
     const isAsking = session.runner.job.value?.asking;
     if (session.notices.current.value?.code === 'nothing-written' || value?.step === 'refused' || isAsking) {
-      expect(this.sets, `nothing was written, ${why}`).toBe(0);
+      expect(this.sets, `the page says that nothing was written, but a SET went out: ${why}`).toBe(0);
     }
-    if (value?.step === 'review' && value.moved === 'timer') expect(this.sets, `nothing was sent, ${why}`).toBe(0);
+    if (value?.step === 'review' && value.moved === 'timer')
+      expect(this.sets, `the page says that nothing was sent, but a SET went out: ${why}`).toBe(0);
   }
 
   /** Judges what is said of a timer that was read afresh. */
@@ -109,10 +113,16 @@ class Witness {
     const { session, editor } = this.#bench;
     const now = this.#now();
     const known = session.knowledge.of(now.memory);
-    if (known.state === 'read') expect(differences(known.program, now), `read, ${why}`).toEqual([]);
+    if (known.state === 'read')
+      expect(differences(known.program, now), `the timer does not hold what the page says it has read: ${why}`).toEqual(
+        [],
+      );
     if (known.state !== 'uncertain') expect(session.standing.value.sure, why).toBe('now');
-    expect(differences(editor.baseline.value as TimerProgram, now), `was, ${why}`).toEqual([]);
-    expect(editor.identity.value, `its name, ${why}`).toEqual(now.identity);
+    expect(
+      differences(editor.baseline.value as TimerProgram, now),
+      `the timer does not hold what the page shows as its value: ${why}`,
+    ).toEqual([]);
+    expect(editor.identity.value, `the page names another timer: ${why}`).toEqual(now.identity);
   }
 
   #now(): TimerProgram {
@@ -197,19 +207,22 @@ describe('a write', () => {
         await idle(15_000);
         witness.judge(why);
         const { value } = bench.write.current;
-        expect(value?.step, `it comes to an end, ${why}`).not.toBe('running');
+        expect(value?.step, `the write has not come to an end: ${why}`).not.toBe('running');
         const isSeen = value?.step === 'done' && value.report.held !== null && !value.report.stopped;
         if (witness.sets > 0 && !isSeen) {
           // Until a reading has explained it.
           const { uncertain, writes } = bench.session.knowledge;
           const isRead = bench.session.standing.value.sure === 'now';
-          expect(uncertain.value.length === 1 || (isRead && writes.value.length <= 1), `not known, ${why}`).toBe(true);
+          expect(
+            uncertain.value.length === 1 || (isRead && writes.value.length <= 1),
+            `a SET went out and nothing was read since, but the page is certain: ${why}`,
+          ).toBe(true);
         }
-        expect(isTyped(bench, store), `what was typed, ${why}`).toBe(true);
+        expect(isTyped(bench, store), `what was typed is lost: ${why}`).toBe(true);
         const isVerified = value?.step === 'done' && value.report.result === 'verified';
         await readAgain(bench);
         witness.judgeRead(why);
-        expect(isVerified || isTyped(bench, store), `what was typed, ${why}`).toBe(true);
+        expect(isVerified || isTyped(bench, store), `what was typed is neither verified nor kept: ${why}`).toBe(true);
       },
     );
 

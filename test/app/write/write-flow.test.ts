@@ -29,7 +29,7 @@ describe('a write', () => {
     const writing = bench.write.start();
     expect([bench.write.current.value?.step, bench.write.held]).toEqual(['running', true]);
     await run(writing);
-    expect(bench.write.held, 'a verified one may be left').toBe(false);
+    expect(bench.write.held, 'the result of a verified write may be left').toBe(false);
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
     expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
     expect(bench.timer.core.content.times[10]).toBe(24000);
@@ -118,7 +118,7 @@ describe('a write', () => {
     const opening = bench.write.open();
     bench.editor.type(S1, 'x');
     await run(opening);
-    expect(bench.write.current.value, 'typed while the timer was read for it').toBeNull();
+    expect(bench.write.current.value, 'a text without a value, typed during the reading, stops the write').toBeNull();
     bench.editor.revertAll();
     bench.adapter.unplug();
     await idle();
@@ -193,19 +193,19 @@ describe('a write', () => {
         report: { result: 'unknown', stopped: { code: 'port-lost' } },
       });
     } else {
-      expect(bench.write.current.value, 'there is nothing to say of a write').toBeNull();
+      expect(bench.write.current.value, 'nothing was sent, so there is no result of a write').toBeNull();
     }
     expect([bench.editor.textOf(S1), bench.editor.textOf(S3)]).toEqual(['7', '8']);
 
     bench.timer.core.onAnswer = undefined;
     bench.adapter.replug();
     await idle();
-    expect(bench.session.link.state.value.status, 'it comes back by itself').toBe('on');
+    expect(bench.session.link.state.value.status, 'the connection comes back without a click').toBe('on');
     if (extent === 'part') {
-      expect(bench.write.current.value, 'what became of it stays in sight').toMatchObject({ step: 'done' });
+      expect(bench.write.current.value, 'the result of the write stays on the screen').toMatchObject({ step: 'done' });
       expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent } });
     } else {
-      expect(bench.session.recovery.offer.value, 'nothing was begun').toBeNull();
+      expect(bench.session.recovery.offer.value, 'nothing was sent, so nothing is offered').toBeNull();
     }
     expect(bench.editor.changes.value).toHaveLength(3 - written);
     bench.write.dismiss();
@@ -222,7 +222,7 @@ describe('a write', () => {
     bench.adapter.unplug();
     await idle();
     await run(bench.write.start());
-    expect(bench.write.current.value?.step, 'the difference is no longer offered').not.toBe('review');
+    expect(bench.write.current.value?.step, 'the difference is no longer shown').not.toBe('review');
   });
 
   it('says so when an unexpected error comes', async () => {
@@ -264,7 +264,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     const bench = await connectedBench({ quirks: { servoNeedsMove: true } });
     bench.editor.type(S1, '7');
     await run(bench.write.open());
-    expect(bench.session.servoMoves.needed, 'nothing is known yet').toBe(false);
+    expect(bench.session.servoMoves.needed, 'before the write nothing says that positions need a move').toBe(false);
     bench.session.safety.confirm();
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ step: 'done', notHeld: true });
@@ -291,7 +291,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' }, notHeld: false });
     expect([moves(bench) - before, bench.timer.core.content.positions[0]?.[2]]).toEqual([1, 7]);
-    expect(bench.models.bench.done.value, 'the bench no longer says where they stand').toBeNull();
+    expect(bench.models.bench.done.value, 'the bench no longer says where the servos stand').toBeNull();
     bench.write.dismiss();
     bench.editor.type(S1, '8');
     await run(bench.write.open());
@@ -350,7 +350,9 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     expect(other.session.servoMoves.needed).toBe(false);
     await idle();
     const again = await connectedBench({ store: other.store });
-    expect(again.session.servoMoves.needed, 'also when another kind was on this port').toBe(true);
+    expect(again.session.servoMoves.needed, 'it is still known after another kind of timer was on this port').toBe(
+      true,
+    );
   });
 
   it('asks the same when it finishes an interrupted write, or goes back', async () => {
@@ -544,6 +546,8 @@ describe('what a write leaves unknown', () => {
     await run(bench.write.start());
     expect(bench.session.knowledge.of(0)).toMatchObject({ state: 'read', verified: true });
     await run(bench.session.reader.read());
-    expect(bench.session.knowledge.of(0), 'a mere reading since').toMatchObject({ verified: false });
+    expect(bench.session.knowledge.of(0), 'a plain reading after the write is not called verified').toMatchObject({
+      verified: false,
+    });
   });
 });

@@ -83,7 +83,7 @@ describe('the camera', () => {
     expect(dialog().getByText('Hold the QR code in the picture.')).toBeTruthy();
     seen.push('https://elsewhere.example');
     await idle(1000);
-    expect(sharing.current.value?.step, 'another code in the picture').toBe('read');
+    expect(sharing.current.value?.step, 'another QR code in the picture is ignored').toBe('read');
     seen.splice(0, 1, LINK);
     await idle(1000);
     expect(sharing.current.value).toEqual({ step: 'received', link: LINK });
@@ -174,7 +174,10 @@ describe('a pasted link', () => {
   it('is shown, and another text is refused', async () => {
     vi.stubGlobal('navigator', {});
     const { sharing } = await reading();
-    expect(screen.queryByRole('button', { name: 'Use the camera' }), 'there is none').toBeNull();
+    expect(
+      screen.queryByRole('button', { name: 'Use the camera' }),
+      'a device without a camera gets no button for it',
+    ).toBeNull();
     const paste = async (text: string): Promise<void> => {
       fireEvent.input(dialog().getByRole('textbox', { name: 'Or paste a link' }), { target: { value: text } });
       await press('Show');

@@ -49,7 +49,7 @@ describe('a link in the address', () => {
     sharing.close();
     expect([sharing.current.value, window.entries]).toEqual([null, ['#program']]);
     sharing.close();
-    expect(window.entries, 'closed once more it changes nothing').toEqual(['#program']);
+    expect(window.entries, 'closing it once more changes nothing').toEqual(['#program']);
   });
 
   it('is shown over the present view, also when the page is already open', () => {

@@ -171,9 +171,9 @@ describe('the time that is shown', () => {
     frames.run(2, 100);
     expect(seen()).toEqual([2010, 2010]);
     player.take(30);
-    expect(seen(), 'a flight that is played goes on').toEqual([2010, 2010]);
+    expect(seen(), 'while the flight plays, a selection does not move it').toEqual([2010, 2010]);
     player.pause();
-    expect(seen(), 'and stays where it was stopped').toEqual([2010, 2010]);
+    expect(seen(), 'a paused flight stays where it is').toEqual([2010, 2010]);
   });
 
   it('is that of the pointer, as long as it points', () => {

@@ -89,7 +89,7 @@ describe('the flight preview', () => {
 
   it('says what has happened, once when it happens', async () => {
     const { player, run } = shown();
-    expect(screen.queryByRole('status'), 'not of what is only looked at').toBeNull();
+    expect(screen.queryByRole('status'), 'a selected cell is not announced').toBeNull();
     await press('Play');
     const heard: (string | null)[] = [said()];
     new MutationObserver(() => heard.push(said())).observe(screen.getByRole('status'), {
@@ -151,10 +151,10 @@ describe('the flight preview', () => {
       'rotate(0deg)',
     ]);
     await seek(player, 200);
-    expect(turned('rudder'), 'to the right').toBe('rotate(-28deg)');
+    expect(turned('rudder'), 'the rudder is turned to the right').toBe('rotate(-28deg)');
     expect(stands()).toEqual(['S1 Rudder 130', 'S2 Tailplane 65', 'S3 Wing 0']);
     await seek(player, 400);
-    expect(turned('rudder'), 'to the left').toBe('rotate(28deg)');
+    expect(turned('rudder'), 'the rudder is turned to the left').toBe('rotate(28deg)');
   });
 
   it('shows the selected cell, and moves by itself only when it is played', async () => {
@@ -205,7 +205,10 @@ describe('the flight preview', () => {
     await end('S1, other end in steps', '20');
     await choose('S1, what more steps do', 'true');
     await choose('S2 moves', 'none');
-    expect(screen.queryByRole('spinbutton', { name: 'S2, one end in steps' }), 'it has no ends').toBeNull();
+    expect(
+      screen.queryByRole('spinbutton', { name: 'S2, one end in steps' }),
+      'a servo that moves nothing has no ends to set',
+    ).toBeNull();
     await act(() => void fireEvent.submit(document.querySelector('form') as HTMLFormElement));
     expect(said).toEqual([
       [
@@ -246,7 +249,7 @@ describe('the flight preview', () => {
     shown({ program: { ...PROGRAM, identity: { ...PROGRAM.identity, timerClass } } });
     expect(screen.queryByText(/motor/i)).toBeNull();
     expect(document.querySelectorAll('.propeller')).toHaveLength(propellers);
-    expect(document.querySelectorAll('.disc, .blade'), 'neither turning nor folded').toHaveLength(0);
+    expect(document.querySelectorAll('.disc, .blade'), 'no propeller turns or is folded').toHaveLength(0);
   });
 
   it('stops when it is removed', async () => {
@@ -291,7 +294,7 @@ describe('the flight preview', () => {
     const { player, run } = shown();
     await press('Play');
     await run(30);
-    expect(pitches, 'off by default').toEqual([]);
+    expect(pitches, 'the ticks are off by default').toEqual([]);
     await act(() => void fireEvent.click(screen.getByRole('button', { name: 'Ticks' })));
     await run(20);
     expect(pitches).toHaveLength(1);
