@@ -53,7 +53,7 @@ The package, without dependencies:
 `;
 
 describe('what is new, from the changelog', () => {
-  it('is the plain text of what a pilot sees, by what it is about; the newest goes by the version of the build', () => {
+  it('is plain text about what a pilot sees, grouped by topic; the newest changes get the version of the build', () => {
     expect(newsOf(CHANGELOG, '0.3.0')).toEqual([
       {
         version: '0.3.0',
@@ -68,7 +68,7 @@ describe('what is new, from the changelog', () => {
     ]);
   });
 
-  it('is found in the changelog that is there, short enough to be told, without marks', () => {
+  it('is read from the real changelog, short enough for the page, and without marks', () => {
     const [newest] = newsOf(readFileSync(join(root, 'CHANGELOG.md'), 'utf8'), '9.9.9');
     const items = newest?.changes.flatMap((change) => change.items) ?? [];
     expect(items.length).toBeGreaterThan(0);

@@ -144,15 +144,20 @@ describe('an impossible memory', () => {
 describe('whether a question stays unanswered', () => {
   it.each<[string, unknown, boolean, boolean]>([
     ['no answer came', new TimerError('no-answer', ''), true, true],
-    ['none that made sense', new TimerError('bad-reply', ''), true, true],
-    ['damage only, which says so of a timer that is known to be silent', new TimerError('unstable', ''), false, true],
+    ['no answer made sense', new TimerError('bad-reply', ''), true, true],
+    [
+      'only damage came: this counts where the timer is known not to answer',
+      new TimerError('unstable', ''),
+      false,
+      true,
+    ],
     ['the port is lost', new TimerError('port-lost', ''), false, false],
     ['something else is broken', new RangeError('no-answer'), false, false],
   ])('%s', (_, error, unknown, known) => {
     expect([isNoAnswer(error, false), isNoAnswer(error, true)]).toEqual([unknown, known]);
   });
 
-  it('is tried six times, and twice where it is known', () => {
+  it('is tried six times, and twice where the timer is known not to answer it', () => {
     expect([policyFor(false), policyFor(true)]).toEqual([{ unanswered: 6 }, { tries: 2 }]);
   });
 });

@@ -101,13 +101,13 @@ describe('a request that is given up', () => {
   const NONE = 'no reply to GETMEMORY';
 
   it.each<[string, Comes[], Comes[], TimerErrorCode, string, number]>([
-    ['three replies that cannot be', ['bad'], ['ok'], 'bad-reply', CANNOT, 3],
-    ['three of them behind silence', ['silent', 'bad'], ['ok'], 'bad-reply', CANNOT, 4],
-    ['two of them, and noise', ['bad', 'bad', 'noise'], ['ok'], 'unstable', DAMAGE, 20],
+    ['three impossible replies', ['bad'], ['ok'], 'bad-reply', CANNOT, 3],
+    ['three impossible replies after silence', ['silent', 'bad'], ['ok'], 'bad-reply', CANNOT, 4],
+    ['two impossible replies, and noise', ['bad', 'bad', 'noise'], ['ok'], 'unstable', DAMAGE, 20],
     ['noise', ['noise'], ['ok'], 'unstable', DAMAGE, 20],
     ['silence, while others are answered', ['silent'], ['ok'], 'no-answer', NONE, 10],
     ['silence, while others are damaged', ['silent'], ['noise', 'ok'], 'no-answer', NONE, 20],
-    ['silence of all behind noise', ['noise', 'silent'], ['silent'], 'no-answer', NONE, 2],
+    ['noise, then silence to every request', ['noise', 'silent'], ['silent'], 'no-answer', NONE, 2],
   ])('for %s', async (_, own, others, code, message, sent) => {
     const bench = setUp();
     await bench.run(bench.exchange.ask({ name: 'GETMEMORY' }));
@@ -240,9 +240,9 @@ describe('a fence', () => {
 describe('a check before a request goes out again', () => {
   it.each<[string, Comes[], Comes[], number]>([
     ['is not made before the first time', ['ok'], ['ok'], 0],
-    ['nor behind damage: the timer was there', ['noise', 'noise', 'ok'], ['ok'], 0],
-    ['is made behind silence', ['silent', 'silent', 'ok'], ['ok'], 2],
-    ['and behind a fence that was not answered', ['noise', 'ok'], ['silent', 'ok'], 1],
+    ['is not made after damage: the timer was there', ['noise', 'noise', 'ok'], ['ok'], 0],
+    ['is made after silence', ['silent', 'silent', 'ok'], ['ok'], 2],
+    ['is made after a fence that was not answered', ['noise', 'ok'], ['silent', 'ok'], 1],
   ])('%s', async (_, own, others, checks) => {
     const bench = setUp();
     await bench.run(bench.exchange.ask({ name: 'GETMEMORY' }));

@@ -62,14 +62,14 @@ describe('how slow the timer was found to be', () => {
   it.each<[string, number[], [number | null, number]]>([
     ['nothing came late', [], [null, 600]],
     ['a reply that came late makes the margin half as long again', [1000], [1000, 1500]],
-    ['what is no delay teaches nothing', [0], [null, 600]],
-    ['nor does what came before its time', [-5], [null, 600]],
-    ['the slowest counts', [1000, 900], [1000, 1500]],
-    ['and a slower one counts more', [1000, 1100], [1100, 1650]],
-    ['a delay within the margin changes nothing but what is told', [300], [300, 600]],
+    ['a delay of 0 teaches nothing', [0], [null, 600]],
+    ['a reply that came before its time teaches nothing', [-5], [null, 600]],
+    ['of several the slowest counts', [1000, 900], [1000, 1500]],
+    ['a slower one replaces the one before', [1000, 1100], [1100, 1650]],
+    ['a delay within the margin changes only the delay that is reported', [300], [300, 600]],
     ['the latest reply bounds the margin', [2900], [2900, LATEST_REPLY]],
     ['the latest reply itself counts', [LATEST_REPLY], [LATEST_REPLY, LATEST_REPLY]],
-    ['what is later than that is no reply', [LATEST_REPLY + 1], [null, 600]],
+    ['a reply that comes even later does not count', [LATEST_REPLY + 1], [null, 600]],
   ])('%s', (_, delays, expected) => {
     expect(learned(...delays)).toEqual(expected);
   });
@@ -183,16 +183,16 @@ describe('a frame as the reply to a question', () => {
   });
 
   it.each([
-    ['its value is 0: then the sum is the letter in any case', bytes(0), true, true],
-    ['its value is another', bytes(7), true, false],
-    ['it has a sum of its own', bytes(7), false, true],
-  ])('with its letter as its sum it is a misprint, unless %s', (_, data, isBare, isUsual) => {
+    ['none, because its value is 0 and the letter is its true sum', bytes(0), true, true],
+    ['a misprint, because its value is 7', bytes(7), true, false],
+    ['none, because its sum is the true one', bytes(7), false, true],
+  ])('with its letter as its sum it is a misprint or not: %s', (_, data, isBare, isUsual) => {
     const quirks = new Quirks({});
     for (let i = 0; i < 2; i++) asReply({ code: 0x76, data }, ask({ name: 'GETLOWRPM' }), quirks, isBare);
     expect(quirks.found.has('bare-checksum')).toBe(!isUsual);
   });
 
-  it('with its letter as its sum it is none where something else can be answered', () => {
+  it('with its letter as its sum it is no answer where something else can be answered', () => {
     const question = ask({ name: 'GETLOWRPM' }, 'no');
     expect(asReply({ code: 0x76, data: bytes(7) }, question, new Quirks({}), true)).toBeUndefined();
   });

@@ -44,7 +44,7 @@ describe('several memories on a bad line', () => {
     ['read', 4563],
     ['write', 11979],
   ] as const)(
-    '%s: whatever befalls whichever byte, the first memory is current again or it is said that it is not: %i cases',
+    '%s: whatever fault hits any byte, the first memory is current again, or the error says that it is not: %i cases',
     async (job, count) => {
       const meet = async () => {
         const { clock, timer, run } = bench({ identity: { functions: 2, memories: 2, servos: 1 }, baudRate: 9600 });
@@ -76,7 +76,7 @@ describe('several memories on a bad line', () => {
     },
   );
 
-  it('1 % of all bytes damaged: it always succeeds; 5 %: what is said is so', async () => {
+  it('1 % of all bytes damaged: it always succeeds; 5 %: what is reported is true', async () => {
     await fc.assert(
       fc.asyncProperty(
         fc.integer({ min: 0, max: 2 ** 31 }),

@@ -353,7 +353,7 @@ describe('writing several memories', () => {
     expect(timer.core.memory).toBe(0);
   });
 
-  it('says loudly which memory is left behind when the cable is pulled, with what is known of each', async () => {
+  it('reports which memory is left current when the cable is pulled, and what is known of each', async () => {
     const { client, timer, run } = bench();
     const goals = memoriesOf(timer).slice(1, 3).map(everyValueChanged);
     timer.core.onAnswer = ({ name }) => {

@@ -24,14 +24,17 @@ describe('the plan of a job on a good line', () => {
   it.each<[string, (client: TimerClient, timer: Bench['timer'], told: OnProgress) => Promise<unknown>]>([
     ['a reading', (client, _, told) => client.readProgram(told)],
     ['a reading with the idle throttle', (client, _, told) => client.readProgram({ ...told, idleThrottle: true })],
-    ['a reading of others', (client, _, told) => client.readMemories({ ...told, memories: [1, 3] })],
+    ['a reading of other memories', (client, _, told) => client.readMemories({ ...told, memories: [1, 3] })],
     [
-      'a reading of others with the idle throttle',
+      'a reading of other memories with the idle throttle',
       (client, _, told) => client.readMemories({ ...told, memories: [1, 3], idleThrottle: true }),
     ],
-    ['a write of all into another', (client, timer, told) => client.writeMemories([goal(timer, 2, null)], told)],
     [
-      'a write of all into another with the idle throttle',
+      'a write of all values into another memory',
+      (client, timer, told) => client.writeMemories([goal(timer, 2, null)], told),
+    ],
+    [
+      'a write of all values into another memory with the idle throttle',
       (client, timer, told) => client.writeMemories([goal(timer, 2, 77)], told),
     ],
   ])('has exactly the requests that are sent: %s', async (_, job) => {

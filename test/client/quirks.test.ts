@@ -208,7 +208,7 @@ describe('an answer that makes no sense', () => {
     expect([found(client), client.quirksAssumed]).toEqual([[], {}]);
   });
 
-  it('memories assumed to count from 1 do not when two replies say 0; one reply is not enough', async () => {
+  it('memories that are assumed to count from 1 count from 0 once two replies say 0; one reply is not enough', async () => {
     const { client, timer, run } = bench({}, { quirks: { memoriesFromOne: true } });
     timer.core.memory = 2;
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [0] : undefined));

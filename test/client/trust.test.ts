@@ -175,34 +175,31 @@ describe('an acknowledgement that comes twice', () => {
   it.each<[string, TimerQuirks]>([
     ['', {}],
     [' of a timer that answers GETTIMERS with 66', { timersReplyAs66: true }],
-  ])(
-    'at once, or in front of or behind one of the next two replies%s: is never taken for a reading',
-    async (_, quirks) => {
-      for (let hit = 0; hit < FRESH + SETS + VERIFY; hit++) {
-        for (const place of ['at once', 'before 1', 'behind 1', 'before 2', 'behind 2'] as const) {
-          const { client, timer, run } = bench({ identity: SMALL, quirks });
-          const baseline = await run(client.readProgram());
-          const goal = goalOf(baseline);
-          const answer = timer.core.answer.bind(timer.core);
-          let count = 0;
-          let copy = new Uint8Array(0);
-          timer.core.answer = (frame, bare) => {
-            const reply = answer(frame, bare) as Uint8Array<ArrayBuffer>;
-            const after = count++ - hit;
-            if (after === 0) copy = reply;
-            if (place === 'at once' && after === 0) return Uint8Array.of(...reply, ...copy);
-            if (after <= 0 || !place.endsWith(String(after))) return reply;
-            return place.startsWith('before') ? Uint8Array.of(...copy, ...reply) : Uint8Array.of(...reply, ...copy);
-          };
-          const label = `${hit} ${place}`;
-          const report = await run(client.writeProgram(goal, { baseline }));
-          expect(report.result, label).toBe('verified');
-          expect(contentOf(timer), label).toEqual(goal);
-          expect([...client.quirksFound.keys()], label).toEqual(quirks.timersReplyAs66 ? ['timers-reply-66'] : []);
-        }
+  ])('at once, or before or after one of the next two replies%s: is never taken for a reading', async (_, quirks) => {
+    for (let hit = 0; hit < FRESH + SETS + VERIFY; hit++) {
+      for (const place of ['at once', 'before 1', 'behind 1', 'before 2', 'behind 2'] as const) {
+        const { client, timer, run } = bench({ identity: SMALL, quirks });
+        const baseline = await run(client.readProgram());
+        const goal = goalOf(baseline);
+        const answer = timer.core.answer.bind(timer.core);
+        let count = 0;
+        let copy = new Uint8Array(0);
+        timer.core.answer = (frame, bare) => {
+          const reply = answer(frame, bare) as Uint8Array<ArrayBuffer>;
+          const after = count++ - hit;
+          if (after === 0) copy = reply;
+          if (place === 'at once' && after === 0) return Uint8Array.of(...reply, ...copy);
+          if (after <= 0 || !place.endsWith(String(after))) return reply;
+          return place.startsWith('before') ? Uint8Array.of(...copy, ...reply) : Uint8Array.of(...reply, ...copy);
+        };
+        const label = `${hit} ${place}`;
+        const report = await run(client.writeProgram(goal, { baseline }));
+        expect(report.result, label).toBe('verified');
+        expect(contentOf(timer), label).toEqual(goal);
+        expect([...client.quirksFound.keys()], label).toEqual(quirks.timersReplyAs66 ? ['timers-reply-66'] : []);
       }
-    },
-  );
+    }
+  });
 });
 
 describe('a second reply to the first reading', () => {

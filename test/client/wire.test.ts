@@ -116,13 +116,13 @@ describe('what came after a request', () => {
     ['a frame of another command', [STRAY], 'stray', 0, 1],
     ['a frame of no command', [encodeFrame(0x81)], 'stray', 0, 1],
     ['noise', [NOISE], 'damaged', 1, 0],
-    ['a reply that cannot be', [BAD], 'bad', 1, 0],
-    ['noise behind a stray frame', [STRAY, NOISE], 'damaged', 1, 1],
-    ['a stray frame behind noise', [NOISE, STRAY], 'damaged', 1, 1],
-    ['a reply that cannot be behind noise', [NOISE, BAD], 'bad', 2, 0],
-    ['noise behind a reply that cannot be', [BAD, NOISE], 'bad', 2, 0],
-    ['a stray frame behind a reply that cannot be', [BAD, STRAY], 'bad', 1, 1],
-    ['a reply behind one that cannot be', [BAD, ANSWER], 'answer', 1, 0],
+    ['an impossible reply', [BAD], 'bad', 1, 0],
+    ['noise after a stray frame', [STRAY, NOISE], 'damaged', 1, 1],
+    ['a stray frame after noise', [NOISE, STRAY], 'damaged', 1, 1],
+    ['an impossible reply after noise', [NOISE, BAD], 'bad', 2, 0],
+    ['noise after an impossible reply', [BAD, NOISE], 'bad', 2, 0],
+    ['a stray frame after an impossible reply', [BAD, STRAY], 'bad', 1, 1],
+    ['the reply after an impossible one', [BAD, ANSWER], 'answer', 1, 0],
     ['a stray frame before the reply', [STRAY, ANSWER], 'answer', 0, 1],
     ['the reply twice', [ANSWER, ANSWER], 'answer', 0, 1],
     ['a frame hidden behind a false header', [concat(FALSE_HEADER, STRAY)], 'damaged', 1, 1],
@@ -180,7 +180,7 @@ describe('a silence', () => {
     expect((await timed(wire.silence(undefined)))[1]).toBe(1000);
   });
 
-  it('releases what an unfinished frame has hidden, and does not count as a slow timer', async () => {
+  it('delivers what an unfinished frame has hidden, and does not count as a slow timer', async () => {
     for (const isHidden of [true, false]) {
       const { wire, ask, say, clock, timing } = setUp();
       await clock.run(ask());
@@ -194,7 +194,7 @@ describe('a silence', () => {
 });
 
 describe('the end of a wait', () => {
-  it('releases what an unfinished frame has hidden, and does not count as a slow timer', async () => {
+  it('delivers what an unfinished frame has hidden, and does not count as a slow timer', async () => {
     const { wire, ask, say, clock, timing } = setUp();
     await clock.run(ask());
     const asked = ask({ name: 'GETLOWRPM' });

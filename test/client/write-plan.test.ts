@@ -85,7 +85,7 @@ describe('the plan of a write', () => {
     ]);
   });
 
-  it('has three parts: a reading beside what is known, the write, and two readings back', () => {
+  it('has three parts: a reading to compare with what is known, the write, and two readings back', () => {
     const content = ['GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM'];
     expect(writeParts(planWrite(HELD, edited(HELD, [[3, 9100]])))).toEqual([
       { stage: 'read', names: ['GETSWVER', 'GETMEMORY', ...content, 'GETMEMORY', 'GETSWVER'] },

@@ -60,7 +60,7 @@ describe('a byte line', () => {
     expect(arrived).toEqual(['1: 01', '2: 02']);
   });
 
-  it('forgets what is under way when cleared, and is free again at once', async () => {
+  it('forgets the bytes on their way when cleared, and is free again at once', async () => {
     const { clock, line, arrived } = lineOf({ baudRate: 10_000 });
     line.send(new Uint8Array(100));
     line.clear();
@@ -69,7 +69,7 @@ describe('a byte line', () => {
     expect(arrived).toEqual(['1: 07']);
   });
 
-  it('keeps the order also on a clock that keeps near appointments the wrong way round', () => {
+  it('keeps the order also on a clock that calls back in the wrong order for times that lie close together', () => {
     // As setTimeout does, which knows no part of a millisecond.
     const kept: (() => void)[] = [];
     const after = (_: number, callback: () => void): (() => void) => {

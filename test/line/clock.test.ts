@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { realClock, VirtualClock } from '../../src/line/index.js';
 
 describe('a clock turned by hand', () => {
-  it('keeps appointments in order of time, and equal times in order of making', async () => {
+  it('calls back in the order of time, and for equal times in the order of asking', async () => {
     const clock = new VirtualClock(1000);
     const kept: string[] = [];
     clock.after(20, () => kept.push(`c at ${clock.now()}`));
@@ -15,7 +15,7 @@ describe('a clock turned by hand', () => {
     expect(clock.now()).toBe(1020);
   });
 
-  it('lets an appointment be taken back, and keeps one made while it turns', async () => {
+  it('does not call back what was cancelled, but calls back what was asked for while it turns', async () => {
     const clock = new VirtualClock();
     const kept: number[] = [];
     const cancel = clock.after(5, () => kept.push(5));

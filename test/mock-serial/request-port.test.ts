@@ -39,7 +39,7 @@ describe('requestPort() method', () => {
     ['a product without its vendor', { usbProductId: 1 }],
     ['a vendor beside a service class', { usbVendorId: 1, bluetoothServiceClassId: SERIAL_PORT_PROFILE }],
     ['a product beside a service class', { usbProductId: 1, bluetoothServiceClassId: SERIAL_PORT_PROFILE }],
-    ['a service class that is none', { bluetoothServiceClassId: 'serial' }],
+    ['an invalid service class', { bluetoothServiceClassId: 'serial' }],
     ['a service class in capitals', { bluetoothServiceClassId: CUSTOM.toUpperCase() }],
   ])('step 4: TypeError when a filter is %s', async (_, filter) => {
     const { serial } = clicked({ usbVendorId: 1, usbProductId: 1 });

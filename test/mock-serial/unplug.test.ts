@@ -158,7 +158,7 @@ describe('the device that is unplugged', () => {
     expect(await isPending(device.read())).toBe(true);
   });
 
-  test('loses what it writes, and what is under way', async () => {
+  test('loses what it writes, and what is on its way', async () => {
     const { serial, port, device } = await openPort();
     const reader = reading(port);
     device.write([1]);
@@ -169,7 +169,7 @@ describe('the device that is unplugged', () => {
     expect(await failure(reader.read())).toBe('NetworkError');
   });
 
-  test('is not to be found at another MockSerial', async () => {
+  test('is not known to another MockSerial', async () => {
     const port = new MockSerial().plug();
     const other = new MockSerial();
     const refusal = new TypeError('The port was not plugged in here.');

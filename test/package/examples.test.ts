@@ -60,7 +60,7 @@ describe('the program for Node', () => {
     expect(said).toMatch(/\nDT +\d+\.00( +\d+){3}\n$/);
   });
 
-  it('sets DT, and says verified when it was', () => {
+  it('sets DT, and says verified only when it was', () => {
     expect(tool('/dev/timer', 'dt', '180')).toEqual({ code: 0, said: 'Verified.\n', complained: 'closed\n' });
     expect(tool('/dev/timer', 'dt', '20')).toMatchObject({ code: 0, said: 'warning: dt-short\nVerified.\n' });
     expect(tool('/dev/rounds', 'dt', '20.55')).toMatchObject({
@@ -104,14 +104,14 @@ describe('the program for Node', () => {
     });
   });
 
-  it('overwrites no backup, and restores nothing from what is none', () => {
+  it('overwrites no backup, and restores nothing from a file that is no backup', () => {
     consumer.write('there.json', 'precious');
     expect(tool('/dev/timer', 'backup', 'there.json')).toMatchObject({ code: 1, said: '' });
     expect(readFileSync(join(consumer.folder, 'there.json'), 'utf8')).toBe('precious');
     expect(tool('/dev/timer', 'restore', 'there.json')).toMatchObject({ code: 1, said: '' });
   });
 
-  it('is stopped by Ctrl+C behind the request under way, and lets go of the port', async () => {
+  it('is stopped by Ctrl+C after the request in progress, and releases the port', async () => {
     const args = ['timer.js', '/dev/slow', 'backup', 'slow.json', '--all'];
     const running = spawn(process.execPath, args, { cwd: consumer.folder, stdio: ['ignore', 'ignore', 'pipe'] });
     let complained = '';
@@ -125,13 +125,13 @@ describe('the program for Node', () => {
     expect(existsSync(join(consumer.folder, 'slow.json'))).toBe(false);
   });
 
-  it('says how it is called', () => {
+  it('says how to call it when an argument is wrong', () => {
     for (const wrong of [['dt', '-1'], ['--fly'], ['fly'], ['toString'], ['dt'], ['backup'], ['dt', '20', 'more']]) {
       expect(tool('/dev/timer', ...wrong), `timer.js ${wrong.join(' ')}`).toMatchObject({ code: 2, said: '' });
     }
   });
 
-  it('says what went wrong, by code where there is one, and lets go of the port', () => {
+  it('says what went wrong, by code where there is one, and releases the port', () => {
     expect(tool('/dev/none')).toMatchObject({ code: 1, complained: expect.stringContaining('No such file') });
     expect(tool('/dev/asleep')).toMatchObject({
       code: 1,

@@ -61,7 +61,7 @@ describe('the public names and the codes of errors', () => {
     }
   });
 
-  it('are found: an empty list would hold nothing', async () => {
+  it('are found: an empty list would prove nothing', async () => {
     const now = new Map(Object.entries(await present()));
     for (const [entry, names] of now) expect(names.length, `${entry} has names`).toBeGreaterThan(1);
     expect(now.get('./protocol')).toContain('FrameDecoder');

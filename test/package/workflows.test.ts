@@ -46,7 +46,7 @@ describe.each(workflows)('the workflow %s', (_, text) => {
     }
   });
 
-  it('may read, and what more a job may it says itself', () => {
+  it('may only read, and a job that may do more says so itself', () => {
     expect(text).toMatch(/^permissions:\n {2}contents: read\n\n/m);
     expect(text).not.toMatch(/pull_request_target|workflow_run|write-all/);
     const more = jobsOf(text).flatMap(([name, body]) =>
@@ -56,7 +56,7 @@ describe.each(workflows)('the workflow %s', (_, text) => {
     expect(allowed).toEqual(expect.arrayContaining(more));
   });
 
-  it('stops a job that hangs, and waits for none that is not there', () => {
+  it('stops a job that hangs, and waits only for jobs that exist', () => {
     const jobs = jobsOf(text);
     expect(jobs.length).toBeGreaterThan(0);
     for (const [name, body] of jobs) {
@@ -66,7 +66,7 @@ describe.each(workflows)('the workflow %s', (_, text) => {
     }
   });
 
-  it('puts nothing into a command that somebody else can write', () => {
+  it('puts nothing that a stranger can write into a command', () => {
     // A matrix stands in the file itself.
     const given = /\$\{\{ (?!matrix\.)(.*?) \}\}/g;
     for (const command of commandsOf(text)) expect(command).not.toMatch(given);

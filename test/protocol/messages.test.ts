@@ -118,7 +118,7 @@ describe('frames that can be neither request nor reply', () => {
     expect(refusal(decode)).toEqual([code, field]);
   });
 
-  it('carries the raw bytes of a version that cannot be', () => {
+  it('carries the raw bytes of an impossible version', () => {
     const frame = onlyFrame('00 00 00 00 00 0c 6c 42 35 33 36 20 00 04 03 20 93 45');
     expect(() => decodeReply(frame)).toThrowError(expect.objectContaining({ details: { bytes: frame.data } }));
   });

@@ -132,7 +132,7 @@ describe('an impossible identity', () => {
     ['a class of two letters', { timerClass: 'BQ' }, 'timerClass', 'the class must be one printable character'],
     ['a class that is a number', { timerClass: 7 }, 'timerClass', 'the class must be one printable character'],
     ['firmware of four digits', { firmware: '5367' }, 'firmware', 'the firmware must be three digits'],
-    ['firmware behind a letter', { firmware: 'v536' }, 'firmware', 'the firmware must be three digits'],
+    ['firmware after a letter', { firmware: 'v536' }, 'firmware', 'the firmware must be three digits'],
     ['firmware that is a number', { firmware: 536 }, 'firmware', 'the firmware must be three digits'],
     ['more memories than a byte counts', { memories: 256 }, 'memories', 'memories must be 1 to 255'],
     ['no servo', { servos: 0 }, 'servos', 'servos must be 1 to 255'],

@@ -8,7 +8,7 @@ import { Rig } from './rig.js';
 
 const identity = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 } as const;
 
-test('a drag with the mouse over the table, as X tells of it, selects and moves no value', async () => {
+test('a drag with the mouse over the table, with real events of X, selects and moves no value', async () => {
   const rig = await Rig.start({ timer: { identity }, chooser: true });
   const page = await rig.open();
   const pilot = new Pilot(page);

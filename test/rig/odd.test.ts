@@ -26,7 +26,7 @@ test.for([900, 2000])('a timer that answers after %i ms is read and written, and
   expect(await pilot.page.getByText('noisy').count()).toBe(0);
 });
 
-test('lines of text are called something else, and the timer is still found when it wakes', async () => {
+test('a device that sends lines of text is not called a timer, and the timer is still found when it wakes', async () => {
   const rig = await Rig.start();
   rig.timer.core.sleep();
   const talking = setInterval(() => rig.say(new TextEncoder().encode('$GPGGA,092750,5321.68,N*76\r\n')), 300);

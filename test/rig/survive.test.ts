@@ -97,7 +97,7 @@ test.for<[Direction, number]>([
   ['fromPage', 1],
   ['toPage', 2],
 ])(
-  'unplugged behind 25 random bytes of a write, counted %s: it comes back by itself, and the write is finished',
+  'unplugged after each of 25 random bytes of a write, counted %s: it comes back without a click, and the write is finished',
   { timeout: 180_000 },
   async ([direction, seed]) => {
     const { rig, pilot } = await connected();

@@ -22,7 +22,7 @@ async function comesBack(rig: Rig, pilot: Pilot): Promise<void> {
 }
 
 test.for(whileReading)(
-  'unplugged while the page reads, counted %s: said, and nothing typed is lost',
+  'unplugged while the page reads, counted %s: the page says so, and nothing typed is lost',
   async ([direction, cuts]) => {
     const rig = await Rig.start();
     const pilot = new Pilot(await rig.open());
@@ -55,7 +55,7 @@ test.for(whileReading)(
 );
 
 test.for(whileWriting)(
-  'unplugged while the page writes, counted %s: said, and finished another time',
+  'unplugged while the page writes, counted %s: the page says so, and a second write finishes it',
   async ([direction, cuts]) => {
     const rig = await Rig.start();
     const pilot = new Pilot(await rig.open());

@@ -63,7 +63,7 @@ describe('bytes that are not from a timer', () => {
     expect(link.state).toMatchObject({ status: 'waiting', heard: { kind: 'echo', sample: new Uint8Array(0) } });
   });
 
-  it('are forgotten when none came for a while, and when a timer was found', async () => {
+  it('are forgotten when no more came for a while, and when a timer was found', async () => {
     const { timer, port, connect, link, clock } = linkBench();
     timer.core.sleep();
     await connect();

@@ -370,7 +370,7 @@ describe('the way of', () => {
     for (const [i, status] of statuses.slice(1).entries()) steps.add(`${statuses[i]} > ${status}`);
   });
 
-  it('all of them together takes each row of the table', () => {
+  it('all of them together takes every row of the table', () => {
     for (const [status, rows] of Object.entries(LINK_TABLE)) {
       for (const next of Object.values(rows)) expect(steps).toContain(`${status} > ${next}`);
     }

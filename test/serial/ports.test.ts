@@ -24,8 +24,12 @@ describe('the rates to try', () => {
 
   it.each([
     ['the likeliest first', ratesToTry(DEFAULT_SETTINGS, false), [9600, 19200, 38400, 57600, 115200, 4800]],
-    ['the known one before', ratesToTry(DEFAULT_SETTINGS, false, 57600), [57600, 9600, 19200, 38400, 115200, 4800]],
-    ['an unusual known one before', ratesToTry(DEFAULT_SETTINGS, false, 31250), [31250, ...RATES]],
+    [
+      'a known one before all others',
+      ratesToTry(DEFAULT_SETTINGS, false, 57600),
+      [57600, 9600, 19200, 38400, 115200, 4800],
+    ],
+    ['an unusual known one before all others', ratesToTry(DEFAULT_SETTINGS, false, 31250), [31250, ...RATES]],
     ['only the one that is set', ratesToTry(fixed, false, 9600), [38400]],
     ['only one over Bluetooth', ratesToTry(DEFAULT_SETTINGS, true), [9600]],
     ['the known one over Bluetooth', ratesToTry(DEFAULT_SETTINGS, true, 19200), [19200]],

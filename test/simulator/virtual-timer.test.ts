@@ -126,7 +126,7 @@ describe('the virtual timer', () => {
     expect(await ask({ name: 'GETMEMORY' })).toEqual(['00 00 00 00 00 04 72 02 74 45']);
   });
 
-  it('locks the motor of class Q until it is freed', async () => {
+  it('locks the motor of class Q until it is unlocked', async () => {
     const q = timerOnLine({ identity: { timerClass: 'Q' } });
     expect(q.timer.core.motorLocked).toBe(true);
     await q.ask({ name: 'UNLOCK' });

@@ -306,8 +306,8 @@ describe('following', () => {
   });
 
   it.each<[what: string, done: (app: SafeBench) => unknown]>([
-    ['it was called off', ({ follow }) => follow.stop()],
-    ['it was no longer said to be safe', ({ session }) => session.safety.withdraw()],
+    ['following was stopped', ({ follow }) => follow.stop()],
+    ['the pilot took the safety back', ({ session }) => session.safety.withdraw()],
   ])('does not begin when %s while the timer is read', async (_, done) => {
     const app = await safeBench();
     const starting = app.follow.start();

@@ -97,7 +97,7 @@ describe('where the servos stand', () => {
     expect(app.bench.stand.at.value).toBeNull();
   });
 
-  it('is not known while they are on their way, nor when no answer has come', async () => {
+  it('is not known while they move, and when no answer has come', async () => {
     const { bench, timer } = await safeBench();
     await run(bench.moveTo(4));
     const moving = bench.moveTo(5);
@@ -425,7 +425,7 @@ describe('without a backup', () => {
   it.each<[string, (app: AppBench) => unknown]>([
     ['it was read again', ({ session }) => session.reader.read()],
     [
-      'the timer was connected anew',
+      'the timer was disconnected and connected again',
       async ({ session }) => {
         await session.timer.disconnect();
         await session.timer.connect();

@@ -106,7 +106,7 @@ describe('steps of one group', () => {
   it.each([
     ['the field is left', (screen: Screen) => screen.leave()],
     ['another group comes between', (screen: Screen) => screen.do('x', 'other')],
-    ['a step of its own comes between', (screen: Screen) => screen.do('x')],
+    ['a separate step comes between', (screen: Screen) => screen.do('x')],
     ['something is undone', (screen: Screen) => screen.do('x').undo()],
     ['something is redone', (screen: Screen) => screen.undo().redo()],
   ])('end when %s', (_, between) => {

@@ -430,9 +430,9 @@ describe('whatever is pasted', () => {
     ['moves nothing', '2.5', at(3, 1), 'time:4', []],
     ['is DT', '2', at(3, 1), 'time:5', []],
     ['counts from launch', '2', at(1, 1), 'time:0', []],
-    ['counts from one that is pasted too', '1\n2', at(2, 1), 'time:2', []],
+    ['counts from a time that is pasted, too', '1\n2', at(2, 1), 'time:2', []],
     [
-      'counts from one that cannot be',
+      'counts from an impossible time',
       '999\n2',
       at(2, 1),
       'time:2',

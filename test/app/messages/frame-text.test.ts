@@ -60,7 +60,7 @@ describe('what a frame says', () => {
     ],
     ['an echo', { ...sent({ name: 'GETMEMORY' }), direction: 'in' }, 'Which memory, echo · GETMEMORY: '],
     [
-      'a letter that is none',
+      'a letter of no command',
       frameEntry('in', encodeFrame(0x7a, [1])),
       'Unknown letter 7A: Cannot be read: no command has this letter.',
     ],
@@ -70,12 +70,12 @@ describe('what a frame says', () => {
       'Read times, reply · GETTIMERS: Cannot be read: its length is wrong.',
     ],
     [
-      'a value that cannot be',
+      'an impossible value',
       frameEntry('out', encodeFrame(0x63, [4, 1, 200])),
       'Write a position · SETSERVO: Cannot be read: a value is out of its range.',
     ],
     [
-      'a timer that cannot be',
+      'an impossible timer',
       frameEntry('in', encodeFrame(0x6c, [1, 2, 3, 4, 5, 6, 7, 8, 9])),
       'Identify, reply · GETSWVER: Cannot be read: no timer can describe itself like this.',
     ],

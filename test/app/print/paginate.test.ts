@@ -25,9 +25,13 @@ describe('sheets are distributed over pages', () => {
       [['0:0-1', '1:0-4'], ['1:4-8']],
     ],
     ['no row stands alone at the head of a page', [{ ...table(10, 10), loose: true }], [['0:0-8'], ['0:8-10']]],
-    ['nor at the foot of one', [block(80), { ...table(5, 10), loose: true }], [['0:0-1'], ['1:0-5']]],
     [
-      'what is higher than a page has one of its own',
+      'no row stands alone at the foot of a page',
+      [block(80), { ...table(5, 10), loose: true }],
+      [['0:0-1'], ['1:0-5']],
+    ],
+    [
+      'a block that is higher than a page gets its own page',
       [block(20), block(200), block(20)],
       [['0:0-1'], ['1:0-1'], ['2:0-1']],
     ],

@@ -103,12 +103,12 @@ describe('what a pilot has typed', () => {
 
 it.each<[string, object]>([
   ['of two layouts', { working: programOf('Q', [0, 1, 2]) }],
-  ['saved at no time', { savedAt: Number.NaN }],
-  ['saved after the end of all calendars', { savedAt: 1e300 }],
-  ['with a text that is none', { texts: { 'time/1': 5 } }],
-  ['with a text without end', { texts: { 'time/1': 'x'.repeat(10_001) } }],
+  ['without the time of saving', { savedAt: Number.NaN }],
+  ['saved later than any date', { savedAt: 1e300 }],
+  ['with a number in place of a text', { texts: { 'time/1': 5 } }],
+  ['with a text that is far too long', { texts: { 'time/1': 'x'.repeat(10_001) } }],
   ['with more texts than fields', { texts: Object.fromEntries(Array.from({ length: 1001 }, (_, i) => [i, 'x'])) }],
-  ['of a tab that cannot be', { tab: 0.5 }],
+  ['of an impossible tab', { tab: 0.5 }],
 ])('a draft %s is refused', (_, change) => {
   expect(v.is(draftSchema, { ...DRAFT, ...change })).toBe(false);
 });

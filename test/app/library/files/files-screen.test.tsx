@@ -81,7 +81,7 @@ describe('an import', () => {
     expect(screen.queryByRole('button', { name: 'Undo the import' })).toBeNull();
   });
 
-  it('is told of in sentences that neither its name nor its writer can turn round', async () => {
+  it('is described in sentences whose order neither its name nor its writer can change', async () => {
     await library({});
     const content = formatLibraryFile(ALL, { writtenAt: 1, writtenBy: '\u202eSidus\nTimer' });
     await drop(file(content, 'lancer\u202enosj.sidus'));
@@ -378,7 +378,7 @@ describe('an export', () => {
     expect(read).toEqual({ models: [slash], settings: [SETTING], flights: [] });
   });
 
-  it('of nothing is none', async () => {
+  it('of an empty library gives no file', async () => {
     await library({});
     const saved = downloads();
     await press('Export all…');
