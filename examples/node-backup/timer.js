@@ -3,7 +3,7 @@
 //     node timer.js                            lists the serial ports
 //     node timer.js PORT                       shows what the current memory holds
 //     node timer.js PORT dt SECONDS            sets DT in the current memory, reads it back and compares
-//     node timer.js PORT backup FILE [--all]   writes FILE, which must not be there yet
+//     node timer.js PORT backup FILE [--all]   writes FILE, which must not exist yet
 //     node timer.js PORT restore FILE          writes the memories of FILE back, reads them back and compares
 //
 // The page opens this file, too. With --all, and to restore other memories than the current one, it makes them current
@@ -68,7 +68,7 @@ function tableOf({ identity, memory, times, positions, idleThrottle }) {
 function tell({ result, values, stopped }) {
   const wrong = values.filter(({ status }) => status !== 'verified');
   for (const { field, wanted, held } of wrong) {
-    say(`${JSON.stringify(field)}: wanted ${wanted}, the timer holds ${held ?? 'what is not known'}`);
+    say(`${JSON.stringify(field)}: wanted ${wanted}, the timer holds ${held ?? 'an unknown value'}`);
   }
   say(result === 'verified' ? 'Verified.' : `Not verified: ${stopped?.code ?? result}.`);
   if (stopped?.code === 'aborted') return STOPPED;

@@ -34,7 +34,7 @@ messages = vectors["requests"] + vectors["replies"]
 for message in messages:
     sent = bytes.fromhex(message["hex"])
     is_bare = message.get("quirks", {}).get("bareChecksum", False)
-    # A bare checksum of any letter is sent when asked for, and taken for 76 alone: the frame is cut out by hand here.
+    # The encoder makes a bare checksum for any letter, the decoder accepts it for 76 only: cut this frame out by hand.
     [(code, data)] = [(sent[6], sent[7:-2])] if is_bare else FrameDecoder().push(sent)
     check(message["name"], encode(code, data, is_bare).hex(" "), sent.hex(" "))
 

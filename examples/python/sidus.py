@@ -1,6 +1,6 @@
 """Frames of the Sidus timer protocol, in plain Python 3: what `FrameDecoder` and `encodeFrame` do.
 
-A frame is: five zeros (four are enough to take it), a length, a command, up to 252 bytes of data, a checksum, 45. The
+A frame is: five zeros (a decoder accepts four), a length, a command, up to 252 bytes of data, a checksum, 45. The
 length counts itself, the command, the data and the checksum. The checksum is the sum of command and data, modulo 256.
 """
 
@@ -10,9 +10,9 @@ SHORTEST = 3
 
 
 def encode(code: int, data: bytes = b"", bare_checksum: bool = False) -> bytes:
-    """A frame as it goes on the wire. bare_checksum: the command byte in the place of the checksum."""
+    """A frame as it goes on the wire. bare_checksum: puts the command byte in place of the checksum."""
     if not 0 <= code <= 255 or len(data) > 252:
-        raise ValueError("no such frame")
+        raise ValueError("a command is 0 to 255, and a frame holds at most 252 bytes of data")
     checksum = code if bare_checksum else (code + sum(data)) & 0xFF
     return bytes([0] * ZEROS_SENT + [SHORTEST + len(data), code, *data, checksum, TERMINATOR])
 
@@ -21,7 +21,7 @@ class FrameDecoder:
     """Finds frames in bytes that may be cut, damaged or noisy. A frame is (command, data). Nothing makes it raise."""
 
     def __init__(self, bare_checksum: bool = False):
-        """bare_checksum: takes 76 with one byte of data also with its letter in the place of the checksum."""
+        """bare_checksum: accepts 76 with one byte of data also when its letter stands in place of the checksum."""
         self._bare = bare_checksum
         self._held = bytearray()  # from the length of a frame that is not whole yet
         self._zeros = 0  # directly before what is held, or before the next byte
@@ -32,7 +32,7 @@ class FrameDecoder:
         return self._scan(held)
 
     def idle(self) -> list[tuple[int, bytes]]:
-        """The line has fallen silent: gives up an unfinished frame and looks inside what had come of it."""
+        """The line has fallen silent: gives up an unfinished frame and looks for frames inside its bytes."""
         frames = []
         while self._held:
             held, self._held, self._zeros = self._held[1:], bytearray(), 0
@@ -54,7 +54,7 @@ class FrameDecoder:
                 if self._is_frame(held[at : at + length + 1]):
                     frames.append((held[at + 1], bytes(held[at + 2 : at + length - 1])))
                     at += length
-            # Not a frame: the next one may begin with the byte behind this length.
+            # Not a frame: the next one may begin with the byte after this length.
             self._zeros = 0
             at += 1
         return frames

@@ -96,7 +96,9 @@ async function compare(stream, payload, chunk) {
     const { right, wrong } = judge(sink.kept, sent, intact);
     const framesIntact = intact.filter(Boolean).length;
     if (stream === 'clean' && !decoder.floor && (right < framesIntact || wrong > 0)) {
-      throw new Error(`${decoder.name} delivers ${right} of ${framesIntact} whole frames, and ${wrong} wrong ones`);
+      throw new Error(
+        `${decoder.name} must deliver all ${framesIntact} whole frames and no other, but delivers ${right}, and ${wrong} wrong ones`,
+      );
     }
     rows.push({
       ...row(decoder, stream, payload, chunk, (bytes.length * taken) / best / 1000),

@@ -43,7 +43,7 @@ export function tables(results, sieges, wires, missing) {
   return [
     `Node ${version}, ${cpus()[0]?.model ?? 'unknown processor'}, load ${load.join(' ')}`,
     ...missing.map((peer) => `NOT MEASURED, could not be loaded: ${peer}`),
-    'Slots: bytes of payload / bytes in a chunk. Best round of each.',
+    'Columns: bytes of payload / bytes in a chunk. Each figure is the best of its rounds.',
     table('Clean, megabytes of its own stream a second', clean, ({ mbPerSecond }) => mbPerSecond.toFixed(0)),
     table('Clean, nanoseconds a frame (frames of equal payload; own framing)', clean, ({ nsPerFrame }) =>
       nsPerFrame.toFixed(0),
@@ -128,7 +128,7 @@ function lead(besieged) {
     const ours = /** @type {Result} */ (here.find((result) => result.ours));
     const peers = here.filter((result) => !result.ours && counts(result));
     const [first] = peers.sort((a, b) => b.mbPerSecond - a.mbPerSecond);
-    return first ? `${(ours.mbPerSecond / first.mbPerSecond).toFixed(1)} (${first.name})` : 'there is none';
+    return first ? `${(ours.mbPerSecond / first.mbPerSecond).toFixed(1)} (${first.name})` : 'no such peer';
   };
   const slots = [...new Set(besieged.map(slot))];
   /** @param {Result} peer */

@@ -57,7 +57,8 @@ export async function wire(baud, latencyMs) {
   const write = await measure('write-and-verify', [...FRESH, 'SETTIMERS', ...servos, ...VERIFY], () =>
     client.writeProgram(goal, { baseline }),
   );
-  if (write.result.result !== 'verified') throw new Error(`the write was not verified but ${write.result.result}`);
+  if (write.result.result !== 'verified')
+    throw new Error(`the write must end as verified, but it ended as ${write.result.result}`);
   await client.close();
   return [read.row, write.row];
 }

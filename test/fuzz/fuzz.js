@@ -50,7 +50,7 @@ export function fuzz(protocol, { seed, cases, more, laws = LAWS }) {
         return { cases: done, failure: { law, seed: roundSeed, report: fc.defaultReportMessage(result) ?? '' } };
     }
     const wrong = marathon(roundSeed, cases);
-    if (wrong) return { cases: done, failure: { law: 'one decoder through it all', seed: roundSeed, report: wrong } };
+    if (wrong) return { cases: done, failure: { law: 'one decoder for all streams', seed: roundSeed, report: wrong } };
     if (!globalThis.gc || round < WARM_UP) continue;
     globalThis.gc();
     heap.push(memoryUsage().heapUsed);
@@ -97,7 +97,9 @@ async function main() {
   const begin = performance.now();
   const seconds = () => (performance.now() - begin) / 1000;
   let told = 0;
-  stdout.write(`Seed ${seed}, ${minutes} min${globalThis.gc ? '' : ', memory not watched: node --expose-gc'}\n`);
+  stdout.write(
+    `Seed ${seed}, ${minutes} min${globalThis.gc ? '' : '; the memory is not watched (that needs node --expose-gc)'}\n`,
+  );
   const { cases: done, failure } = fuzz(
     { ...protocol, ...program },
     {

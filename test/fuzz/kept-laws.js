@@ -66,9 +66,15 @@ function reading({ parseLibraryFile, formatLibraryFile, requireLibrary, CodecErr
       if (!(error instanceof CodecError)) throw error;
       const { line, column } = error.details;
       const placed = Number.isInteger(line) && Number.isInteger(column);
-      hold(placed || error.code === 'too-large' || error.field === 'encoding', `no place: ${error.message}`);
-      hold(line === undefined || line <= text.split(/\r\n|\r|\n/).length, `no such line: ${error.message}`);
-      hold(error.message.length > 0, 'no reason');
+      hold(
+        placed || error.code === 'too-large' || error.field === 'encoding',
+        `the error names no place: ${error.message}`,
+      );
+      hold(
+        line === undefined || line <= text.split(/\r\n|\r|\n/).length,
+        `the error names a line that does not exist: ${error.message}`,
+      );
+      hold(error.message.length > 0, 'the error gives no reason');
       return `${error.code} ${error.field}`;
     }
     same(requireLibrary(file.library), file.library);
@@ -113,7 +119,8 @@ export const KEPT_LAWS = {
       const value = damage(JSON.parse(keeping.formatLibraryFile(of, by)));
       const found = read(JSON.stringify(value));
       const broken = breach(schema, value);
-      if (typeof found !== 'string') hold(broken === undefined, `taken, but the schema refuses it: ${broken}`);
+      if (typeof found !== 'string')
+        hold(broken === undefined, `the reader accepts it, but the schema refuses it: ${broken}`);
       else
         hold(
           broken !== undefined || BEYOND_SCHEMA.some((each) => each.test(found)),
@@ -124,7 +131,9 @@ export const KEPT_LAWS = {
 
   'file: any other text is refused': (keeping) => {
     const read = reading(keeping);
-    return fc.property(hostileText, (text) => hold(typeof read(text) === 'string', 'it was taken for a library'));
+    return fc.property(hostileText, (text) =>
+      hold(typeof read(text) === 'string', 'a text that is no library was read as one'),
+    );
   },
 
   'link: a setting comes back as it was': ({ encodeLink, decodeLink }) =>
@@ -132,7 +141,7 @@ export const KEPT_LAWS = {
       const { name, note, tags, at, program: held, modelName } = of;
       const code = encodeLink(of);
       same({ name, note, tags, at, program: held, modelName }, decodeLink(code));
-      hold(encodeLink(decodeLink(code)) === code, 'it has another code');
+      hold(encodeLink(decodeLink(code)) === code, 'the code that was read is written in another form');
       const { note: cut, ...rest } = decodeLink(encodeLink(of, { longest }));
       same({ name, tags, at, program: held, modelName }, rest);
       hold(cut === note || note.startsWith(cut.replace(/ ?…$/, '')), `the note became ${cut}`);
@@ -142,7 +151,7 @@ export const KEPT_LAWS = {
     fc.property(shared, textDamage, (of, damage) => {
       const code = encodeLink(of);
       try {
-        hold(encodeLink(decodeLink(damage(code))) === code, 'it is taken for another setting');
+        hold(encodeLink(decodeLink(damage(code))) === code, 'a damaged link was read as another setting');
       } catch (error) {
         if (!(error instanceof CodecError)) throw error;
         hold(error.code === 'bad-link', `${error.code} ${error.field}`);
@@ -165,7 +174,7 @@ export const KEPT_LAWS = {
       sum.writeUInt32LE(crc32(body));
       const code = Buffer.concat([body, sum]).toString('base64url');
       try {
-        hold(encodeLink(decodeLink(code)) === code, 'it is taken for what has another code');
+        hold(encodeLink(decodeLink(code)) === code, 'a code that was read is written in another form');
       } catch (error) {
         if (!(error instanceof CodecError)) throw error;
         hold(error.field === 'link' || error.field.startsWith('setting.'), `${error.code} ${error.field}`);
@@ -181,7 +190,7 @@ export const KEPT_LAWS = {
         if (error instanceof CodecError) return;
         throw error;
       }
-      throw new Error('it was taken for a link');
+      throw new Error('a text that is no link was read as one');
     }),
 };
 

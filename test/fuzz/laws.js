@@ -95,7 +95,7 @@ export const LAWS = {
     return fc.property(changed, ({ way, layout, message, change }) => {
       const { encode, decode } = ways[way];
       const [frame] = new FrameDecoder().push(encode(/** @type {any} */ (message), layout));
-      if (!frame) throw new Error('no frame');
+      if (!frame) throw new Error('the decoder does not find the frame of the encoder');
       if (change && frame.data.length > 0) frame.data[change[0] % frame.data.length] = change[1];
       /** @type {any} */
       let values;

@@ -71,6 +71,8 @@ export function unseenText({ unseen, stale }) {
     `  ${file}:${at}  ${line}\n    ${JSON.stringify([code, becomes])}\n`;
   return [
     ...(unseen.length > 0 ? ['No test sees these:\n', ...unseen.map(text)] : []),
-    ...(stale.length > 0 ? ['These stand in equivalent.json and are seen by now, or gone:\n', ...stale.map(text)] : []),
+    ...(stale.length > 0
+      ? ['These stand in equivalent.json, but a test sees them now, or the code is gone:\n', ...stale.map(text)]
+      : []),
   ].join('');
 }

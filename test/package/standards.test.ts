@@ -117,7 +117,7 @@ describe('where there is nothing but the web', () => {
     const page: ReturnType<typeof web> & { SidusMockSerial?: { MockSerial: typeof MockSerial } } = web();
     script.runInContext(createContext(page));
     const { MockSerial: Mock } = page.SidusMockSerial ?? {};
-    if (!Mock) throw new Error('no global');
+    if (!Mock) throw new Error('the script has set no global');
     const serial = new Mock({ userActivation: true });
     const port = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 });
     serial.choose(port);

@@ -99,6 +99,6 @@ function judge(root, value, keyword, wanted, path) {
     case 'pattern':
       return say(new RegExp(wanted, 'u').test(value));
     default:
-      throw new Error(`${keyword} is not known`);
+      throw new Error(`this reader of schemas does not know the keyword ${keyword}`);
   }
 }

@@ -44,7 +44,7 @@ function counting(bytes: Uint8Array, counter: Counter): Uint8Array {
       }
       if (key === 'length' || key === 'byteLength' || key === 'byteOffset') return bytes[key];
       const method = methods[key as keyof Uint8Array];
-      if (!method) throw new Error(`How many bytes does ${String(key)} read?`);
+      if (!method) throw new Error(`counting.ts does not know how many bytes ${String(key)} reads`);
       return method;
     },
     set(_, key, value: number) {

@@ -86,7 +86,7 @@ export class Chooser {
   /** Waits until the dialog is up and lists so many ports. */
   async shows(rows: number): Promise<void> {
     if (!(await this.#until((state) => state.shown && state.rows === rows, 60_000))) {
-      throw new Error(`The chooser should list ${rows}, but: ${JSON.stringify(this.#state)}`);
+      throw new Error(`The chooser must list ${rows} ports, but it is in this state: ${JSON.stringify(this.#state)}`);
     }
   }
 

@@ -30,12 +30,12 @@ export function requireNeeds(): void {
   if (missing.length > 0) {
     const names = [...new Set(missing.map((program) => packages[program]))].join(' ');
     const command = `apt-get install --no-install-recommends ${names}`;
-    throw new Error(`The rig needs ${missing.join(', ')}, not found here; on Debian: ${command}`);
+    throw new Error(`This machine lacks what the rig needs: ${missing.join(', ')}. On Debian: ${command}`);
   }
   if (!canMount()) {
     throw new Error(
-      'The rig needs namespaces of its own, which this machine refuses: allow them (sysctl user.max_user_namespaces, ' +
-        'kernel.apparmor_restrict_unprivileged_userns), or in a container start that with --privileged.',
+      'The rig needs its own namespaces, and this machine refuses them. Allow them (sysctl user.max_user_namespaces, ' +
+        'kernel.apparmor_restrict_unprivileged_userns), or start the container with --privileged.',
     );
   }
 }

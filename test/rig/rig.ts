@@ -87,7 +87,7 @@ export class Rig {
     disposals.push(async () => {
       const asked: readonly number[] = (options.asks ?? []).map((name) => COMMANDS[name].request);
       const sent = rig.requests.filter((code) => NEVER_SENT.includes(code) && !asked.includes(code));
-      if (sent.length > 0) throw new Error(`The page has sent commands that it never may unasked: ${sent}.`);
+      if (sent.length > 0) throw new Error(`The page has sent commands that it must never send unasked: ${sent}.`);
     });
     await rig.plug();
     return rig;

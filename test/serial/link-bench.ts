@@ -76,7 +76,7 @@ export function portOf({ state }: TimerLink): SerialPortLike | null {
 
 /** The connection of a link that is on. */
 export function connectionOf({ state }: TimerLink) {
-  if (state.status !== 'on') throw new Error(`the link is ${state.status}`);
+  if (state.status !== 'on') throw new Error(`the link must be on, but it is ${state.status}`);
   return state.connection;
 }
 

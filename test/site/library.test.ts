@@ -89,7 +89,7 @@ it('everything works with the keyboard alone, also another order', async () => {
       if (await goal.evaluate((element) => element === document.activeElement)) return keys.press('Enter');
       await keys.press('Tab');
     }
-    throw new Error(`Tab does not come to ${name}`);
+    throw new Error(`Tab never reached ${name}`);
   };
   for (const name of ['First', 'Second']) {
     await go('New model…');

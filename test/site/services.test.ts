@@ -231,7 +231,7 @@ describe('the page is drawn and works, whatever a browser does with', () => {
       for (let faults = left.shift(); faults; faults = left.shift()) {
         const why = faults.map(({ name, call, how }) => `${name} ${call ?? ''} ${how}`).join(', ');
         await journey(lane, faults, areMet).catch((cause) => {
-          throw new Error(`where ${why}`, { cause });
+          throw new Error(`in a browser where ${why}`, { cause });
         });
       }
     };

@@ -24,7 +24,7 @@ async function opened(options: AppOptions = {}): Promise<Seen> {
 
 async function middleOf(mark: Locator): Promise<{ x: number; y: number }> {
   const box = await mark.boundingBox();
-  if (!box) throw new Error('The mark is not to be seen.');
+  if (!box) throw new Error('The mark is not on the screen.');
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 

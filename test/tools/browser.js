@@ -43,7 +43,7 @@ function isProgram(path) {
  * @returns {string | undefined} its path
  */
 export function findBrowser() {
-  if (CHROME_PATH && !isProgram(CHROME_PATH)) throw new Error(`CHROME_PATH is ${CHROME_PATH}: no program is there.`);
+  if (CHROME_PATH && !isProgram(CHROME_PATH)) throw new Error(`CHROME_PATH is ${CHROME_PATH}, where no program is.`);
   if (CHROME_PATH) return CHROME_PATH;
   return [...(usualPlaces[platform] ?? []), chromium.executablePath()].find(isProgram);
 }

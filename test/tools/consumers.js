@@ -84,7 +84,7 @@ function compile(tarball) {
     writeFileSync(join(where, 'node.ts'), types.includes('node') ? NODE : '');
     for (const version of COMPILERS) {
       run(where, process.execPath, `node_modules/typescript-${version}/bin/tsc`, '-p', '.');
-      console.log(`TypeScript ${version} takes the types, with ${name}.`);
+      console.log(`TypeScript ${version} accepts the types, with ${name}.`);
     }
   }
 }

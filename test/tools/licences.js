@@ -58,7 +58,7 @@ export function ownWorkOnly(root) {
     generateBundle(_options, bundle) {
       const modules = modulesOf(Object.values(bundle).filter((file) => file.type === 'chunk'));
       const [other] = packagesOf(modules, root);
-      if (other) throw new Error(`${other} is in this script, and ${LICENCES_FILE} does not name it`);
+      if (other) throw new Error(`${other} is in this script, but ${LICENCES_FILE} does not name it`);
     },
   };
 }
@@ -103,7 +103,7 @@ function licenceIn(folder) {
   const files = readdirSync(folder);
   const file = FILES.map((pattern) => files.find((each) => pattern.test(each))).find(Boolean);
   const [text = ''] = (file ? readFileSync(join(folder, file), 'utf8') : '').split(OF_OTHERS);
-  if (!text.trim() || !license) throw new Error(`${name} is in the page, and has no licence with a text`);
+  if (!text.trim() || !license) throw new Error(`${name} is in the page, but no text of its licence was found`);
   return { name, version, licence: license.replace(/^\(|\)$/g, ''), text: text.trim().replaceAll('\r\n', '\n') };
 }
 

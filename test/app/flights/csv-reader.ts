@@ -11,7 +11,7 @@ export function readCsv(text: string, separator: string): string[][] {
   };
   for (const character of text) {
     if (state === 'cr') {
-      if (character !== '\n') throw new Error('CR without LF');
+      if (character !== '\n') throw new Error('a CR has no LF after it');
       rows.push(row);
       row = [];
       state = 'start';
@@ -29,7 +29,7 @@ export function readCsv(text: string, separator: string): string[][] {
       state = 'cr';
     } else if (state === 'start' && character === '"') state = 'quoted';
     else if (state === 'quote' || character === '"' || character === '\n')
-      throw new Error(`“${character}” stands free`);
+      throw new Error(`“${character}” must stand in quotes`);
     else {
       cell += character;
       state = 'plain';

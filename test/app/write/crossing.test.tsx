@@ -51,7 +51,7 @@ async function lancer(store = new MemoryStore()): Promise<AppBench> {
 
 function shown({ write }: AppBench) {
   const step = write.current.value;
-  if (step?.step !== 'review') throw new Error(`nothing is shown: ${step?.step}`);
+  if (step?.step !== 'review') throw new Error(`the dialog shows no difference, its step is ${step?.step}`);
   const { crossing, model } = step.shown;
   return { moved: step.moved, from: crossing?.from.name, to: crossing?.to.map(({ name }) => name), model: model?.name };
 }
