@@ -47,6 +47,7 @@ export type TimerErrorCode =
   | 'aborted'
   | 'closed';
 
+/** Facts about a {@link TimerError}. Each code gives those that it knows. */
 export interface TimerErrorDetails {
   /** The request that failed. */
   readonly request?: CommandName;
@@ -54,7 +55,9 @@ export interface TimerErrorDetails {
   readonly sent?: number;
   /** Whether the timer answers other requests, as far as is known. */
   readonly answersOthers?: boolean;
+  /** The memory that had to be current, counted from 0; null when its number is not known. */
   readonly expected?: number | null;
+  /** The memory that is current, counted from 0; null when that is not known. */
   readonly found?: number | null;
   /** What the timer that answers says about itself. */
   readonly identity?: Identity;
@@ -65,7 +68,9 @@ export interface TimerErrorDetails {
 /** The one error of the client. Its message is for developers. */
 export class TimerError extends Error {
   override readonly name = 'TimerError';
+  /** What went wrong. */
   readonly code: TimerErrorCode;
+  /** Facts about it. */
   readonly details: TimerErrorDetails;
 
   constructor(code: TimerErrorCode, message: string, details: TimerErrorDetails = {}, cause?: unknown) {

@@ -12,6 +12,7 @@ export type LineErrorKind = 'framing' | 'parity' | 'break' | 'overrun' | 'other'
 export interface LineEntry {
   /** Milliseconds since 1970, by the client's clock. */
   readonly time: number;
+  /** `out`: to the timer. `in`: from the timer, or an error of the line. */
   readonly direction: 'out' | 'in';
   /** The bytes as they went or came. Empty for an error of the line. */
   readonly bytes: Uint8Array;

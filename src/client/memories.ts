@@ -38,6 +38,7 @@ export interface MemoryReport {
   readonly memory: number;
   /** What it held before the write. */
   readonly before: TimerProgram;
+  /** What became of the write. */
   readonly report: WriteReport;
 }
 
@@ -90,6 +91,7 @@ export interface ReadHooks extends Pick<MemoriesHooks, 'onOriginal'> {
   readonly onProgress?: OnProgress;
 }
 
+/** What a write into several memories takes. */
 export interface MemoriesWrite extends MemoriesHooks {
   /**
    * What the memories held when the pilot agreed to the write. Each entry names its memory. A memory that holds

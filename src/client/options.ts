@@ -6,6 +6,7 @@ import type { MemoriesHooks, MemoriesWrite } from './memories.js';
 import type { Progress } from './progress.js';
 import type { AssumedQuirks } from './quirks.js';
 
+/** How a client is made. Nothing is required. */
 export interface TimerClientOptions {
   /** Bits a second of the line, to work out how long bytes take. Default 9600. */
   readonly baudRate?: number;
@@ -39,6 +40,7 @@ export interface JobOptions {
   readonly onProgress?: ((progress: Progress) => void) | undefined;
 }
 
+/** The options of `identify()`. */
 export interface IdentifyOptions extends JobOptions {
   /**
    * How often the question goes out at most, 1 or more. Default: as for other requests, which go out more often when
@@ -52,6 +54,7 @@ export interface IdentifyOptions extends JobOptions {
   readonly anyReply?: boolean | undefined;
 }
 
+/** The options of `readProgram()`. */
 export interface ReadOptions extends JobOptions {
   /**
    * Asks for the idle throttle also on a timer of another class than Q,
@@ -60,6 +63,7 @@ export interface ReadOptions extends JobOptions {
   readonly idleThrottle?: boolean | undefined;
 }
 
+/** Whether a write may move the servos. */
 export interface MoveOptions {
   /**
    * The pilot agrees that the servos move. The positions of each function are then sent after a MOVETOFUNC to it, for a
@@ -68,14 +72,17 @@ export interface MoveOptions {
   readonly moveServos?: boolean | undefined;
 }
 
+/** The options of `writeProgram()`. */
 export interface WriteOptions extends JobOptions, MoveOptions {
   /** What the timer held when it was last read. Only values that differ from it are sent. */
   readonly baseline: TimerProgram;
 }
 
+/** The options of `readMemories()`. */
 export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'onOriginal'> {
   /** Counted from 0. Default: all that the timer has. */
   readonly memories?: readonly number[] | undefined;
 }
 
+/** The options of `writeMemories()`. */
 export interface WriteMemoriesOptions extends JobOptions, MoveOptions, MemoriesWrite {}

@@ -1,25 +1,34 @@
 /** The part of a `ReadableStreamDefaultReader` of bytes that the client uses. */
 export interface ByteReader {
+  /** Waits for the next bytes. `done` once the stream has ended. */
   read(): Promise<{ readonly done: boolean; readonly value?: Uint8Array | undefined }>;
+  /** Ends the stream. */
   cancel(reason?: unknown): Promise<void>;
+  /** Leaves the stream to other readers. */
   releaseLock(): void;
 }
 
 /** The part of a `WritableStreamDefaultWriter` of bytes that the client uses. */
 export interface ByteWriter {
+  /** Sends bytes. Resolves once the stream has taken them. */
   write(bytes: Uint8Array): Promise<void>;
+  /** Leaves the stream to other writers. */
   releaseLock(): void;
 }
 
 /** The part of a `ReadableStream` of bytes that the client uses. */
 export interface ByteSource {
+  /** Whether somebody has a reader. */
   readonly locked: boolean;
+  /** Locks the stream. */
   getReader(): ByteReader;
 }
 
 /** The part of a `WritableStream` of bytes that the client uses. */
 export interface ByteSink {
+  /** Whether somebody has a writer. */
   readonly locked: boolean;
+  /** Locks the stream. */
   getWriter(): ByteWriter;
 }
 

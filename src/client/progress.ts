@@ -3,9 +3,13 @@
  * beginning of each stage and with each reply. A job on several memories goes through its stages once for each memory.
  */
 export interface Progress {
+  /**
+   * `read`: reads. `write`: sends values. `verify`: reads them back. `repair`: puts back, or sends again, what differs.
+   */
   readonly stage: 'read' | 'write' | 'verify' | 'repair';
-  /** Bytes of the finished requests and replies, and of all that the job needs on a good line. `done` never falls. */
+  /** Bytes of the finished requests and replies. It never falls. */
   readonly done: number;
+  /** Bytes of all requests and replies that the job needs on a good line. 0 while nothing is known of the timer. */
   readonly total: number;
   /**
    * The finished part of the whole job, over all stages and memories: `done` / `total`, 0 to 1. It never falls. 0 while
@@ -24,4 +28,5 @@ export interface Progress {
   readonly endsBy: number;
 }
 
+/** Called with how far a job is. */
 export type OnProgress = ((progress: Progress) => void) | undefined;

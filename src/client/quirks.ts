@@ -41,6 +41,7 @@ export type QuirkCode =
   | 'idle-throttle-unanswered'
   | 'idle-throttle-malformed';
 
+/** The facts of a quirk by name, as {@link QuirkCode} lists them. Times in hundredths of a second. */
 export type QuirkParams = Readonly<Record<string, number>>;
 
 /**

@@ -77,6 +77,10 @@ export class TimerClient {
   readonly #timing: LearnedTiming;
   #queue: Promise<unknown> = Promise.resolve();
 
+  /**
+   * @param port the streams of the timer. The client reads them from its first request on.
+   * @param options the speed of the line, what is known of the timer, and whom to tell.
+   */
   constructor(port: BytePort, options: TimerClientOptions = {}) {
     const { baudRate = 9600, clock = realClock, margin = 600, onLine, onLost } = options;
     this.#quirks = new Quirks(options.quirks ?? {});
@@ -118,7 +122,10 @@ export class TimerClient {
     this.#quirks.forget();
   }
 
-  /** Whether bytes came that belong to no reply. From then on a read is believed only when two agree. */
+  /**
+   * Whether there was damage since the first request: bytes that belong to no frame, an error of the line, or an
+   * impossible reply. From then on a read is believed only when two agree.
+   */
   get damageSeen(): boolean {
     return this.#wire.damage > 0;
   }

@@ -3,6 +3,7 @@ import type { TimerError } from './errors.js';
 
 /** What became of one value. */
 export interface ValueReport {
+  /** Which value it is. */
   readonly field: ProgramField;
   /** What the timer should hold. */
   readonly wanted: number | null;
@@ -16,6 +17,7 @@ export interface ValueReport {
   readonly asked: boolean;
 }
 
+/** What became of a write. */
 export interface WriteReport {
   /** `verified` only when a fresh read equals the whole wanted program: the changed values and all others. */
   readonly result: 'verified' | 'differs' | 'unknown';

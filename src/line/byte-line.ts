@@ -10,7 +10,9 @@ export function wireTime(bytes: number, baudRate: number): number {
   return baudRate > 0 ? (bytes * BITS_PER_BYTE * 1000) / baudRate : 0;
 }
 
+/** How one direction of a line is made. */
 export interface ByteLineOptions {
+  /** Tells when bytes arrive. */
   readonly clock: Clock;
   /** Bits a second. Default 0: the line takes no time. */
   readonly baudRate?: number;

@@ -69,10 +69,12 @@ export class VirtualClock implements Clock {
     this.#now = start;
   }
 
+  /** What the clock shows, in milliseconds since 1970. */
   now(): number {
     return this.#now;
   }
 
+  /** Calls `callback` once the clock is turned `ms` milliseconds further. Equal times keep their order. */
   after(ms: number, callback: () => void): () => void {
     const appointment: Appointment = { at: this.#now + Math.max(0, ms), callback };
     let index = this.#appointments.length;

@@ -6,10 +6,15 @@ export type Listener = ((event: Event) => void) | { handleEvent(event: Event): v
 /** What the handler attributes accept. */
 export type EventHandler = ((event: Event) => void) | null;
 
+/** The standard's AddEventListenerOptions dictionary. */
 export interface ListenerOptions {
+  /** Hears the event on its way down to the target. Default false. */
   readonly capture?: boolean;
+  /** Is removed after the first event. Default false. */
   readonly once?: boolean;
+  /** Accepted, without effect. */
   readonly passive?: boolean;
+  /** Removes the listener when it aborts. */
   readonly signal?: AbortSignal;
 }
 
@@ -63,6 +68,7 @@ export class ConnectionTarget extends EventTarget {
     this.#setHandler('disconnect', handler);
   }
 
+  /** The `addEventListener()` method. A listener that is there already is not added again. */
   override addEventListener(type: string, listener: Listener | null, options?: boolean | ListenerOptions): void {
     const { capture = false, once = false, signal } = listenerOptions(options);
     if (!isListener(listener) || signal?.aborted || this.#find(type, listener, Boolean(capture))) return;
@@ -71,6 +77,7 @@ export class ConnectionTarget extends EventTarget {
     signal?.addEventListener('abort', () => this.removeEventListener(type, listener, capture));
   }
 
+  /** The `removeEventListener()` method. Removing a listener that is not there does no harm. */
   override removeEventListener(type: string, listener: Listener | null, options?: boolean | ListenerOptions): void {
     const { capture } = listenerOptions(options);
     const found = isListener(listener) && this.#find(type, listener, Boolean(capture));

@@ -31,6 +31,7 @@ export class MockSerial extends ConnectionTarget {
   readonly #ports = new Map<MockSerialPort, Hardware>();
   #choice: MockSerialPort | null = null;
 
+  /** @param options the clock, user activation, and ways of Chromium. Default: none of these. */
   constructor(options: MockSerialOptions = {}) {
     const ways = waysOf(options.chromium);
     super(null, ways.onceNeverFires);

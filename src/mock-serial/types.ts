@@ -44,8 +44,11 @@ export type OpenedOptions = { readonly [Key in keyof OpenOptions]-?: Exclude<Ope
 
 /** What a page may set: the standard's SerialOutputSignals dictionary. */
 export interface OutputSignals {
+  /** The DTR line. */
   readonly dataTerminalReady?: boolean | undefined;
+  /** The RTS line. */
   readonly requestToSend?: boolean | undefined;
+  /** A break: the line is held at 0. */
   readonly break?: boolean | undefined;
 }
 
@@ -54,9 +57,13 @@ export type SetSignals = { readonly [Key in keyof OutputSignals]-?: boolean };
 
 /** What a page may ask for: the standard's SerialInputSignals dictionary. */
 export interface InputSignals {
+  /** The DCD line. */
   readonly dataCarrierDetect: boolean;
+  /** The CTS line. */
   readonly clearToSend: boolean;
+  /** The RI line. */
   readonly ringIndicator: boolean;
+  /** The DSR line. */
   readonly dataSetReady: boolean;
 }
 
@@ -72,8 +79,9 @@ export interface InputSignals {
 export type ReadErrorKind = 'break' | 'framing' | 'parity' | 'overrun' | 'system' | 'lost';
 
 /**
- * What can go wrong while a page writes:
- * `system` (UnknownError), `lost` (NetworkError, fatal), or an error of your own.
+ * What can go wrong while a page writes, and the error of its `write()`:
+ * - `system`: UnknownError, an error of the operating system
+ * - `lost`: NetworkError, fatal: `writable` is null until the port is closed and opened again
  */
 export type WriteErrorKind = 'system' | 'lost';
 
@@ -122,6 +130,7 @@ export interface PlugOptions {
   readonly backpressure?: boolean;
 }
 
+/** How a `MockSerial` is made. */
 export interface MockSerialOptions {
   /** The clock of all ports that are plugged in without a clock of their own. Default: the real clock. */
   readonly clock?: Clock;
@@ -185,7 +194,7 @@ export interface MockDevice {
   setSignals(signals: Partial<InputSignals>): void;
   /**
    * Makes the page's writing fail.
-   * @param error default `system`.
+   * @param error its kind, or an error of your own. Default `system`.
    * @param after how many more bytes get through first; default 0: the next write, `close()` or `abort()` of the
    * writable fails.
    */

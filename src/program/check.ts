@@ -50,14 +50,19 @@ export type FindingCode =
   | 'throttle-unusual'
   | 'class-unknown';
 
+/** One thing that the check has found. */
 export interface Finding {
+  /** How much it weighs. */
   readonly severity: Severity;
+  /** What it is. */
   readonly code: FindingCode;
   /** The value that it is about; null when it is about the whole program. */
   readonly field: ProgramField | null;
+  /** Its facts by name, as {@link FindingCode} lists them. */
   readonly params: Readonly<Record<string, number | string>>;
 }
 
+/** What the check takes into account. */
 export interface CheckOptions {
   /** What the timer held. A position past the last step is no error while it equals the one that was read. */
   readonly baseline?: TimerProgram | undefined;
@@ -164,8 +169,11 @@ function motor({ identity, times }: TimerProgram, wrong: ReadonlySet<number>): F
 
 /** Ranges and steps from the manuals of 2010, in hundredths of a second. */
 export interface ManualRange {
+  /** The shortest time. */
   readonly min: number;
+  /** The longest time. */
   readonly max: number;
+  /** Times are multiples of it. */
   readonly step: number;
 }
 

@@ -3,9 +3,11 @@ import { fieldsOf, type ProgramField, requireShape, sameLayout, type TimerProgra
 
 /** One value in which two programs differ. */
 export interface Change {
+  /** Which value it is. */
   readonly field: ProgramField;
-  /** Null for an idle throttle that is not known. */
+  /** The value in the first program; null for an idle throttle that is not known. */
   readonly from: number | null;
+  /** The value in the second program; null for an idle throttle that is not known. */
   readonly to: number | null;
 }
 

@@ -10,7 +10,9 @@ import { fieldKey, type TimerProgram, valueAt } from './program.js';
  */
 export type WriteExtent = 'nothing' | 'part' | 'all' | 'foreign';
 
+/** What became of an interrupted write. */
 export interface PartOfWrite {
+  /** How far it came. */
   readonly extent: WriteExtent;
   /** The values that the write was to change and that are now as wanted. */
   readonly written: readonly Change[];

@@ -24,8 +24,9 @@ export const MAX_FILE = 50_000_000;
 
 /** What one memory of a timer held when it was last verified. */
 export interface VerifiedMemory {
+  /** What it held. */
   readonly program: TimerProgram;
-  /** Milliseconds since 1970. */
+  /** When that was verified, in milliseconds since 1970. */
   readonly at: number;
   /** Whether it was a simulated timer. */
   readonly simulated?: boolean;
@@ -38,9 +39,12 @@ export interface EntryFacts {
   /** For a model: what the memories of its timer held when they were last verified. At most 255. */
   readonly verified?: readonly VerifiedMemory[];
 }
+/** The facts of each entry of a library, by the entry itself. */
 export type FactsOf = ReadonlyMap<Model | Setting | Flight, EntryFacts>;
 
+/** What a library file holds. */
 export interface LibraryFile {
+  /** Its models, settings and flights. */
   readonly library: Library;
   /** The facts of each entry, by the entry itself. An entry without facts is not in the map. */
   readonly facts: FactsOf;

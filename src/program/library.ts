@@ -27,15 +27,18 @@ import {
  * pilot has a name for. `none`: no servo is there.
  */
 export const DUTIES = ['rudder', 'tailplane', 'wing', 'release', 'other', 'none'] as const;
+/** What a servo does, see {@link DUTIES}. */
 export type Duty = (typeof DUTIES)[number];
 
 /** What the pilot has told about a servo. */
 export interface ServoUse {
+  /** What the servo does. */
   readonly duty: Duty;
   /** What it does, for the duty `other`: up to 16 characters. Empty for any other duty. */
   readonly name: string;
-  /** The ends of its travel, in steps 0..130. `low` is not above `high`. */
+  /** The lower end of its travel, in steps 0..130. Not above `high`. */
   readonly low: number;
+  /** The upper end of its travel, in steps 0..130. */
   readonly high: number;
   /** True: more steps turn the trailing edge down (a rudder to the left). False: up (a rudder to the right). */
   readonly reversed: boolean;
@@ -69,6 +72,7 @@ export interface Model {
  * a write; a file; a link.
  */
 export const SOURCES = ['typed', 'timer', 'simulated', 'backup', 'file', 'link'] as const;
+/** Where the values of a setting come from, see {@link SOURCES}. */
 export type SettingSource = (typeof SOURCES)[number];
 
 /** A program that the pilot keeps under a name. */
@@ -87,6 +91,7 @@ export interface Setting {
   readonly at: number;
   /** The values, with the identity of the timer that they are for. */
   readonly program: TimerProgram;
+  /** Where the values come from. */
   readonly from: SettingSource;
   /** Put away: kept, but shown only on request. */
   readonly archived: boolean;
@@ -100,11 +105,13 @@ export interface Flight {
   readonly at: number;
   /** Up to 100 characters. */
   readonly place: string;
-  /** The model by its id, and its name on that day. Null and empty when it was not in the library. */
+  /** The id of the model; null when it was not in the library. */
   readonly model: string | null;
+  /** The name of the model on that day, up to 60 characters. Empty when it was not in the library. */
   readonly modelName: string;
-  /** The setting by its id, and its name on that day. Null and empty when it was not in the library. */
+  /** The id of the setting; null when it was not in the library. */
   readonly setting: string | null;
+  /** The name of the setting on that day, up to 60 characters. Empty when it was not in the library. */
   readonly settingName: string;
   /** The program that the timer held. */
   readonly program: TimerProgram;
@@ -122,8 +129,11 @@ export interface Flight {
 
 /** All that a pilot keeps, or a part of it. The lists are in the order that the pilot gave them. */
 export interface Library {
+  /** The models. */
   readonly models: readonly Model[];
+  /** The settings of all models, and those without a model. */
   readonly settings: readonly Setting[];
+  /** The log of flights. */
   readonly flights: readonly Flight[];
 }
 

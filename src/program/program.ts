@@ -4,6 +4,7 @@ import { CodecError, type Identity, slotCount } from '../protocol/index.js';
  * What a pilot sets: the content of one memory. Its slots are start, function 1 .. NF-1 and DT; the identity gives NF.
  */
 export interface TimerProgram {
+  /** The timer that it is for. */
   readonly identity: Identity;
   /** The memory that it was read from, counted from 0; null when the timer does not say. */
   readonly memory: number | null;

@@ -6,6 +6,7 @@ export interface CaptureEntry {
   readonly time: number;
   /** `out`: to the timer. `in`: from the timer. */
   readonly direction: 'out' | 'in';
+  /** One byte or more. */
   readonly bytes: Uint8Array;
 }
 
@@ -19,7 +20,11 @@ const LINE = /^(\d{1,9}(?:\.\d{1,6})?) ([<>])((?: [0-9a-f]{2})+)$/i;
  * decimals, `>` (to the timer) or `<` (from it), and the bytes in hex. A reader skips empty lines and lines that begin
  * with `#`.
  *
- * # Sidus capture 1 0.000 > 00 00 00 00 00 03 6b 6b 45 0.052 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45
+ * ```text
+ * # Sidus capture 1
+ * 0.000 > 00 00 00 00 00 03 6b 6b 45
+ * 0.052 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45
+ * ```
  * @throws CodecError `bad-capture` with `entry N` as field, counted from 0, for an entry that {@link parseCapture}
  * could not read back: a time that is negative, past the longest capture (31 years) or before the one above it; no
  * bytes; no direction. {@link captureOf} turns times since 1970 into times of a capture.

@@ -145,6 +145,7 @@ export const COMMANDS = frozen({
 /** The maker's name of a command. */
 export type CommandName = keyof typeof COMMANDS;
 
+/** The names of all commands, in the order of their letters. */
 export const COMMAND_NAMES: readonly CommandName[] = Object.freeze(Object.keys(COMMANDS) as CommandName[]);
 
 /**

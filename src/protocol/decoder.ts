@@ -18,6 +18,7 @@ export interface Rejection {
   readonly bytes: Uint8Array;
 }
 
+/** How the frames of a timer may differ from the usual form. */
 export interface DecoderQuirks {
   /**
    * Takes a reply to GETLOWRPM (76) of one data byte whose checksum is the bare command byte, as the source prints it.
@@ -27,6 +28,7 @@ export interface DecoderQuirks {
   bareChecksum?: boolean | readonly number[];
 }
 
+/** Whom a decoder tells, and what it accepts. */
 export interface FrameDecoderOptions {
   /** Called with all bytes that belong to no frame. */
   readonly onRejected?: ((rejection: Rejection) => void) | undefined;
@@ -35,6 +37,7 @@ export interface FrameDecoderOptions {
    * five are shown.
    */
   readonly onFrame?: ((frame: Frame, bytes: Uint8Array, bareChecksum: boolean) => void) | undefined;
+  /** How the frames of this timer differ from the usual form. Default: not at all. */
   readonly quirks?: DecoderQuirks | undefined;
 }
 
@@ -66,6 +69,7 @@ const BARE_CHECKSUM: readonly number[] = [0x76];
  * ```
  */
 export class FrameDecoder {
+  /** How the frames of this timer differ. May be changed while the decoder runs. */
   readonly quirks: DecoderQuirks;
   readonly #onRejected: FrameDecoderOptions['onRejected'];
   readonly #onFrame: FrameDecoderOptions['onFrame'];
@@ -90,6 +94,7 @@ export class FrameDecoder {
   readonly #sums = new Uint8Array(ROOM);
   #summed = 0;
 
+  /** @param options whom to tell of frames and damage, and what to accept. */
   constructor(options: FrameDecoderOptions = {}) {
     this.#onRejected = options.onRejected;
     this.#onFrame = options.onFrame;

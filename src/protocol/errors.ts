@@ -45,17 +45,20 @@ export interface CodecErrorDetails {
   readonly max?: number;
   /** The bytes that could not be read. */
   readonly bytes?: Uint8Array;
-  /** Line and column in a text, both counted from 1. */
+  /** The line in a text, counted from 1. */
   readonly line?: number;
+  /** The column in that line, counted from 1. */
   readonly column?: number;
 }
 
 /** The one error of the rooms that turn values into bytes and back. Its message is for developers. */
 export class CodecError extends Error {
   override readonly name = 'CodecError';
+  /** What is wrong. */
   readonly code: CodecErrorCode;
   /** Which value is wrong: `position`, `times[3]`, `identity.functions`, `data` ... */
   readonly field: string;
+  /** Facts about it. */
   readonly details: CodecErrorDetails;
 
   constructor(code: CodecErrorCode, field: string, message: string, details: CodecErrorDetails = {}) {

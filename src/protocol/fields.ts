@@ -1,19 +1,24 @@
 import { CodecError, requireInteger } from './errors.js';
 import { decodeIdentity, encodeIdentity, type Identity, slotCount } from './identity.js';
 
-/** How this timer differs from the usual reading of the protocol. All are off by default. */
+/**
+ * How this timer differs from the usual reading of the protocol. The row numbers are those of the open questions in
+ * docs/protocol.md. All are off by default.
+ */
 export interface LayoutQuirks {
-  /** Times have their high byte first. */
+  /** Times have their high byte first (row 7). */
   readonly bigEndianTimes?: boolean;
-  /** SETSERVO carries servo, function, position instead of function, servo, position. */
+  /** SETSERVO carries servo, function, position instead of function, servo, position (row 9). */
   readonly servoFirst?: boolean;
-  /** The wire counts memories from 1. Values always count from 0. */
+  /** The wire counts memories from 1 (row 14). Values always count from 0. */
   readonly memoriesFromOne?: boolean;
 }
 
 /** What the layout of a message may depend on, besides its values. */
 export interface LayoutOptions {
+  /** What the timer has said about itself. It gives the length of lists and the range of values. */
   readonly identity?: Identity | undefined;
+  /** How this timer differs. Default: not at all. */
   readonly quirks?: LayoutQuirks | undefined;
 }
 

@@ -36,8 +36,12 @@ export function checksum(code: number, data: ArrayLike<number>): number {
   return sum & 0xff;
 }
 
+/** How a frame may differ from the usual form. */
 export interface EncodeFrameOptions {
-  /** Sends the bare command byte in place of the checksum, as three examples of the source print it. Default false. */
+  /**
+   * Sends the bare command byte in place of the checksum, as three examples of the source print it (row 5 of
+   * docs/protocol.md). Default false.
+   */
   readonly bareChecksum?: boolean;
 }
 

@@ -7,6 +7,7 @@ import type { Identity } from './identity.js';
 /** All ways in which the bytes of a timer may differ from the usual reading of the protocol. */
 export interface CodecOptions extends LayoutOptions, EncodeFrameOptions {}
 
+/** What is known of a reply before it is read. */
 export interface DecodeReplyOptions<Name extends CommandName = CommandName> extends LayoutOptions {
   /** The pending request. Without it the letter alone names the reply. */
   readonly pending?: Named<Name> | undefined;

@@ -3,7 +3,9 @@ import type { SerialLike, SerialPortLike } from './types.js';
 
 /** What a browser says about itself before anything is tried. */
 export interface Surroundings {
+  /** `navigator.serial`; undefined where the browser has none. */
   readonly serial?: SerialLike | undefined;
+  /** `isSecureContext` of the page: loaded over https, or from this computer. */
   readonly isSecureContext: boolean;
   /**
    * Whether the Permissions-Policy of the page allows serial ports. Left out:

@@ -27,6 +27,7 @@ export type ConnectionErrorCode =
 /** The one error of this room. Its message is for developers; `cause` is what the browser or the client said. */
 export class ConnectionError extends Error {
   override readonly name = 'ConnectionError';
+  /** What went wrong. */
   readonly code: ConnectionErrorCode;
   /** The bytes that came in place of an answer, where they tell something; null otherwise. */
   readonly bytes: Uint8Array | null;

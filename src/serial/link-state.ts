@@ -8,11 +8,15 @@ import type { PortInfo, SerialPortLike } from './types.js';
 
 /** An open port with a timer that has said what it is. */
 export interface TimerConnection {
+  /** Reads and writes the timer. It is closed when the connection ends. */
   readonly client: TimerClient;
+  /** What the timer has said about itself. */
   readonly identity: Identity;
   /** The settings of the open port, with the rate at which the timer answered. */
   readonly settings: OpenedSettings;
+  /** What the port says about itself. */
   readonly info: PortInfo;
+  /** The kind of adapter, see `portKind`. */
   readonly kind: PortKind;
   /** The name by which settings of this port are remembered, see `portKey`. */
   readonly portKey: string;

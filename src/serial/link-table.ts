@@ -51,8 +51,10 @@ export const LINK_TABLE = {
   closing: { open: 'opening', closed: 'off' },
 } as const satisfies Readonly<Record<string, Readonly<Record<string, string>>>>;
 
+/** A state of a link, see {@link LINK_TABLE}. */
 export type LinkStatus = keyof typeof LINK_TABLE;
 
+/** What leads a link from one state to another, see {@link LINK_TABLE}. */
 export type LinkEvent = { [Status in LinkStatus]: keyof (typeof LINK_TABLE)[Status] }[LinkStatus];
 
 /**

@@ -12,11 +12,13 @@ import type { SerialLike, SerialPortLike } from './types.js';
 
 /** What an application remembers of a port, by its `portKey`. */
 export interface RememberedPort {
+  /** How the pilot wants the port to be opened. Default: `DEFAULT_SETTINGS`. */
   readonly settings?: SerialSettings | undefined;
   /** The rate at which a timer has answered there, in bits a second. It is tried first. */
   readonly knownRate?: number | undefined;
 }
 
+/** What a link needs from its surroundings, and whom it tells. Nothing is required. */
 export interface TimerLinkOptions {
   /** `navigator.serial`. Without it there is no chooser, and a lost port is found again only as the same object. */
   readonly serial?: SerialLike | undefined;
@@ -67,6 +69,7 @@ export class TimerLink {
     this.#clock = options.clock ?? realClock;
   }
 
+  /** Where the link is now. */
   get state(): LinkState {
     return this.#state;
   }

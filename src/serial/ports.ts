@@ -5,10 +5,13 @@ export type PortKind = 'ftdi' | 'cp210x' | 'ch340' | 'pl2303' | 'bluetooth' | 'u
 
 /** A port that the pilot has allowed, with its name. */
 export interface KnownPort {
+  /** The port itself, for `TimerLink.connect()`. */
   readonly port: SerialPortLike;
+  /** See {@link portKind}. */
   readonly kind: PortKind;
   /** See {@link portKey}. */
   readonly key: string;
+  /** What the port says about itself. */
   readonly info: PortInfo;
 }
 

@@ -2,8 +2,11 @@
 export interface SerialSettings {
   /** Bits a second, or `find`: the link tries {@link RATES} until the timer answers. */
   readonly baudRate: number | 'find';
+  /** Bits in a byte. Timers use 8. */
   readonly dataBits: 7 | 8;
+  /** Timers use none. */
   readonly parity: 'none' | 'even' | 'odd';
+  /** Stop bits after each byte. Timers use 1. */
   readonly stopBits: 1 | 2;
   /** The DTR line: true raised, false dropped, null as the browser leaves it (raised). */
   readonly dtr: boolean | null;

@@ -114,8 +114,13 @@ const SETTINGS = {
  * Four memories as a timer in use may hold them: trimmed for calm air, for wind, for a test flight with a DT of 20 s,
  * and for a fly-off. For the usual layout of 10 functions and 3 servos: S1 rudder, S2 tailplane, S3 wing. The values
  * are invented, after the manuals and what pilots tell. They belong to no real model.
+ * @example
+ * ```ts
+ * import { exampleMemories, VirtualTimer } from 'sidus-timer/simulator';
  *
- * new VirtualTimer({ identity: { timerClass: 'Q' }, memories: exampleMemories('Q') });
+ * const timer = new VirtualTimer({ identity: { timerClass: 'Q' }, memories: exampleMemories('Q') });
+ * console.log(timer.core.content.times[10]); // 18000
+ * ```
  */
 export function exampleMemories(timerClass: 'Q' | 'B' | 'E'): MemoryContent[] {
   return SETTINGS[timerClass].map(({ motorStop = 0, times, rudder, tailplane, wing }) => ({

@@ -1,8 +1,10 @@
 import { CodecError, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
 
-/** What one memory of the virtual timer holds. Times in hundredths of a second, positions as `[servo][slot]`. */
+/** What one memory of the virtual timer holds. */
 export interface MemoryContent {
+  /** The time of each slot in hundredths of a second, 0..65535. Slot 0 is the motor stop on class Q. */
   times: number[];
+  /** `[servo][slot]`, steps 0..130. A timer may hold 131..255, too. */
   positions: number[][];
 }
 
@@ -17,8 +19,9 @@ const DT = 18000;
 const MOTOR_STOP = 1000;
 
 /**
- * What a memory of a new timer holds: the captured positions for each servo, rising times, and a DT of 3 minutes. In
- * each further memory the DT is 30 s longer, so that the memories differ.
+ * What a memory of a new virtual timer holds: rising times, a DT of 3 minutes, and for each servo the positions of the
+ * one reply that is known from a real timer. In each further memory the DT is 30 s longer, so that the memories differ.
+ * @param memory counted from 0.
  */
 export function firstContent(identity: Identity, memory: number): MemoryContent {
   const slots = slotCount(identity);

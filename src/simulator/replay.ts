@@ -3,6 +3,7 @@ import { type CaptureEntry, FrameDecoder } from '../protocol/index.js';
 import { FarEnd } from './far-end.js';
 import { RequestReader, SILENCE } from './request-reader.js';
 
+/** How a recorded timer is made. */
 export interface ReplayTimerOptions {
   /** Default: the real clock. */
   readonly clock?: Clock;
@@ -51,7 +52,9 @@ interface Exchange {
  * ```
  */
 export class ReplayTimer {
+  /** The bytes that the timer sends. */
   readonly readable: ReadableStream<Uint8Array>;
+  /** Takes the bytes for the timer. */
   readonly writable: WritableStream<Uint8Array>;
   /** The requests that the recording does not hold, oldest first, as they came but with at most five zeros. */
   readonly unknown: Uint8Array[] = [];

@@ -15,14 +15,23 @@ import {
 import { firstContent, type MemoryContent, requireLayout } from './memory.js';
 import type { TimerQuirks } from './quirks.js';
 
-/** The phase of a timer, from connecting the battery to landing. It answers in every phase but `asleep`. */
+/**
+ * The phase of a timer, from connecting the battery to landing. It answers in every phase but `asleep`. Only sleep and
+ * the switch change it; a test may set any other.
+ */
 export type TimerPhase = 'discharged' | 'armed' | 'running' | 'finished' | 'asleep';
 
+/** How the core of a timer is made. */
 export interface TimerCoreOptions {
+  /** What it says about itself. It gives the layout of its memories. */
   readonly identity: Identity;
+  /** How it differs from the usual reading of the protocol. */
   readonly quirks: TimerQuirks;
+  /** Tells when it falls asleep. */
   readonly clock: Clock;
+  /** Milliseconds without a request after which it falls asleep. Default: never. */
   readonly sleepAfter?: number | undefined;
+  /** What its memories hold, from M1 on. Missing ones hold {@link firstContent}. */
   readonly memories?: readonly MemoryContent[] | undefined;
 }
 
@@ -31,14 +40,17 @@ export interface TimerCoreOptions {
  * or a value out of range gets no answer, because the protocol has none for it.
  */
 export class TimerCore {
+  /** What it says about itself. */
   readonly identity: Identity;
+  /** What each memory holds, M1 first. */
   readonly memories: MemoryContent[];
   /** The current memory, counted from 0: requests act on it, and it flies next. */
   memory = 0;
-  /** Idle throttle, unit unknown. Nobody knows whether it belongs to a memory; here it belongs to the timer. */
+  /** Idle throttle, 0..255, unit unknown. Nobody knows whether each memory has its own (row 17); here none has. */
   idleThrottle = 30;
   /** Class Q: locked after a flight, by rule and for safety. */
   motorLocked: boolean;
+  /** The phase that it is in. */
   phase: TimerPhase = 'discharged';
   /** Where each servo stands, in steps. Connecting the battery moves them to their DT positions. */
   servos: number[];
@@ -54,7 +66,10 @@ export class TimerCore {
   #awakeSince: number;
   #phaseBeforeSleep: TimerPhase = 'discharged';
 
-  /** @param options its identity, its quirks, and what it holds. */
+  /**
+   * @param options its identity, its quirks, and what it holds.
+   * @throws CodecError `wrong-count` when a memory does not fit the identity.
+   */
   constructor({ identity, quirks, clock, memories = [], sleepAfter = Number.POSITIVE_INFINITY }: TimerCoreOptions) {
     this.identity = identity;
     this.#quirks = quirks;
@@ -90,7 +105,7 @@ export class TimerCore {
   }
 
   /**
-   * The reply to a frame, as bytes for the line; undefined when it keeps silent.
+   * The reply to a frame, as bytes for the line; undefined when it stays silent.
    * @param bare whether the frame carried its command byte in place of its checksum.
    */
   answer(frame: Frame, bare = false): Uint8Array | undefined {

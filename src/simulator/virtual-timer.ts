@@ -9,13 +9,16 @@ import { TimerCore } from './timer-core.js';
 /** One direction of the line to a virtual timer, see {@link ByteLineOptions}. */
 export type LineFaults = Omit<ByteLineOptions, 'clock' | 'baudRate' | 'latency'>;
 
+/** How a virtual timer is made. Whatever is left out has its default. */
 export interface VirtualTimerOptions {
   /**
-   * Its identity. Default: class B, firmware 536, 10 functions, 4 memories, 3 servos, as in the example of the source.
+   * Its identity, or a part of it. What is left out is as in the example of the source: class B, firmware 536, 10
+   * functions, 4 memories, 3 servos.
    */
   readonly identity?: Partial<Identity>;
   /** What its memories hold, from M1 on, in the layout of its identity. Missing ones hold {@link firstContent}. */
   readonly memories?: readonly MemoryContent[];
+  /** How it differs from the usual reading of the protocol. Default: not at all. */
   readonly quirks?: TimerQuirks;
   /** Default: the real clock. */
   readonly clock?: Clock;
@@ -24,7 +27,8 @@ export interface VirtualTimerOptions {
   /** Milliseconds from a whole request to the first byte of its reply. Default 0. */
   readonly latency?: number;
   /**
-   * Milliseconds without a request after which it falls asleep. Default: never. A real timer: 60 s on B, 2 min on Q.
+   * Milliseconds without a request after which it falls asleep. Default: never. By the manuals a real timer falls
+   * asleep after about 60 s on B and 2 min on Q.
    */
   readonly sleepAfter?: number;
   /** Pieces and faults on the way to the timer. */
@@ -56,8 +60,11 @@ const EXAMPLE: Identity = { timerClass: 'B', firmware: '536', functions: 10, mem
  * ```
  */
 export class VirtualTimer {
+  /** What the timer holds and does. Tests may read and change it. */
   readonly core: TimerCore;
+  /** The bytes that the timer sends. */
   readonly readable: ReadableStream<Uint8Array>;
+  /** Takes the bytes for the timer. */
   readonly writable: WritableStream<Uint8Array>;
   readonly #toTimer: ByteLine;
   readonly #fromTimer: ByteLine;
