@@ -44,7 +44,7 @@ async function season(): Promise<AppBench> {
   return app;
 }
 
-it('what was typed last into a flight is saved when the page goes, also behind a save that takes its time', async () => {
+it('what was typed last into a flight is saved when the page goes, also after a save that takes long', async () => {
   const app = await season();
   act(() => app.models.flights.fillIn('c'));
   await idle(0);

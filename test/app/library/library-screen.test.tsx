@@ -34,7 +34,7 @@ it('is empty at first, and says what a model is for', async () => {
 });
 
 it.each(['', 'model-0', 'model-0/setting-0'])(
-  'that is not given out is never said to be empty or gone, at “%s”, and comes when it is asked for again',
+  'that the browser does not give out is never called empty or gone, at “%s”, and comes when it is asked for again',
   async (path) => {
     const store = new MemoryStore();
     const { models, settings } = manyRecords({ models: 2, settings: 4, flights: 0 });

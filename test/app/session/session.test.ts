@@ -437,7 +437,7 @@ describe('read again', () => {
     expect(bench.editor.working.value?.positions[2]?.[4]).toBe(99);
   });
 
-  it('waits when nobody answers, and reads by itself when the switch is pressed', async () => {
+  it('waits when nobody answers, and reads without a click when the switch is pressed', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.timer.core.sleep();

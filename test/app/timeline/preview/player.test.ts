@@ -43,7 +43,7 @@ function started(end?: number) {
 }
 
 describe('a player', () => {
-  it('stands at launch, and does nothing by itself', () => {
+  it('stands at launch, and does not move before it is played', () => {
     const { frames, player } = bench();
     expect([player.time.value, player.playing.value, player.speed.value, frames.waiting]).toEqual([0, false, 1, 0]);
   });

@@ -157,7 +157,7 @@ describe('the flight preview', () => {
     expect(turned('rudder'), 'the rudder is turned to the left').toBe('rotate(28deg)');
   });
 
-  it('shows the selected cell, and moves by itself only when it is played', async () => {
+  it('shows the selected cell, and moves without the pilot only when it is played', async () => {
     const { player } = shown();
     await act(() => player.take(600));
     expect([clock(), screen.getByText('Function 3 at 6.00 s').getAttribute('role')]).toEqual(['6.00 s', null]);
