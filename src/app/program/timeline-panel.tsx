@@ -71,7 +71,7 @@ export function TimelinePanel({ session, picture, selected: field, onSelect, onP
           />
         }
       />
-      <PreviewPanel {...{ session, program, player, selected }} />
+      <PreviewPanel {...{ session, program, player }} selected={field} />
     </div>
   );
 }

@@ -217,6 +217,33 @@ describe('the timeline', () => {
     expect(preview.getByText(/^(Launch|.* at .*)$/).textContent).toBe('DT at 3:00 min');
   });
 
+  it.each(['Play', 'Next event', 'Previous event'])(
+    'begins at the cell that was selected a moment before %s was clicked, as it now is',
+    async (name) => {
+      const { editor, models } = await opened();
+      const { player } = models.programPicture;
+      const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
+      const click = async (): Promise<number> => {
+        fireEvent.pointerDown(preview.getByRole('button', { name }));
+        await idle(0);
+        act(() => void fireEvent.click(preview.getByRole('button', { name })));
+        player.pause();
+        return player.time.value;
+      };
+      const to = (slot: number) => act(() => (handle(`Function ${slot}, S1`) as SVGElement).focus());
+      to(4);
+      await idle(1000);
+      editor.type({ kind: 'time', slot: 6 }, '13.0');
+      editor.type({ kind: 'time', slot: 7 }, '13.5');
+      to(6);
+      const expected = { Play: 1300, 'Next event': 1350, 'Previous event': 1250 }[name];
+      expect(await click()).toBe(expected);
+      // What was played or sought stays, and is not taken for a new choice.
+      await idle(1000);
+      expect([player.cursor.value, player.shown.value]).toEqual([expected, expected]);
+    },
+  );
+
   it("uses the pilot's names for the servos", async () => {
     const app = await opened();
     const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
