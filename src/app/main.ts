@@ -15,6 +15,7 @@ import * as v from 'valibot';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { media } from './browser/doors.js';
 import { holdDroppedFiles } from './browser/dropped-files.js';
+import { holdPageKeys } from './browser/page-keys.js';
 import { tried } from './browser/services.js';
 import { loadSetting } from './browser/settings.js';
 import { earlyClicks } from './early-clicks.js';
@@ -37,6 +38,7 @@ if (!isStart) root.replaceChildren();
 if (loadSetting('first-steps', v.boolean())) root.querySelector('.first-steps-room')?.remove();
 root.hidden = false;
 holdDroppedFiles();
+holdPageKeys();
 const doEarlyClick = earlyClicks(root);
 // Without a first picture there is nothing to wait for.
 if (isStart) afterPaint(open);

@@ -105,6 +105,24 @@ describe('the start is part of the page as it is sent:', () => {
       .toBe(0);
   });
 
+  test('a key for the whole page is carried out once the page can', async () => {
+    const page = await newPage();
+    // The worker would answer in place of the test.
+    await page.addInitScript(() => Object.defineProperty(navigator, 'serviceWorker', { value: undefined }));
+    for (const [key, seen] of [
+      ['Control+k', page.getByRole('dialog', { name: 'Commands' })],
+      ['?', page.locator('.help-view')],
+    ] as const) {
+      const { asked, release } = await heldBack(page);
+      await page.goto(inject('site'));
+      await asked;
+      await page.keyboard.press(key);
+      await release();
+      await seen.waitFor();
+      await page.unroute(PAGE_SCRIPT);
+    }
+  });
+
   test('when the page cannot be loaded it says so, and a click loads it again', async () => {
     const page = await newPage({}, []);
     await page.route(PAGE_SCRIPT, (route) => route.abort());

@@ -1,5 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId } from 'preact/hooks';
+import { takePageKey } from '../browser/page-keys.js';
 import { messages } from '../messages/index.js';
 import { Modal } from '../ui/modal.js';
 import './palette.css';
@@ -21,18 +22,16 @@ interface PaletteProps {
 export function Palette({ commands }: PaletteProps) {
   const open = useSignal(false);
   const titleId = useId();
-  useEffect(() => {
-    const onKey = (event: KeyboardEvent): void => {
-      const isIt = (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === 'k';
-      // Over another dialog it would hide the question of that one.
-      const isCovered = !open.peek() && document.querySelector('dialog[open]') !== null;
-      if (!isIt || isCovered) return;
-      event.preventDefault();
-      open.value = !open.peek();
-    };
-    document.addEventListener('keydown', onKey);
-    return () => document.removeEventListener('keydown', onKey);
-  }, [open]);
+  useEffect(
+    () =>
+      takePageKey('commands', () => {
+        // Over another dialog it would hide the question of that one.
+        if (!open.peek() && document.querySelector('dialog[open]') !== null) return false;
+        open.value = !open.peek();
+        return true;
+      }),
+    [open],
+  );
   const close = (): void => {
     open.value = false;
   };

@@ -1,0 +1,58 @@
+/** What a key does in every view: `?` opens the help, Ctrl+K or Cmd+K the list of commands. */
+export type PageKey = 'help' | 'commands';
+
+/** An older key is not carried out late: the pilot no longer waits for it. Milliseconds. */
+const FRESH = 10_000;
+/** They come down before another key and say nothing of their own. */
+const MODIFIERS = ['Shift', 'Control', 'Meta', 'Alt', 'AltGraph', 'CapsLock'];
+
+/** Carries the key out. @returns whether it did. */
+type Act = () => boolean;
+
+const acts = new Map<PageKey, Act>();
+/** The last key that was pressed while nobody could carry it out. */
+let waiting: { readonly key: PageKey; readonly at: number } | null = null;
+
+/**
+ * From now on a key that is pressed before the page can carry it out waits for it, until the pilot does anything else.
+ */
+export function holdPageKeys(): void {
+  // A listener that is added twice still counts once.
+  addEventListener('keydown', onKey);
+  addEventListener('pointerdown', forget, true);
+}
+
+/** @returns a function that ends this: from then on the key waits for the next one. */
+export function takePageKey(key: PageKey, act: Act): () => void {
+  holdPageKeys();
+  acts.set(key, act);
+  if (waiting?.key === key) {
+    const { at } = waiting;
+    forget();
+    if (performance.now() - at < FRESH) act();
+  }
+  return () => {
+    if (acts.get(key) === act) acts.delete(key);
+  };
+}
+
+function forget(): void {
+  waiting = null;
+}
+
+function onKey(event: KeyboardEvent): void {
+  if (MODIFIERS.includes(event.key)) return;
+  forget();
+  const key = keyOf(event);
+  if (key === null || event.defaultPrevented) return;
+  const act = acts.get(key);
+  if (!act) waiting = { key, at: event.timeStamp };
+  if (!act || act()) event.preventDefault();
+}
+
+function keyOf({ target, key, ctrlKey, metaKey, altKey }: KeyboardEvent): PageKey | null {
+  const isCommand = ctrlKey || metaKey;
+  if (isCommand && !altKey && key.toLowerCase() === 'k') return 'commands';
+  const isTyped = target instanceof Element && target.closest('input, textarea, select, [contenteditable]') !== null;
+  return key === '?' && !isCommand && !altKey && !isTyped ? 'help' : null;
+}
