@@ -21,6 +21,8 @@ import type { CommandName, Identity } from '../protocol/index.js';
  * - `stale`: the timer holds something else than the caller believed, so nothing was written; `held` is what it holds.
  * - `changed`: in a write, after silence or at the end, the timer held what the write cannot have caused. Something
  *   else changed it, or it is another timer. Nothing was sent again or put back.
+ * - `stood-still`: this program stood still for more than ten seconds in the middle of the job, as when the computer
+ *   sleeps. Another timer may be under the head by now. Nothing more was sent.
  * - `undecided`: the reading leaves open how times are to be written (quirk `times-big-endian`). The pilot has to
  *   choose first.
  * - `busy`: somebody else reads from the port or writes to it, and holds the lock of its stream. Nothing was sent. Try
@@ -41,6 +43,7 @@ export type TimerErrorCode =
   | 'other-timer'
   | 'stale'
   | 'changed'
+  | 'stood-still'
   | 'undecided'
   | 'busy'
   | 'port-lost'

@@ -65,6 +65,8 @@ export class Exchange {
   #silentSince = Number.NEGATIVE_INFINITY;
   /** Whether the answering timer must be the one that was identified. */
   #isMet = true;
+  /** How often this program had stood still before the job. */
+  #standstills = 0;
   /** What has gone wrong since the job began. */
   #seen: () => Disturbance;
 
@@ -108,12 +110,13 @@ export class Exchange {
   begin(job: Omit<PlannedJob, 'identity'>): void {
     this.schedule.begin({ ...job, identity: this.identity });
     this.#seen = this.watch();
+    this.#standstills = this.#wire.standstills;
   }
 
   /**
    * Sends a request until the reply comes. One call at a time: the caller waits for the one before.
-   * @throws TimerError `no-answer`, `unstable`, `bad-reply`, `port-lost`, `closed`, or `aborted` before the request
-   * went out.
+   * @throws TimerError `no-answer`, `unstable`, `bad-reply`, `stood-still`, `port-lost`, `closed`, or `aborted` before
+   * the request went out.
    */
   async ask<R extends Request>(
     request: R,
@@ -251,6 +254,7 @@ export class Exchange {
       isDecided = !COMMANDS[name].repeatable || sent >= tries || bad >= BAD_REPLIES || isIgnored();
       if (isDecided) break;
     }
+    this.#requireGoing();
     const details = { request: name, sent };
     if (bad > 0 && (bad === sent || bad >= BAD_REPLIES)) {
       throw new TimerError('bad-reply', `the reply to ${name} cannot be right`, details, badReply);
@@ -299,6 +303,7 @@ export class Exchange {
 
   async #once<T>(send: () => Promise<Outcome<T>>): Promise<Outcome<T>> {
     if (this.#closed) throw new TimerError('closed', 'this client was closed');
+    this.#requireGoing();
     this.#lastSent = this.#clock.now();
     const asking = send();
     this.#underWay = asking.catch(() => {});
@@ -309,6 +314,12 @@ export class Exchange {
     this.#silent = outcome.kind === 'silent' ? this.#silent + 1 : 0;
     if (this.#silent === 1) this.#silentSince = this.#lastSent;
     return outcome;
+  }
+
+  /** @throws TimerError `stood-still` when this program stood still during the job: nothing more is sent in it. */
+  #requireGoing(): void {
+    if (this.#wire.standstills === this.#standstills) return;
+    throw new TimerError('stood-still', 'this program stood still in the middle of the job');
   }
 
   /**

@@ -45,6 +45,11 @@ export const DRAIN = 1000;
  * never taken for the reply to a later request. A timer that answers even later breaks it.
  */
 export const LATEST_REPLY = 3000;
+/**
+ * When something happens so many milliseconds after its time, the program stood still: the computer slept, or something
+ * held the program up. Meanwhile anything may have come under the head.
+ */
+export const STANDSTILL = 10_000;
 /** Bytes of the longest frame. */
 export const LONGEST_FRAME = frameSize(MAX_DATA);
 

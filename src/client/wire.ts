@@ -18,7 +18,7 @@ import { type AnswerOutcome, asReply, type Outcome, type Question, replySize } f
 import type { BytePort, ByteWriter } from './port.js';
 import { PortReader } from './port-reader.js';
 import type { Quirks } from './quirks.js';
-import { DRAIN, LONGEST_FRAME, overtime, replyTime, SILENCE } from './retry-policy.js';
+import { DRAIN, LONGEST_FRAME, overtime, replyTime, SILENCE, STANDSTILL } from './retry-policy.js';
 import { UnansweredRequests } from './unanswered.js';
 
 export interface WireOptions {
@@ -68,6 +68,7 @@ export class Wire {
   #lastByteAt = Number.NEGATIVE_INFINITY;
   #damage = 0;
   #strays = 0;
+  #standstills = 0;
   #lastSent: Frame | undefined;
   #pause: Pause | undefined;
   /** The last frame whose command byte stands in place of its checksum. */
@@ -109,6 +110,11 @@ export class Wire {
    */
   get strays(): number {
     return this.#strays;
+  }
+
+  /** How often something came so late that this program must have stood still meanwhile. */
+  get standstills(): number {
+    return this.#standstills;
   }
 
   /** An accepted reply turned out to be wrong. As after damage, a single reply is no longer believed. */
@@ -170,9 +176,11 @@ export class Wire {
   async pause(ms: number, signal: AbortSignal | undefined, untilHeard = false): Promise<boolean> {
     if (this.#lost) throw this.#lost;
     if (signal?.aborted) return false;
+    const due = this.#options.clock.now() + Math.max(0, ms);
     return new Promise((resolve, reject) => {
       const end = (): void => {
         cancel();
+        this.#noteDue(due);
         signal?.removeEventListener('abort', stop);
         this.#pause = undefined;
       };
@@ -237,6 +245,8 @@ export class Wire {
     try {
       await Promise.race([this.#send(bytes), ended]);
       const outcome = await ended;
+      const { timing } = this.#options;
+      this.#noteDue(sentAt + replyTime(bytes.length + size, timing) + overtime(timing));
       this.unanswered.note(bytes, sentAt, outcome.kind !== 'answer');
       return outcome;
     } finally {
@@ -321,6 +331,11 @@ export class Wire {
   #noteDamage(): void {
     this.#noteSign('damaged');
     this.#damage++;
+  }
+
+  /** @param due when what has just happened should have happened at the latest. */
+  #noteDue(due: number): void {
+    if (this.#options.clock.now() > due + STANDSTILL) this.#standstills++;
   }
 
   #noteLineError(error: LineErrorKind): void {

@@ -96,6 +96,11 @@ export const timer: Record<TimerErrorCode, Said> = {
     title: 'The timer does not hold what was read before.',
     advice: 'Something else changed it, or this is another timer. Look at the marked fields before you write again.',
   },
+  'stood-still': {
+    title: 'This page stood still in the middle of it.',
+    advice:
+      'The computer slept, or something held the page up. Nothing more was sent, because it may be another timer by now. Read again to see what the timer holds.',
+  },
   undecided: {
     title: 'It is not certain in which order this timer sends the bytes of a time.',
     advice: 'The times fall. They would rise if the two bytes of each were swapped. Nothing was written.',

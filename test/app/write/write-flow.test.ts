@@ -1,4 +1,4 @@
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import type { ValueReport, WriteReport } from '../../../src/client/index.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
@@ -215,6 +215,30 @@ describe('a write', () => {
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
     expect(bench.session.recovery.offer.value).toBeNull();
     expect(bench.timer.core.content.positions[2]?.[4]).toBe(8);
+  });
+
+  it.each([
+    ['GETMEMORY', [], { step: 'refused', error: { code: 'stood-still' } }],
+    ['SETTIMERS', ['SETTIMERS'], { step: 'done', report: { result: 'unknown', stopped: { code: 'stood-still' } } }],
+  ] as const)('sends nothing more when the page stands still at %s, and can be finished', async (name, sent, end) => {
+    const bench = await reviewed();
+    const { core } = bench.timer;
+    const now = performance.now.bind(performance);
+    onTestFinished(() => void vi.restoreAllMocks());
+    core.onAnswer = (request) => {
+      if (request.name === name) vi.spyOn(performance, 'now').mockImplementation(() => now() + 60_000);
+    };
+    await run(bench.write.start());
+    core.onAnswer = undefined;
+    expect(bench.write.current.value).toMatchObject(end);
+    expect([sets(bench), bench.session.link.state.value.status]).toEqual([sent, 'on']);
+    expect(bench.session.standing.value.sure).toBe(sent.length > 0 ? 'not' : 'now');
+    bench.write.dismiss();
+    await run(bench.write.open());
+    bench.session.safety.confirm();
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+    expect([core.content.times[10], bench.editor.changes.value]).toEqual([24000, []]);
   });
 
   it('says so when the plug is pulled before it begins', async () => {

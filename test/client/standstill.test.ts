@@ -1,0 +1,179 @@
+import { describe, expect, it } from 'vitest';
+import { type BytePort, TimerClient, type WriteReport } from '../../src/client/index.js';
+import { type Clock, VirtualClock } from '../../src/line/index.js';
+import type { TimerProgram } from '../../src/program/index.js';
+import { VirtualTimer } from '../../src/simulator/index.js';
+import { bench, contentOf, edited } from './bench.js';
+import { everyValueChanged } from './matrix.js';
+
+const SMALL = { functions: 2, memories: 2, servos: 1 };
+
+/** A page that stands still for a while, as when the lid of a laptop is closed. The timer and its adapter do not. */
+class StillPage implements BytePort, Clock {
+  readonly readable: ReadableStream<Uint8Array>;
+  readonly writable: WritableStream<Uint8Array>;
+  /** The request, counted from 1, after which it stands still. */
+  stopAt = Number.POSITIVE_INFINITY;
+  stopFor = 0;
+  /** What happens meanwhile. */
+  meanwhile = (): void => {};
+  requests = 0;
+  at: VirtualTimer;
+  readonly #clock: VirtualClock;
+  readonly #bytesFirst: boolean;
+  #due: (() => void)[] | null = null;
+  #came: Uint8Array[] = [];
+  #deliver: (bytes: Uint8Array) => void = () => {};
+
+  constructor(clock: VirtualClock, timers: readonly VirtualTimer[], bytesFirst: boolean) {
+    this.#clock = clock;
+    this.#bytesFirst = bytesFirst;
+    this.at = timers[0] as VirtualTimer;
+    this.readable = new ReadableStream({
+      start: (controller) => {
+        this.#deliver = (bytes) => controller.enqueue(bytes);
+        for (const timer of timers) {
+          const hear = (bytes: Uint8Array): void => {
+            if (timer !== this.at) return;
+            if (this.#due) this.#came.push(bytes);
+            else this.#deliver(bytes);
+          };
+          void timer.readable.pipeTo(new WritableStream({ write: hear }));
+        }
+      },
+    });
+    const writers = new Map(timers.map((timer) => [timer, timer.writable.getWriter()]));
+    this.writable = new WritableStream({
+      write: (bytes) => {
+        if (++this.requests === this.stopAt) this.#stop();
+        return writers.get(this.at)?.write(bytes);
+      },
+    });
+  }
+
+  /** Holds the head over another timer. */
+  hold(timer: VirtualTimer): void {
+    this.at = timer;
+  }
+
+  now(): number {
+    return this.#clock.now();
+  }
+
+  after(ms: number, callback: () => void): () => void {
+    let gone = false;
+    const act = (): void => {
+      if (this.#due) this.#due.push(act);
+      else if (!gone) callback();
+    };
+    const cancel = this.#clock.after(ms, act);
+    return () => {
+      gone = true;
+      cancel();
+    };
+  }
+
+  #stop(): void {
+    this.#due = [];
+    this.#clock.after(this.stopFor / 2, () => this.meanwhile());
+    this.#clock.after(this.stopFor, () => {
+      const due = this.#due ?? [];
+      const came = this.#came.splice(0);
+      this.#due = null;
+      const bytes = (): void => {
+        for (const each of came) this.#deliver(each);
+      };
+      if (this.#bytesFirst) bytes();
+      for (const act of due) act();
+      if (!this.#bytesFirst) this.#clock.after(1, bytes);
+    });
+  }
+}
+
+/** Confirms a write, and lets the page stand still in the middle of it. */
+async function written({ at, ms, bytesFirst, swap = false }: Standstill) {
+  const clock = new VirtualClock();
+  const first = new VirtualTimer({ clock, identity: SMALL, latency: 20 });
+  const other = new VirtualTimer({ clock, identity: SMALL, latency: 20 });
+  Object.assign(other.core.content, everyValueChanged(contentOf(other)));
+  const page = new StillPage(clock, [first, other], bytesFirst);
+  const client = new TimerClient(page, { clock: page });
+  const baseline = await clock.run(client.readProgram());
+  const goal: TimerProgram = edited(baseline, [[2, 9000]], [[0, 1, 77]]);
+  page.requests = 0;
+  page.stopAt = at;
+  page.stopFor = ms;
+  if (swap) page.meanwhile = () => page.hold(other);
+  const writing = client.writeProgram(goal, { baseline }).catch((error: unknown) => error);
+  const result = (await clock.run(writing)) as Partial<WriteReport> & { code?: string };
+  return { clock, client, first, other, goal, page, result };
+}
+
+interface Standstill {
+  /** The request after which the page stands still, counted from 1, and for how long. */
+  readonly at: number;
+  readonly ms: number;
+  /** Whether the page first hears what came meanwhile, or first does what was due. */
+  readonly bytesFirst: boolean;
+  /** Whether another timer is under the head afterwards. */
+  readonly swap?: boolean;
+}
+
+/** GETSWVER, GETMEMORY, GETTIMERS, GETSERVOPOS, GETMEMORY, GETSWVER: then come the two SETs. */
+const FRESH = 6;
+const SETS = 2;
+const VERIFY = 8;
+/** After the last request nothing more has to be sent. */
+const CASES = Array.from({ length: FRESH + SETS + VERIFY - 1 }, (_, index) => index + 1).flatMap((at) =>
+  [true, false].map((bytesFirst) => ({ at, bytesFirst })),
+);
+
+describe('a page that stands still during a write', () => {
+  it.each(CASES)('for a minute, after request $at, bytes first: $bytesFirst, sends nothing more', async (each) => {
+    for (const swap of [false, true]) {
+      const { clock, client, first, other, goal, page, result } = await written({ ...each, ms: 60_000, swap });
+      const before = everyValueChanged(contentOf(new VirtualTimer({ clock, identity: SMALL })));
+      expect([page.requests, result.code ?? result.stopped?.code]).toEqual([each.at, 'stood-still']);
+      // Before the first SET the write does not begin; later nobody knows.
+      expect(result.result).toBe(each.at <= FRESH ? undefined : 'unknown');
+      expect(contentOf(other)).toEqual(before);
+      // The next job works as ever.
+      page.at = first;
+      const held = await clock.run(client.readProgram());
+      expect(held).toEqual(contentOf(first));
+      expect(await clock.run(client.writeProgram(goal, { baseline: held }))).toMatchObject({ result: 'verified' });
+      expect(contentOf(first)).toEqual(goal);
+    }
+  });
+
+  it.each(CASES)('for two seconds, after request $at, bytes first: $bytesFirst, goes on', async (each) => {
+    const { first, goal, result } = await written({ ...each, ms: 2000 });
+    expect(result).toMatchObject({ result: 'verified', stopped: null });
+    expect(contentOf(first)).toEqual(goal);
+  });
+});
+
+describe('a page that stands still', () => {
+  it('while memories are read leaves the timer as it is, and says that another memory may be current', async () => {
+    const clock = new VirtualClock();
+    const timer = new VirtualTimer({ clock, identity: SMALL, latency: 20 });
+    const page = new StillPage(clock, [timer], true);
+    const client = new TimerClient(page, { clock: page });
+    await clock.run(client.identify());
+    // The question behind the first SETMEMORY.
+    page.stopAt = 12;
+    page.stopFor = 60_000;
+    const error = await clock.run(client.readMemories().catch((failure: unknown) => failure));
+    expect(error).toMatchObject({ code: 'memory-left', cause: { code: 'stood-still' }, details: { expected: 0 } });
+    expect(page.requests).toBe(page.stopAt);
+    await clock.run(client.selectMemory(0));
+    expect(timer.core.memory).toBe(0);
+  });
+
+  it('between two jobs is nothing to the second one', async () => {
+    const { clock, timer, client } = bench();
+    await clock.run(client.readProgram());
+    await clock.advance(3_600_000);
+    expect(await clock.run(client.readProgram())).toEqual(contentOf(timer));
+  });
+});
