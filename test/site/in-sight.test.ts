@@ -1,5 +1,6 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
+import { HELP_PAGES } from '../../src/app/help/help.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 
@@ -77,6 +78,29 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   await app.button('Copy to…: M1').click();
   await isIn(app.button('Copy M1 to M5…'));
   await app.expectNoSidewaysScrolling();
+  for (const help of HELP_PAGES) {
+    await app.page.evaluate((hash) => location.assign(hash), `#help/${help}`);
+    await app.page
+      .locator('.help-nav [aria-current]')
+      .and(app.page.locator(`[href$="${help}"]`))
+      .waitFor();
+    await app.expectNoSidewaysScrolling();
+  }
+});
+
+test('a copy of a memory shows all three servos on a small phone in the sun', async () => {
+  const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
+  await app.trySimulated('F1Q');
+  await app.goTo('Memories');
+  await app.button('Read and keep all…').click();
+  const dialog = app.page.getByRole('dialog');
+  await dialog.getByRole('button', { name: 'Read and keep' }).click();
+  await app.button('Close').click();
+  await app.button('Copy to…: M1').click();
+  await app.button('Copy M1 to M3…').click();
+  const grid = dialog.locator('.comparison-grid');
+  await grid.waitFor();
+  expect(await grid.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
 });
 
 test('the buttons for the timer leave room for the table on a tablet', async () => {
