@@ -103,8 +103,9 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
     const places = spread(
       inView.map(({ at }) => at),
       2 * radius + 3,
-      left - RADIUS,
-      right + RADIUS,
+      // DT is wider, and closer to the edge of the picture than the first one.
+      left - 2 * RADIUS,
+      right,
     );
     let next = 0;
     return flags.map(({ slot, isDt, at, passedOver }) => {

@@ -81,8 +81,8 @@ function Grid({ layout, front }: { readonly layout: Layout; readonly front: numb
   );
 }
 
-/** A time closer to an edge is not centred, in pixels. */
-const EDGE_ROOM = 16;
+/** A time closer to an edge is not centred, in pixels: less than the run-out, so that DT is. */
+const EDGE_ROOM = 14;
 
 /** The times below the plot: DT in bold, those of the marks, and round ones where there is room. */
 function TimeAxis({ program, layout, measures, ticks, stages, chosen }: Geometry & { readonly chosen: number | null }) {

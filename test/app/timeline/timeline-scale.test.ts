@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { limitsOf, snapped, stepped, timeStep } from '../../../src/app/timeline/drag.js';
+import { layoutOf, marksIn, measuresOf, scaleOf } from '../../../src/app/timeline/geometry.js';
 import { spread } from '../../../src/app/timeline/layout.js';
 import { eventsBetween, flightEnd, reachedAt, stagesOf } from '../../../src/app/timeline/preview/flight.js';
 import { evenScale, RUN_OUT, Scale, stretchedScale } from '../../../src/app/timeline/scale.js';
@@ -371,5 +372,25 @@ describe('a flight', () => {
     expect(flightEnd(programOf('B', [20000, 200, 18000])), 'on B slot 0 is reserved, so it does not count').toBe(
       18000 + RUN_OUT,
     );
+  });
+});
+
+describe('the marks above the lanes', () => {
+  it.each([20, 12, 9, 1])('stand in the picture, with %i functions and in each width', (functions) => {
+    const times = [1000, ...Array.from({ length: functions }, (_, at) => 1050 + 50 * at), 18000];
+    const program = programOf('Q', times, [times.map(() => 15)]);
+    const measures = measuresOf(program, 320);
+    for (let plot = 240; plot <= 1000; plot += 7) {
+      const scale = scaleOf(program, null, false, plot);
+      const view = { start: 0, span: 1 };
+      const layout = layoutOf({ scale, view, plot, measures, servos: 1, front: 0, highest: 130 });
+      const { flags } = marksIn(program, layout, false, null);
+      for (const { x, radius, isDt, slot } of flags) {
+        // DT stands in a box, which is wider than the circle of a function.
+        const half = isDt ? radius + 2 : radius;
+        expect(x - half, `mark ${slot} at ${plot} px`).toBeGreaterThanOrEqual(0);
+        expect(x + half, `mark ${slot} at ${plot} px`).toBeLessThanOrEqual(measures.left + plot + measures.right);
+      }
+    }
   });
 });
