@@ -31,12 +31,12 @@ export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
           <NoticeText said={said} />
         </div>
         {step !== null && <span class="hint">{link.stages.noAnswer(seconds)}</span>}
+        {help && <ConnectionHelp code={help} platform={platform} info={portOf(state)} />}
         {canChoose && step !== 'switch' && <ChooseAnother session={session} />}
         <button type="button" onClick={onStop}>
           {link.stop}
         </button>
       </div>
-      {help && <ConnectionHelp code={help} platform={platform} info={portOf(state)} />}
     </div>
   );
 }

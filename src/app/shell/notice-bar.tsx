@@ -77,10 +77,10 @@ export function NoticeBar({ session, keeping, aside, update, portHolder, platfor
               {link.trySelectBare}
             </button>
           )}
+          {notice.kind === 'connection' && <ConnectionHelp code={notice.code} platform={platform} info={notice.port} />}
           <button type="button" class="quiet" onClick={() => session.notices.dismiss()}>
             {dismiss}
           </button>
-          {notice.kind === 'connection' && <ConnectionHelp code={notice.code} platform={platform} info={notice.port} />}
         </div>
       )}
     </div>
