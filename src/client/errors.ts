@@ -76,6 +76,7 @@ export class TimerError extends Error {
   /** Facts about it. */
   readonly details: TimerErrorDetails;
 
+  /** @param message for developers; the page has its own sentence for each code. */
   constructor(code: TimerErrorCode, message: string, details: TimerErrorDetails = {}, cause?: unknown) {
     super(message, cause === undefined ? undefined : { cause });
     this.code = code;

@@ -61,6 +61,7 @@ export class CodecError extends Error {
   /** Facts about it. */
   readonly details: CodecErrorDetails;
 
+  /** @param message for developers; the page has its own sentence for each code. */
   constructor(code: CodecErrorCode, field: string, message: string, details: CodecErrorDetails = {}) {
     super(message);
     this.code = code;

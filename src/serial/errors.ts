@@ -32,6 +32,7 @@ export class ConnectionError extends Error {
   /** The bytes that came in place of an answer, where they tell something; null otherwise. */
   readonly bytes: Uint8Array | null;
 
+  /** @param message for developers; the page has its own sentence for each code. */
   constructor(code: ConnectionErrorCode, message: string, cause?: unknown, bytes: Uint8Array | null = null) {
     super(message, cause === undefined ? undefined : { cause });
     this.code = code;

@@ -64,6 +64,7 @@ export class TimerLink {
   /** Callers that wait for the link to settle. */
   #waiting: (() => void)[] = [];
 
+  /** @param options where ports come from, what is remembered of them, and whom to tell. */
   constructor(options: TimerLinkOptions = {}) {
     this.#options = options;
     this.#clock = options.clock ?? realClock;

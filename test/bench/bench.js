@@ -80,7 +80,7 @@ async function compare(stream, payload, chunk) {
   const [least = 0, most = 0] = ROUNDS;
   for (let round = 0; round < most; round++) {
     for (let turn = 0; turn < entries.length; turn++) {
-      // Nobody always comes behind the same one.
+      // No decoder always comes after the same one.
       const entry = /** @type {typeof entries[number]} */ (entries[(turn + round) % entries.length]);
       if (round >= least && entry.spent > BUDGET) continue;
       const { ms } = await run(entry.decoder, entry.chunks, new Sink());
@@ -164,7 +164,7 @@ function judge(delivered, sent, intact) {
 }
 
 /**
- * Each hostile megabyte by itself, with ten good frames behind it. The slowest one counts.
+ * Each hostile megabyte by itself, with ten good frames after it. The slowest one counts.
  * @param {Contestant} decoder
  * @param {number} chunk
  * @returns {Promise<Result>}

@@ -24,7 +24,7 @@ import { version } from 'node:process';
  * @property {number} ms for as much as it took
  * @property {number} taken how much of the megabyte that was, from 0 to 1
  * @property {boolean} failed it would take no more; else it was given up when it took too long
- * @property {number} next how many of the ten frames behind it were delivered
+ * @property {number} next how many of the ten frames after it were delivered
  *
  * @typedef {import('./wire.js').WireResult} WireResult
  */
@@ -118,7 +118,7 @@ function ratios(clean) {
 }
 
 /**
- * Ours against those that deliver all frames behind the hostile megabytes, and against those that do not.
+ * Ours against those that deliver all frames after the hostile megabytes, and against those that do not.
  * @param {readonly Result[]} besieged
  */
 function lead(besieged) {

@@ -23,7 +23,7 @@ describe('a line that damages bytes', () => {
 
   it('needs two readings that agree once damage was seen, and repeats the reading from before', async () => {
     // The second of two flips keeps the sum right: this reply to GETSERVOPOS passes, and is wrong. Damage shows only
-    // behind it.
+    // after it.
     const reply = 18 + 10 + 31;
     const up = at([reply + 7], (byte) => [byte + 1]);
     const down = at([reply + 8], (byte) => [byte - 1]);

@@ -65,7 +65,7 @@ describe('a line that damages 1 % of all bytes', () => {
 });
 
 it('damage that turns a request into another valid one is corrected and verified', async () => {
-  // Seeds at which that happened, and a reply was lost behind it.
+  // Seeds at which that happened, and a reply was lost after it.
   for (const of of [1_670_909]) {
     const field = noisy(0.01, of, { timerClass: 'Q' });
     const { client, timer, run } = field;

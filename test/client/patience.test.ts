@@ -55,7 +55,7 @@ describe('giving up', () => {
     const report = await run(client.writeProgram(edited(baseline, [], [[1, 7, 99]]), { baseline }));
     expect(report).toMatchObject({
       result: 'differs',
-      // Nine repeats, and a fence behind each of the ten.
+      // Nine repeats, and a fence after each of the ten.
       repeats: 19,
       stopped: { code: 'no-answer', details: { request: 'SETSERVO', sent: 10 } },
     });

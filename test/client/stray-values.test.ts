@@ -108,7 +108,7 @@ describe('what is counted and noted for each write', () => {
   it('a rounded time is noted at the first slot, too', async () => {
     const { client, run } = bench({ identity: { timerClass: 'Q' }, quirks: { timeStep: 10 } });
     const baseline = await run(client.readProgram());
-    // A position behind it says nothing of times.
+    // A position after it says nothing of times.
     await run(client.writeProgram(edited(baseline, [[0, 1005]], [[0, 3, 70]]), { baseline }));
     expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 0, sent: 1005, held: 1000 });
   });

@@ -91,7 +91,7 @@ describe('a frame that nobody asked for', () => {
       return OTHERS[name];
     };
     expect(await run(client.readProgram())).toEqual(contentOf(timer));
-    // What came behind the last reply of all is seen in the next reading.
+    // What came after the last reply of all is seen in the next reading.
     expect(await run(client.readProgram())).toEqual(contentOf(timer));
     if (done) expect(client.strays).toBeGreaterThan(0);
   });

@@ -177,7 +177,7 @@ describe('an acknowledgement that comes twice', () => {
     [' of a timer that answers GETTIMERS with 66', { timersReplyAs66: true }],
   ])('at once, or before or after one of the next two replies%s: is never taken for a reading', async (_, quirks) => {
     for (let hit = 0; hit < FRESH + SETS + VERIFY; hit++) {
-      for (const place of ['at once', 'before 1', 'behind 1', 'before 2', 'behind 2'] as const) {
+      for (const place of ['at once', 'before 1', 'after 1', 'before 2', 'after 2'] as const) {
         const { client, timer, run } = bench({ identity: SMALL, quirks });
         const baseline = await run(client.readProgram());
         const goal = goalOf(baseline);
@@ -192,7 +192,7 @@ describe('an acknowledgement that comes twice', () => {
           if (after <= 0 || !place.endsWith(String(after))) return reply;
           return place.startsWith('before') ? Uint8Array.of(...copy, ...reply) : Uint8Array.of(...reply, ...copy);
         };
-        const label = `${hit} ${place}`;
+        const label = `reply ${hit} comes twice, ${place}`;
         const report = await run(client.writeProgram(goal, { baseline }));
         expect(report.result, label).toBe('verified');
         expect(contentOf(timer), label).toEqual(goal);

@@ -9,7 +9,7 @@ function sets(requests: readonly Request[]): Request[] {
 }
 
 const CONTENT = ['GETTIMERS', 'GETSERVOPOS'] as const;
-/** What is asked before the first SET and behind the last one. */
+/** What is asked before the first SET and after the last one. */
 const FRESH = ['GETSWVER', 'GETMEMORY', ...CONTENT, 'GETMEMORY', 'GETSWVER'] as const;
 const VERIFY = ['GETSWVER', 'GETMEMORY', ...CONTENT, ...CONTENT, 'GETMEMORY', 'GETSWVER'] as const;
 

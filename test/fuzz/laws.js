@@ -129,7 +129,7 @@ export const LAWS = {
       const page = new PageDecoder();
       for (const [index, { piece, silent }] of cut.of(bytes).entries()) {
         same(shown(decoder.push(piece)), shown(page.push(piece)), `the frames of piece ${index}`);
-        if (silent) same(shown(decoder.idle()), shown(page.idle()), `the frames of the silence behind piece ${index}`);
+        if (silent) same(shown(decoder.idle()), shown(page.idle()), `the frames of the silence after piece ${index}`);
       }
       same(shown(decoder.idle()), shown(page.idle()), 'the frames at the end');
     }),

@@ -48,7 +48,7 @@ export class Stream {
   }
 }
 
-/** How a stream arrives: the sizes of its pieces, and behind which of them the line falls silent. */
+/** How a stream arrives: the sizes of its pieces, and after which of them the line falls silent. */
 export class Cut {
   /**
    * @param {readonly (readonly [size: number, silent: boolean])[]} pieces
@@ -193,7 +193,7 @@ export const pieces = fc.tuple(fc.array(size, { maxLength: 30, size: 'max' }), f
   return new Cut(list, again && list.length > 0);
 });
 
-/** Pieces of any size with silence behind some. */
+/** Pieces of any size with silence after some. */
 export const piecesAndSilence = fc
   .array(fc.tuple(size, fc.boolean()), { maxLength: 12, size: 'max' })
   .map((list) => new Cut(list));

@@ -37,7 +37,8 @@ beforeAll(async () => {
 });
 
 /**
- * What a module imports, and which names of Node it uses; a name behind a dot, before a colon or of its own is none.
+ * What a module imports, and which names of Node it uses. A name after a dot, before a colon, or that the module itself
+ * declares, does not count.
  */
 function uses(code: string): { imports: string[]; globals: string[] } {
   const imports: string[] = [];

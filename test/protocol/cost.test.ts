@@ -19,7 +19,7 @@ function repeated(bytes: Uint8Array, size: number): Uint8Array {
   return Uint8Array.from({ length: size }, (_, at) => bytes[at % bytes.length] as number);
 }
 
-/** Visits that a stream costs in chunks of this size, and frames that ten good ones behind it still give. */
+/** Visits that a stream costs in chunks of this size, and frames that ten good ones after it still give. */
 function cost(bytes: Uint8Array, chunk: number): { perByte: number; last: number } {
   const decoder = new CountedDecoder();
   for (let at = 0; at < bytes.length; at += chunk) decoder.push(bytes.subarray(at, at + chunk));
@@ -44,7 +44,7 @@ function almost(): Uint8Array {
   return bytes;
 }
 
-// Visits at most in one chunk, and in chunks of any size; what was measured stands behind.
+// Visits at most in one chunk, and in chunks of any size; what was measured stands at the end of the line.
 const hostile: [name: string, bytes: Uint8Array, inOne: number, most: number][] = [
   ['bytes without zeros', fromHex('01'), 0.3, 2.1], // 0.25, 2.0
   ['zeros', fromHex('00'), 1.1, 1.1], // 1.0, 1.0
@@ -57,7 +57,7 @@ const hostile: [name: string, bytes: Uint8Array, inOne: number, most: number][] 
 
 describe('the cost of a byte', () => {
   for (const [name, bytes, inOne, most] of hostile) {
-    it(`is bounded for ${name}, and ten frames behind them are delivered`, () => {
+    it(`is bounded for ${name}, and ten frames after them are delivered`, () => {
       for (const chunk of [SIZE, 4096, 1]) {
         const { perByte, last } = cost(repeated(bytes, SIZE), chunk);
         expect(perByte, `visits a byte in chunks of ${chunk}`).toBeLessThanOrEqual(chunk === SIZE ? inOne : most);

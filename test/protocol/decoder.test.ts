@@ -122,7 +122,7 @@ describe('headers inside held bytes', () => {
     const decoder = new FrameDecoder();
     const found = ['00 00 00 00 05', '01 01 00 00 00', '03 6b 6b 45'].map((piece) => decoder.push(fromHex(piece)));
     expect(found).toEqual([[], [], []]);
-    // Three behind a byte that is looked at, and one in the next piece.
+    // Three after a byte that is looked at, and one in the next piece.
     expect(decode(['01 00 00 00', '00 03 6b 6b 45'].map(fromHex))).toHaveLength(1);
   });
 

@@ -73,7 +73,7 @@ test(`connected, read and disconnected ${CYCLES} times, the heap of the page sta
   stdout.write(`Heap after so many cycles (${(seconds / CYCLES).toFixed(2)} s each): ${told}.\n`);
 
   const all = FIRST + CYCLES;
-  // Once to connect, once behind the reading.
+  // Once to connect, once after the reading.
   expect(rig.timer.core.answered.filter(({ name }) => name === 'GETSWVER')).toHaveLength(2 * all);
   expect(rig.timer.core.answered.filter(({ name }) => name === 'GETSERVOPOS')).toHaveLength(all);
   await expect.poll(() => rig.sessions, { timeout: 60_000 }).toEqual({ opened: all, closed: all });

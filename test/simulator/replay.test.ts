@@ -211,7 +211,7 @@ describe('a recorded timer', () => {
   });
 
   it('drops an unfinished request, recorded or sent, before the next one', async () => {
-    // Its length asks for more than all that comes behind it.
+    // Its length asks for more than all that comes after it.
     const begun = encodeRequest({ name: 'SETTIMERS', times: Array<number>(11).fill(1) }).subarray(0, 8);
     const { send, ask } = replay([
       { time: 0, direction: 'out', bytes: begun },

@@ -120,7 +120,7 @@ describe('an impatient pilot', () => {
     const app = await AppPage.open({ bench: { granted: true } });
     await app.button('Connect').dblclick();
     await app.hasRead();
-    // Once to connect, once behind the reading.
+    // Once to connect, once after the reading.
     expect((await app.sent()).filter((name) => name === 'GETSWVER')).toHaveLength(2);
   });
 

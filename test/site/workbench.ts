@@ -104,7 +104,7 @@ export class Workbench {
     this.#at(name, () => this.adapter.unplug());
   }
 
-  /** Puts the timer to sleep right behind the answer to this request. */
+  /** Puts the timer to sleep right after the answer to this request. */
   sleepAt(name: CommandName): void {
     this.#at(name, () => this.sleep());
   }

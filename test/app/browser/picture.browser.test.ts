@@ -27,7 +27,7 @@ function heightAt(bytes: Uint8Array): number {
   return bytes.findIndex((byte, at) => byte === 0xff && bytes[at + 1] === 0xc0) + 5;
 }
 
-/** A segment of a JPEG, put behind its beginning. */
+/** A segment of a JPEG, put after its beginning. */
 function withSegment(bytes: Uint8Array, marker: number, content: readonly number[]): Uint8Array<ArrayBuffer> {
   const length = content.length + 2;
   return new Uint8Array([
@@ -118,7 +118,7 @@ describe('a picture from a file', () => {
     const endless = new Uint8Array(20_000_000).fill(0xff);
     endless[1] = 0xd8;
     expect(await taken(endless)).toEqual(['unreadable', false]);
-    // It has a size, and nothing behind it.
+    // It has a size, and nothing after it.
     expect(await taken(jpeg.slice(0, heightAt(jpeg) + 10))).toEqual(['unreadable', true]);
   });
 

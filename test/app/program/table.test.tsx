@@ -411,7 +411,7 @@ describe('a paste', () => {
           expect(editor.working.value).toBe(before);
           return;
         }
-        // One value into one cell is typing, also with an empty cell behind it.
+        // One value into one cell is typing, also with an empty cell after it.
         if (!/[\t\n]./.test(text)) {
           expect([screen.queryByRole('dialog', { name: 'Paste' }), editor.working.value]).toEqual([null, before]);
           return;
@@ -439,7 +439,7 @@ describe('a paste', () => {
         if (promised.length > 0) expect(editor.working.value).toEqual(before);
         await idle();
       }),
-      // Found by chance: nothing but empty cells, and one value with an empty cell behind it.
+      // Found by chance: nothing but empty cells, and one value with an empty cell after it.
       {
         numRuns: 25,
         examples: [

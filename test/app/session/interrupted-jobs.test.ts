@@ -29,7 +29,7 @@ function held({ timer }: AppBench) {
 const BEFORE = [18000, 35, 55];
 const GOAL = [24000, 7, 8];
 
-/** The pilot has edited a time and two positions, and the timer falls asleep behind the answer to such a request. */
+/** The pilot has edited a time and two positions, and the timer falls asleep after the answer to such a request. */
 async function writing(last: Name, isBroken = false): Promise<{ bench: AppBench; written: Promise<void> }> {
   const store = new MemoryStore();
   const bench = await connectedBench({ store });
@@ -42,7 +42,7 @@ async function writing(last: Name, isBroken = false): Promise<{ bench: AppBench;
   let questions = 0;
   bench.timer.core.onAnswer = ({ name }) => {
     if (name === 'GETSWVER') questions++;
-    // Who is there is asked before and behind the reading that comes before the first value.
+    // Who is there is asked before and after the reading that comes before the first value.
     if (name === last && (name !== 'GETSWVER' || questions === 2)) bench.timer.core.sleep();
   };
   store.broken = isBroken;

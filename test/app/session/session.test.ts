@@ -148,7 +148,7 @@ describe('connect', () => {
     await run(Promise.all([bench.session.timer.trySimulated('Q'), bench.session.timer.trySimulated('B')]));
     expect(bench.editor.working.value?.identity.timerClass).toBe('Q');
     const identified = bench.session.log.entries.value.filter(({ frame }) => frame?.code === 0x6b);
-    // Once to connect, once behind what it holds.
+    // Once to connect, once after what it holds.
     expect(identified).toHaveLength(2);
   });
 

@@ -35,7 +35,7 @@ function readBack(text: string, each = 4): string {
 }
 
 describe('a setting as a link', () => {
-  it('is the page itself, with the setting behind the #, and holds all of it', () => {
+  it('is the page itself, with the setting after the #, and holds all of it', () => {
     const link = linkOf(SHARED, PAGE);
     expect(link).toMatch(/^https:\/\/pilot\.example\/timer\/#s=[\w-]+$/);
     expect(decodeLink(link)).toEqual(SHARED);

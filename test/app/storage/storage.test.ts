@@ -64,7 +64,7 @@ describe('what is remembered of a port', () => {
 
     const after = await connectedBench({ store: bench.store, answersAt: 19_200 });
     expect(after.session.connection.value?.settings.baudRate).toBe(19_200);
-    // Once to find it, once behind the reading.
+    // Once to find it, once after the reading.
     expect(asked(after)).toBe(2);
   });
 

@@ -10,7 +10,7 @@ const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 
 beforeEach(() => localStorage.clear());
 
-/** What may happen on the wire behind any request of a write. */
+/** What may happen on the wire after any request of a write. */
 const WIRE = {
   nothing: () => {},
   'the timer answers no more': ({ timer }) => timer.core.sleep(),
@@ -188,7 +188,7 @@ describe('a write', () => {
         localStorage.clear();
         const store = new FaultyStore();
         const bench = await reviewed(store);
-        const why = `${fault} behind request ${at}, storage ${storage?.join(' ') ?? 'fine'}`;
+        const why = `${fault} after request ${at}, storage ${storage?.join(' ') ?? 'fine'}`;
         const witness = new Witness(bench, fault, at);
         let calls = 0;
         store.before = (door) =>
