@@ -13,7 +13,6 @@ const maxWorkers = availableParallelism();
  */
 const parts = {
   include: ['test/app/**/*.test.{ts,tsx}'],
-  setupFiles: ['test/app/setup.ts'],
   testTimeout: 600_000,
   hookTimeout: 600_000,
   maxWorkers,
@@ -39,6 +38,7 @@ export default defineConfig({
             'test/{readme,docs}*.test.ts',
           ],
           globalSetup: 'test/tools/pack-folder.js',
+          setupFiles: ['test/tools/seed.js'],
           maxWorkers,
           isolate: false,
           // Nothing waits here, but properties and packing take long on a busy machine.
@@ -52,6 +52,7 @@ export default defineConfig({
           ...parts,
           name: 'parts',
           environment: 'happy-dom',
+          setupFiles: ['test/tools/seed.js', 'test/app/setup.ts'],
           exclude: ['**/*.browser.test.ts'],
           // The files share modules and a document: setup.ts leaves nothing behind from one to the next.
           isolate: false,
@@ -63,6 +64,7 @@ export default defineConfig({
           ...parts,
           name: 'parts-browser',
           include: ['test/app/**/*.browser.test.{ts,tsx}'],
+          setupFiles: ['test/app/setup.ts'],
           browser: {
             enabled: true,
             headless: true,
