@@ -73,7 +73,9 @@ describe('a write that the page did not survive', () => {
     await panel(app).waitFor({ state: 'detached' });
     await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
     await expect
-      .poll(() => app.valueOf('Function 3 time'), { message: 'a value that nobody changed shows what the timer holds' })
+      .poll(() => app.valueOf('Function 3 time'), {
+        message: 'the page shows the value from before the write, as an edit',
+      })
       .toBe('11.50');
     expect(await app.bench(({ sets }) => sets), 'nothing is written unasked').toEqual([]);
   });

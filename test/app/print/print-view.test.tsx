@@ -81,7 +81,7 @@ describe('the print view', () => {
     expect(said()).toMatch(/Turns left after 12 s\..*Flights/);
     expect(
       screen.getAllByRole('img', { name: /S1 Tailplane, S2 flaps/ }),
-      'the sheets of a model show its picture',
+      'the timeline on each sheet of a model names its servos',
     ).toHaveLength(2);
     for (const part of [/^Notes/, /^Timeline/, /^Lines to write on/]) choose(part);
     expect(said()).not.toMatch(/Turns left|Flights/);

@@ -129,7 +129,7 @@ describe('the timeline', () => {
     observer.disconnect();
     expect(
       removed.map(({ textContent }) => textContent),
-      'the preview never forgets that the model has come down',
+      'the note that the model comes down stays all the time',
     ).toEqual([]);
   });
 
