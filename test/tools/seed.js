@@ -4,4 +4,5 @@
 import { env } from 'node:process';
 import fc from 'fast-check';
 
-if (env.CI) fc.configureGlobal({ ...fc.readConfigureGlobal(), seed: 1 });
+const { CI } = env;
+if (CI) fc.configureGlobal({ ...fc.readConfigureGlobal(), seed: 1 });
