@@ -32,7 +32,7 @@ const { requests, replies, streams } = JSON.parse(readFileSync(file, 'utf8'));
 const bytesOf = (hex) => Uint8Array.from(hex.split(' '), (byte) => Number.parseInt(byte, 16));
 const hexOf = (bytes) => Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join(' ');
 const same = (name, is, wanted) => {
-  if (is !== wanted) throw new Error([name, is, wanted].join('; '));
+  if (is !== wanted) throw new Error([name, 'is', is, 'should be', wanted].join(' '));
 };
 for (const [rows, encode, decode] of [[requests, encodeRequest, decodeRequest], [replies, encodeReply, decodeReply]]) {
   for (const { name, hex, identity, quirks, message } of rows) {
@@ -114,7 +114,10 @@ function run(program, before, { file, args = [], says, hears = /^$/ }) {
   const { status, stdout, stderr } = spawnSync(program, [...before, file, ...args], { cwd: folder, encoding: 'utf8' });
   const lines = stdout.split('\n').filter(Boolean).join('\n');
   const isRight = status === 0 && (typeof says === 'string' ? lines === says : says.test(lines)) && hears.test(stderr);
-  if (!isRight) throw new Error(`${file} ${args.join(' ')} ended with ${status}\n${stdout}${stderr}`);
+  if (isRight) return;
+  throw new Error(
+    `${file} ${args.join(' ')} must print ${says} and end with 0, but ended with ${status}:\n${stdout}${stderr}`,
+  );
 }
 
 try {
