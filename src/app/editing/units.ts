@@ -75,8 +75,13 @@ const MINUTES_POINT_SECONDS = /^(\d{0,2})[.,]([0-5]\d?)$/;
 /** Half minutes, or decimals that cannot be seconds: so decimals of a minute. */
 const MINUTES_POINT_DECIMALS = /^(\d{0,2})[.,](5|[6-9]\d?)$/;
 const MINUTES_AND_SECONDS = /^(\d{1,2})([0-5]\d)$/;
+/** Two digits after the point may be seconds also where the unit is said: `2.30 min`. */
+const MINUTES_POINT_SECONDS_MIN = /^(\d{0,2})[.,]([0-5]\d) ?min$/i;
 /** How pilots write minutes without saying so, the likeliest first, and what the two digits after are worth. */
-const FORMS: readonly (readonly [RegExp, number])[] = [[MINUTES_AND_SECONDS, 100]];
+const FORMS: readonly (readonly [RegExp, number])[] = [
+  [MINUTES_AND_SECONDS, 100],
+  [MINUTES_POINT_SECONDS_MIN, 100],
+];
 const DT_FORMS: typeof FORMS = [
   ...FORMS,
   [MINUTES_POINT_DECIMALS, 60],
@@ -86,9 +91,9 @@ const DT_FORMS: typeof FORMS = [
 
 /**
  * Like {@link parseTime}, but it asks where a pilot may also have meant minutes: the wrong guess would cost a flight or
- * a model. A text with a colon, a unit or two decimal marks is never ambiguous. These texts are:
+ * a model. A text with a colon, a unit or two decimal marks is never ambiguous, but for `2.30 min`. These texts are:
  *
- * - everywhere, `230` and `0230`: 2 min 30 s or 230 s;
+ * - everywhere, `230` and `0230`: 2 min 30 s or 230 s; and `2.30 min`: 2 min 30 s or 2.3 min, which is 138 s;
  * - for DT, which is set in minutes and whole seconds, also `2.30`, `2,30`, `.30`, and `2.3` for 2.30: 2 min 30 s or
  *   2.3 s;
  * - for DT also `2.5`: 2 min 30 s, 2 min 50 s or 2.5 s; and `2.75`: 2 min 45 s or 2.75 s;

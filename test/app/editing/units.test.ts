@@ -230,6 +230,12 @@ describe('a time that a pilot types', () => {
     ['2.50', '17000 or 250', 250],
     ['2.6', '15600 or 260', 260],
     ['2.5 min', 15000, 15000],
+    ['2.30 min', '15000 or 13800', '15000 or 13800'],
+    ['2,50min', '17000 or 15000', '17000 or 15000'],
+    ['2.75 min', 16500, 16500],
+    ['3.00 min', 18000, 18000],
+    ['12.30 min', 73800, 73800],
+    ['2:30 min', 15000, 15000],
     ['2.05', '12500 or 205', 205],
     ['3.00', '18000 or 300', 300],
     ['.30', '3000 or 30', 30],
@@ -274,7 +280,7 @@ describe('a time that a pilot types', () => {
     fc.stringMatching(/^[0-9]{1,4}[.,:]?[0-9]{0,2}$/),
   );
 
-  it('is nothing, one value, or a question whose last answer takes the text as seconds', () => {
+  it('is nothing, one value, or a question whose last answer takes the text as it stands', () => {
     fc.assert(
       fc.property(texts, fc.boolean(), (text, isDt) => {
         for (const [read, exact] of [
@@ -289,7 +295,9 @@ describe('a time that a pilot types', () => {
           expect(new Set(read.either).size).toBe(read.either.length);
           expect(read.either.every(Number.isInteger)).toBe(true);
           for (const minutes of read.either.slice(0, -1)) expect(Math.abs(minutes)).toBeLessThanOrEqual(72_000);
-          expect(text, 'a text with a colon or a unit has one meaning, so no question comes').not.toMatch(/[:a-z]/);
+          // Only the two digits of `2.30 min` may be seconds or decimals.
+          const rest = text.replace(/[.,][0-5]\d *min/i, '');
+          expect(rest, 'a text with a colon or a unit has one meaning, so no question comes').not.toMatch(/[:a-z]/);
         }
       }),
       { numRuns: 2000 },
