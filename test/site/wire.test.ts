@@ -51,6 +51,26 @@ describe('through a serial port', () => {
   });
 });
 
+test('the computer sleeps in the middle of a write: nothing more is sent, and the write can be finished', async () => {
+  const app = await edited();
+  await app.bench(({ adapter: { timer } }) => {
+    timer.core.onAnswer = ({ name }) => {
+      if (name !== 'SETTIMERS') return;
+      timer.core.onAnswer = undefined;
+      const now = Date.now;
+      Date.now = () => now() + 3_600_000;
+    };
+  });
+  await app.write();
+  await app.result('It is not certain what the timer holds.');
+  await app.dialog.getByText('This page stood still in the middle of it.').waitFor();
+  expect(await app.bench(({ sets }) => sets)).toEqual(['SETTIMERS']);
+  await app.close();
+  await app.readAgain();
+  await app.write();
+  await app.result('Verified.');
+});
+
 describe('the plug is pulled', () => {
   test('during a reading: the page says so, and reads again after plugging in', async () => {
     const app = await edited();
