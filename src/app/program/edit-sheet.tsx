@@ -186,7 +186,17 @@ interface StepKeyProps {
 function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
   const { sheet: words } = messages.value.edits;
   const repeat = useMemo(() => new RepeatPress(), []);
-  useEffect(() => () => repeat.release(), [repeat]);
+  useEffect(() => {
+    const release = (): void => repeat.release();
+    // Somebody else has the screen: nobody tells that the finger has left it.
+    addEventListener('blur', release);
+    document.addEventListener('visibilitychange', release);
+    return () => {
+      release();
+      removeEventListener('blur', release);
+      document.removeEventListener('visibilitychange', release);
+    };
+  }, [repeat]);
   const step = (): void => act(() => value.step(direction, { tenfold }));
   const release = (): void => repeat.release();
   return (

@@ -142,6 +142,32 @@ describe('holding a button down', () => {
     expect(requests(app, 'UNLOCK')).toHaveLength(2);
   });
 
+  it('does nothing when the page stood still, and hears only afterwards that it was released', async () => {
+    const app = await safeBench();
+    const hold = new PressAndHold(() => void app.bench.unlock());
+    hold.press();
+    const now = performance.now();
+    const clock = vi.spyOn(performance, 'now').mockReturnValue(now + 5000);
+    await vi.advanceTimersByTimeAsync(HOLD);
+    clock.mockRestore();
+    hold.release();
+    await idle();
+    expect(requests(app, 'UNLOCK')).toEqual([]);
+  });
+
+  it('acts a moment later when the page stood still and it is still held', async () => {
+    const app = await safeBench();
+    const hold = new PressAndHold(() => void app.bench.unlock());
+    hold.press();
+    const now = performance.now();
+    const clock = vi.spyOn(performance, 'now').mockReturnValue(now + 5000);
+    await vi.advanceTimersByTimeAsync(HOLD);
+    await vi.advanceTimersByTimeAsync(HOLD);
+    clock.mockRestore();
+    await idle();
+    expect(requests(app, 'UNLOCK')).toHaveLength(1);
+  });
+
   it('does nothing when the pilot releases it early', async () => {
     const app = await safeBench();
     const hold = new PressAndHold(() => void app.bench.unlock());

@@ -190,6 +190,17 @@ describe('its keys', () => {
     expect(field('Function 4, S2').value).toBe('59');
   });
 
+  it('stop stepping when somebody else gets the screen', async () => {
+    await connected();
+    await tap('Function 4, S2');
+    fireEvent.pointerDown(sheet('Function 4, S2').getByRole('button', { name: '+1' }), { pointerType: 'touch' });
+    await idle(450);
+    const before = field('Function 4, S2').value;
+    fireEvent.blur(window);
+    await idle();
+    expect([before, field('Function 4, S2').value]).toEqual(['56', '56']);
+  });
+
   it('begin a new value after a step, and after Put back', async () => {
     await connected();
     await tap('Function 4, S2');

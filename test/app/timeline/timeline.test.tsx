@@ -63,7 +63,7 @@ const inHand = (): string | null => screen.getByRole('button', { name: /^S\d/, p
 const standing = (name: string): number =>
   Math.round(Number(handle(name).getAttribute('aria-valuenow')) * (name.endsWith('time') ? 100 : 1));
 
-const mouse = { pointerId: 1, pointerType: 'mouse', button: 0 };
+const mouse = { pointerId: 1, pointerType: 'mouse', button: 0, buttons: 1 };
 
 /** Takes a handle with the mouse and moves it by so many pixels, without letting go. */
 async function hold(name: string, dx: number, dy: number, more: object = {}): Promise<() => Promise<void>> {
@@ -234,6 +234,18 @@ describe('the mouse', () => {
     expect(log.at(-1)).toBe('move-position 12 back.');
     expect(seen, 'this Escape does nothing else on the page').toEqual([]);
     await release();
+    expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12 back.', 12]);
+  });
+
+  it('puts back when the button was released where the page could not hear it', async () => {
+    const { log, current } = shown();
+    await hold('Function 2, S1', 0, -40);
+    await drawn();
+    expect(current.value.positions[0]?.[2]).not.toBe(12);
+    // Over another window. Now the mouse comes back, with no button down.
+    const back = { ...placeOf(handle('Function 2, S1')), ...mouse, buttons: 0 };
+    await act(() => void fireEvent.pointerMove(window, { ...back, clientY: back.clientY - 80 }));
+    await drawn();
     expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12 back.', 12]);
   });
 

@@ -105,8 +105,12 @@ export class PointerControl {
   readonly #moved = (event: PointerEvent): void => {
     const target = this.#target();
     if (!target || !this.#down.has(event.pointerId)) return;
-    this.#down.set(event.pointerId, pointIn(target.svg, event));
-    this.#note(event, target);
+    // The button was released where the page could not hear it, as over another window.
+    if (event.pointerType === 'mouse' && event.buttons === 0) this.#lost(event);
+    else {
+      this.#down.set(event.pointerId, pointIn(target.svg, event));
+      this.#note(event, target);
+    }
   };
 
   readonly #up = (event: PointerEvent): void => {
@@ -116,8 +120,8 @@ export class PointerControl {
     this.#end();
   };
 
+  /** The browser uses the finger to scroll the page, so it was not meant for the picture. */
   readonly #lost = (event: PointerEvent): void => {
-    // The browser uses the finger to scroll the page, so it was not meant for the picture.
     if (this.#down.delete(event.pointerId)) this.cancel();
   };
 
