@@ -66,7 +66,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await app.button('Do not keep').click();
 
   await page.evaluate(() => location.assign('#help/checklist'));
-  await app.text(/^M1 flies next, DT 4:00 min, read /).waitFor();
+  await app.text(/^M1 flies next, DT\s4:00\smin, read /).waitFor();
   for (const [link, heading] of [
     ['Trouble', 'When something is wrong'],
     ['Values', 'What the values are'],

@@ -7,5 +7,6 @@ const SHORT = 20;
 export const dotted = (facts: readonly (string | null | undefined | false)[]): string =>
   facts.flatMap((fact) => (fact ? [apart(whole(fact))] : [])).join('\u00a0· ');
 
-const whole = (fact: string): string =>
+/** A short fact, so that it stays on one line. */
+export const whole = (fact: string): string =>
   fact.length > SHORT ? fact : fact.replaceAll(' ', '\u00a0').replaceAll('-', '-\u2060');

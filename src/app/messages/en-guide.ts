@@ -1,3 +1,5 @@
+import { whole } from './dotted.js';
+
 /** The help inside the page. Only its own parts need these sentences. */
 export const guide = {
   pages: {
@@ -125,9 +127,9 @@ export const checklist = {
   },
   /** What is known about the connected timer. */
   known: {
-    now: (memory: string, dt: string, time: string) => `${memory} flies next, DT ${dt}, read ${time}.`,
+    now: (memory: string, dt: string, time: string) => `${memory} flies next, ${whole(`DT ${dt}`)}, read ${time}.`,
     once: (memory: string, dt: string, time: string | null) =>
-      time === null ? `${memory}, DT ${dt}, as last read.` : `${memory}, DT ${dt}, as last read ${time}.`,
+      `${memory}, ${whole(`DT ${dt}`)}, as last read${time === null ? '' : ` ${time}`}.`,
     not: (memory: string) => `It is not known what ${memory} holds. Read it before you fly.`,
     memory: 'This memory',
     simulated: 'This is a simulated timer.',

@@ -124,17 +124,19 @@ describe('what the checklist says of the timer', () => {
   it('is what flies next while the timer is connected, and else what was last read', async () => {
     const { models, session } = await connected();
     await look(models, 'checklist');
-    expect(known()).toMatch(/^M1 flies next, DT 3:00 min, read \d\d:\d\d\.$/);
+    expect(known()).toMatch(/^M1 flies next, DT\u00a03:00\u00a0min, read \d\d:\d\d\.$/);
     await run(session.timer.disconnect());
     await idle(0);
-    expect(known()).toMatch(/^M1, DT 3:00 min, as last read \d\d:\d\d\.$/);
+    expect(known()).toMatch(/^M1, DT\u00a03:00\u00a0min, as last read \d\d:\d\d\.$/);
   });
 
   it('is what the timer holds, and how many changes are not in it yet', async () => {
     const { models } = await connected();
     await type('DT time', '6:00');
     await look(models, 'checklist');
-    expect(known()).toMatch(/^M1 flies next, DT 3:00 min, read \d\d:\d\d\. 1 change is not in the timer yet\.$/);
+    expect(known()).toMatch(
+      /^M1 flies next, DT\u00a03:00\u00a0min, read \d\d:\d\d\. 1 change is not in the timer yet\.$/,
+    );
   });
 
   it('never comes from a program that is in no timer', async () => {
