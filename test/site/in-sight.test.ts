@@ -178,3 +178,22 @@ test('the promise about the propeller stands beside the button that waits for it
   await expect.poll(() => dialog.evaluate((it) => it.scrollHeight > it.clientHeight)).toBe(true);
   await expect.poll(isInWindow).toBe(true);
 });
+
+test('on a phone on its side the way to stop following is in the window, with all commands of the program', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 844, height: 390 }, before: IN_SUN });
+  await app.connect();
+  await app.goTo('Bench');
+  await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
+  await app.page.getByRole('switch').click();
+  await app.page.getByRole('switch', { checked: true }).waitFor();
+  await app.goTo('Program');
+  await app.button('Stop following').waitFor();
+  const outside = await app.page.locator('.actions button').evaluateAll((buttons) =>
+    buttons.flatMap((button) => {
+      const { left, right, top, bottom } = button.getBoundingClientRect();
+      const there = document.elementFromPoint((left + right) / 2, bottom - 2);
+      return top >= 0 && bottom <= innerHeight && button.contains(there) ? [] : [button.textContent];
+    }),
+  );
+  expect(outside).toEqual([]);
+});
