@@ -110,7 +110,7 @@ export class Exchange {
   begin(job: Omit<PlannedJob, 'identity'>): void {
     this.schedule.begin({ ...job, identity: this.identity });
     this.#seen = this.watch();
-    this.#standstills = this.#wire.standstills;
+    this.#standstills = this.#wire.standstill.count;
   }
 
   /**
@@ -318,7 +318,7 @@ export class Exchange {
 
   /** @throws TimerError `stood-still` when this program stood still during the job: nothing more is sent in it. */
   #requireGoing(): void {
-    if (this.#wire.standstills === this.#standstills) return;
+    if (this.#wire.standstill.count === this.#standstills) return;
     throw new TimerError('stood-still', 'this program stood still in the middle of the job');
   }
 

@@ -18,7 +18,8 @@ import { type AnswerOutcome, asReply, type Outcome, type Question, replySize } f
 import type { BytePort, ByteWriter } from './port.js';
 import { PortReader } from './port-reader.js';
 import type { Quirks } from './quirks.js';
-import { DRAIN, LONGEST_FRAME, overtime, replyTime, SILENCE, STANDSTILL } from './retry-policy.js';
+import { DRAIN, LONGEST_FRAME, overtime, replyTime, SILENCE } from './retry-policy.js';
+import { StandstillWatch } from './standstill.js';
 import { UnansweredRequests } from './unanswered.js';
 
 export interface WireOptions {
@@ -56,6 +57,7 @@ export class Wire {
   /** How often the port reported each kind of line error. */
   readonly lineErrors = new Map<LineErrorKind, number>();
   readonly unanswered: UnansweredRequests;
+  readonly standstill: StandstillWatch;
   readonly #port: BytePort;
   readonly #quirks: Quirks;
   readonly #options: WireOptions;
@@ -68,7 +70,6 @@ export class Wire {
   #lastByteAt = Number.NEGATIVE_INFINITY;
   #damage = 0;
   #strays = 0;
-  #standstills = 0;
   #lastSent: Frame | undefined;
   #pause: Pause | undefined;
   /** The last frame whose command byte stands in place of its checksum. */
@@ -79,6 +80,7 @@ export class Wire {
     this.#quirks = quirks;
     this.#options = options;
     this.unanswered = new UnansweredRequests(options.clock, options.timing);
+    this.standstill = new StandstillWatch(options.clock);
     this.#decoder = new FrameDecoder({
       onFrame: (frame, bytes, bare) => {
         if (bare) this.#bare = frame;
@@ -110,11 +112,6 @@ export class Wire {
    */
   get strays(): number {
     return this.#strays;
-  }
-
-  /** How often something came so late that this program must have stood still meanwhile. */
-  get standstills(): number {
-    return this.#standstills;
   }
 
   /** An accepted reply turned out to be wrong. As after damage, a single reply is no longer believed. */
@@ -180,7 +177,7 @@ export class Wire {
     return new Promise((resolve, reject) => {
       const end = (): void => {
         cancel();
-        this.#noteDue(due);
+        this.standstill.noteDue(due);
         signal?.removeEventListener('abort', stop);
         this.#pause = undefined;
       };
@@ -246,7 +243,7 @@ export class Wire {
       await Promise.race([this.#send(bytes), ended]);
       const outcome = await ended;
       const { timing } = this.#options;
-      this.#noteDue(sentAt + replyTime(bytes.length + size, timing) + overtime(timing));
+      this.standstill.noteDue(sentAt + replyTime(bytes.length + size, timing) + overtime(timing));
       this.unanswered.note(bytes, sentAt, outcome.kind !== 'answer');
       return outcome;
     } finally {
@@ -331,11 +328,6 @@ export class Wire {
   #noteDamage(): void {
     this.#noteSign('damaged');
     this.#damage++;
-  }
-
-  /** @param due when what has just happened should have happened at the latest. */
-  #noteDue(due: number): void {
-    if (this.#options.clock.now() > due + STANDSTILL) this.#standstills++;
   }
 
   #noteLineError(error: LineErrorKind): void {

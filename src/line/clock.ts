@@ -8,6 +8,11 @@ export interface Clock {
    * @returns a function that cancels the call. Calling it later, or again, does no harm.
    */
   after(ms: number, callback: () => void): () => void;
+  /**
+   * Milliseconds since 1970, as the computer shows them. This goes on while the computer sleeps, when `now` may stand
+   * still; but somebody can set it. It only serves to notice a sleep. Without it `now` must go on.
+   */
+  wall?(): number;
 }
 
 // Declared here, so that this room needs neither the types of the DOM nor those of Node.
@@ -27,6 +32,7 @@ export const realClock: Clock = {
     const timer = setTimeout(callback, Math.max(0, ms));
     return () => clearTimeout(timer);
   },
+  wall: () => Date.now(),
 };
 
 /** Waits until every promise that does not depend on the clock has settled. */

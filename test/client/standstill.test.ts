@@ -153,6 +153,62 @@ describe('a page that stands still during a write', () => {
   });
 });
 
+describe('a computer that sleeps, and whose clock for programs sleeps, too', () => {
+  /** A write of two values; after the request `at` the computer sleeps for `ms` milliseconds. */
+  async function slept(at: number, ms: number) {
+    const clock = new VirtualClock();
+    const timer = new VirtualTimer({ clock, identity: SMALL, latency: 20 });
+    let asleep = 0;
+    // Counts from the write on.
+    let requests = Number.NEGATIVE_INFINITY;
+    const writer = timer.writable.getWriter();
+    const port: BytePort = {
+      readable: timer.readable,
+      writable: new WritableStream({
+        write: (bytes) => {
+          if (++requests === at) asleep += ms;
+          return writer.write(bytes);
+        },
+      }),
+    };
+    const sleepy: Clock = {
+      now: () => clock.now(),
+      after: (after, callback) => clock.after(after, callback),
+      wall: () => clock.now() + asleep,
+    };
+    const client = new TimerClient(port, { clock: sleepy });
+    const baseline = await clock.run(client.readProgram());
+    const goal = edited(baseline, [[2, 9000]], [[0, 1, 77]]);
+    requests = 0;
+    const writing = client.writeProgram(goal, { baseline }).catch((error: unknown) => error);
+    const result = (await clock.run(writing)) as Partial<WriteReport> & { code?: string };
+    return { clock, client, timer, goal, result, requests, sleep: (more: number) => (asleep += more) };
+  }
+
+  it.each(Array.from({ length: FRESH + SETS + VERIFY - 1 }, (_, index) => index + 1))(
+    'for a minute after request %d sends nothing more, and the next job works',
+    async (at) => {
+      const { clock, client, timer, goal, result, requests } = await slept(at, 60_000);
+      expect([requests, result.code ?? result.stopped?.code]).toEqual([at, 'stood-still']);
+      const held = await clock.run(client.readProgram());
+      expect(await clock.run(client.writeProgram(goal, { baseline: held }))).toMatchObject({ result: 'verified' });
+      expect(contentOf(timer)).toEqual(goal);
+    },
+  );
+
+  it.each([2000, -3_600_000])('for %d ms, or whose clock is put back, goes on', async (ms) => {
+    const { timer, goal, result } = await slept(FRESH + 1, ms);
+    expect(result).toMatchObject({ result: 'verified', stopped: null });
+    expect(contentOf(timer)).toEqual(goal);
+  });
+
+  it('between two jobs is nothing to the second one', async () => {
+    const { clock, client, timer, sleep } = await slept(0, 0);
+    sleep(3_600_000);
+    expect(await clock.run(client.readProgram())).toEqual(contentOf(timer));
+  });
+});
+
 describe('a page that stands still', () => {
   it('while memories are read leaves the timer as it is, and says that another memory may be current', async () => {
     const clock = new VirtualClock();
