@@ -7,7 +7,6 @@ import { registerOffline } from './browser/offline.js';
 import { platformOf } from './browser/platform.js';
 import { nameplate, service, tried } from './browser/services.js';
 import { onWake } from './browser/wake.js';
-import { WakefulClock } from './browser/wakeful-clock.js';
 import { clockText } from './messages/index.js';
 import { followDay } from './messages/today.js';
 import { createModels } from './models.js';
@@ -33,7 +32,6 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   const doors = openDoors();
   const models = createModels({
     surroundings: doors.surroundings,
-    clock: new WakefulClock(),
     storage: browserStorage(),
     tab: tabNumberOf(doors),
     plugSimulated: async (timerClass) => (await fetchSimulated()).plugSimulatedTimer(timerClass),

@@ -10,7 +10,7 @@ export type LineErrorKind = 'framing' | 'parity' | 'break' | 'overrun' | 'other'
  * One thing seen on the line: a frame sent, a frame received, bytes that belong to no frame, or an error of the line.
  */
 export interface LineEntry {
-  /** Milliseconds since 1970, by the client's clock. */
+  /** Milliseconds since 1970, by the client's clock. The sleep of the computer counts. */
   readonly time: number;
   /** `out`: to the timer. `in`: from the timer, or an error of the line. */
   readonly direction: 'out' | 'in';

@@ -345,7 +345,7 @@ export class Wire {
   }
 
   #log(entry: Pick<LineEntry, 'direction'> & Partial<LineEntry>): void {
-    const time = this.#options.clock.now();
+    const { time } = this.standstill;
     tell(this.#options.onLine, { time, bytes: NO_BYTES, frame: null, rejected: null, error: null, ...entry });
   }
 }

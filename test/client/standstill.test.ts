@@ -176,13 +176,14 @@ describe('a computer that sleeps, and whose clock for programs sleeps, too', () 
       after: (after, callback) => clock.after(after, callback),
       wall: () => clock.now() + asleep,
     };
-    const client = new TimerClient(port, { clock: sleepy });
+    const times: number[] = [];
+    const client = new TimerClient(port, { clock: sleepy, onLine: ({ time }) => void times.push(time) });
     const baseline = await clock.run(client.readProgram());
     const goal = edited(baseline, [[2, 9000]], [[0, 1, 77]]);
     requests = 0;
     const writing = client.writeProgram(goal, { baseline }).catch((error: unknown) => error);
     const result = (await clock.run(writing)) as Partial<WriteReport> & { code?: string };
-    return { clock, client, timer, goal, result, requests, sleep: (more: number) => (asleep += more) };
+    return { clock, client, timer, goal, result, requests, times, sleep: (more: number) => (asleep += more) };
   }
 
   it.each(Array.from({ length: FRESH + SETS + VERIFY - 1 }, (_, index) => index + 1))(
@@ -202,10 +203,13 @@ describe('a computer that sleeps, and whose clock for programs sleeps, too', () 
     expect(contentOf(timer)).toEqual(goal);
   });
 
-  it('between two jobs is nothing to the second one', async () => {
-    const { clock, client, timer, sleep } = await slept(0, 0);
+  it('between two jobs is nothing to the second one, and counts in the log', async () => {
+    const { clock, client, timer, times, sleep } = await slept(0, 0);
+    const before = times.at(-1) ?? Number.NaN;
+    times.length = 0;
     sleep(3_600_000);
     expect(await clock.run(client.readProgram())).toEqual(contentOf(timer));
+    expect((times[0] ?? 0) - before).toBe(3_600_000);
   });
 });
 

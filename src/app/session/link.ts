@@ -1,6 +1,5 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { AssumedQuirks, LineEntry } from '../../client/index.js';
-import type { Clock } from '../../line/index.js';
 import {
   availability,
   DEFAULT_SETTINGS,
@@ -25,8 +24,6 @@ const PORTS_LIMIT = 1000;
 
 export interface LinkOptions {
   readonly surroundings: Surroundings;
-  /** Default: the real one. */
-  readonly clock?: Clock | undefined;
   readonly ports: Keeper<PortRecord>;
   readonly onLine: (entry: LineEntry) => void;
   /** Called with every new state, after {@link Link.state} has it. */
@@ -96,7 +93,6 @@ export class Link {
     this.unavailable = availability(options.surroundings);
     this.#link = new TimerLink({
       serial,
-      clock: options.clock,
       policyAllows: options.surroundings.policyAllows,
       onLine: options.onLine,
       onState: (state) => this.#follow(state),

@@ -1,5 +1,4 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
-import type { Clock } from '../../line/index.js';
 import type { Model } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import type { TabChannel } from '../browser/other-tabs.js';
@@ -42,8 +41,6 @@ export interface SessionOptions extends TimerSources {
   readonly tab: TabNumber;
   /** The channel between the tabs of this page, for the library; null when there is none. */
   readonly libraryChannel?: TabChannel | null;
-  /** The clock of the line. Default: the real one. */
-  readonly clock?: Clock | undefined;
 }
 
 /** One pilot, one wire, one program on the screen: builds all models for that in one place. */
@@ -100,7 +97,6 @@ export class Session {
     this.library = new Library(storage, options.libraryChannel);
     this.link = new Link({
       surroundings,
-      clock: options.clock,
       ports: storage.ports,
       onLine: this.log.add,
       onState: (state, before) => this.timer.follow(state, before),
