@@ -52,7 +52,7 @@ async function open(): Promise<void> {
     await openPage(root, theme);
     doEarlyClick();
   } catch (error) {
-    offerReload(first.failed);
+    offerReload(first.failed, 'notice bad');
     throw error;
   } finally {
     endWatch();
@@ -62,7 +62,7 @@ async function open(): Promise<void> {
 /** Says when loading takes long, until the returned function is called. */
 function watchLoading(): () => void {
   const shown: HTMLElement[] = [];
-  const timer = setTimeout(() => shown.push(offerReload(first.slow)), SLOW);
+  const timer = setTimeout(() => shown.push(offerReload(first.slow, 'notice')), SLOW);
   return () => {
     clearTimeout(timer);
     for (const notice of shown) notice.remove();
@@ -70,10 +70,10 @@ function watchLoading(): () => void {
 }
 
 /** Shows `text` and a button to load the page again. At this moment the page has no other sentences or parts. */
-function offerReload(text: string): HTMLElement {
+function offerReload(text: string, look: string): HTMLElement {
   const notice = document.createElement('p');
   notice.role = 'alert';
-  notice.className = 'notice bad';
+  notice.className = look;
   const again = document.createElement('button');
   again.textContent = first.again;
   again.addEventListener('click', () => location.reload());
