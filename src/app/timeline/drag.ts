@@ -65,21 +65,27 @@ function within(value: number, { min, max }: Limits): number {
   return Math.min(max, Math.max(min, value));
 }
 
-/** One movement of one handle, from taking it to releasing it. */
+/**
+ * One movement of one handle, from taking it to releasing it. It is over as soon as the program holds another value
+ * than the movement gave: an undo, or the program of another timer, has come meanwhile.
+ */
 export class DragEdit {
+  /** As it was when the handle was taken. */
   readonly program: TimerProgram;
   readonly field: ProgramField;
+  readonly #now: () => TimerProgram;
   readonly #onEdit: OnEdit;
   readonly #original: number;
   #last: number;
   #moved = false;
 
-  /** @param program as it is when the handle is taken. */
-  constructor(program: TimerProgram, field: ProgramField, onEdit: OnEdit) {
-    this.program = program;
+  /** @param now gives the present program. */
+  constructor(now: () => TimerProgram, field: ProgramField, onEdit: OnEdit) {
+    this.program = now();
     this.field = field;
+    this.#now = now;
     this.#onEdit = onEdit;
-    this.#original = this.#last = valueAt(program, field) ?? 0;
+    this.#original = this.#last = this.#held ?? 0;
   }
 
   /** The present value of the handle. */
@@ -88,7 +94,7 @@ export class DragEdit {
   }
 
   move(value: number): void {
-    if (value === this.#last) return;
+    if (value === this.#last || this.#isOver) return;
     this.#last = value;
     this.#moved = true;
     this.#tell('moving');
@@ -96,14 +102,25 @@ export class DragEdit {
 
   /** The handle is released. A movement that changed nothing is not reported. */
   finish(): void {
-    if (this.#moved) this.#tell(this.#last === this.#original ? 'back' : 'done');
+    if (this.#moved && !this.#isOver) this.#tell(this.#last === this.#original ? 'back' : 'done');
     this.#moved = false;
   }
 
   /** Puts the old value back. */
   cancel(): void {
-    this.#last = this.#original;
-    this.finish();
+    if (this.#moved && !this.#isOver) {
+      this.#last = this.#original;
+      this.#tell('back');
+    }
+    this.#moved = false;
+  }
+
+  get #held(): number | null {
+    return valueAt(this.#now(), this.field);
+  }
+
+  get #isOver(): boolean {
+    return (this.#held ?? 0) !== this.#last;
   }
 
   #tell(phase: DragPhase): void {

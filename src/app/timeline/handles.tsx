@@ -161,7 +161,7 @@ function Handle({ geometry, model, keys, selected, now, onEdit, onSelect, field,
           model.reveal(latest.current.layout.scale.place(timeOf(latest.current.program, field)));
           onSelect?.(field);
         }}
-        onKeyDown={(event) => keys.down(event, now(), field, onEdit)}
+        onKeyDown={(event) => keys.down(event, now, field, onEdit)}
         onKeyUp={keys.up}
         onBlur={keys.up}
       >

@@ -37,7 +37,7 @@ export class HandleKeys {
     this.#model = model;
   }
 
-  down(event: KeyboardEvent, program: TimerProgram, field: ProgramField, onEdit: OnEdit): void {
+  down(event: KeyboardEvent, now: () => TimerProgram, field: ProgramField, onEdit: OnEdit): void {
     if (event.key === 'Escape') {
       if (this.#edit) this.#edit.cancel();
       else (event.currentTarget as Element).closest<SVGElement>('svg')?.focus();
@@ -45,11 +45,12 @@ export class HandleKeys {
       take(event);
       return;
     }
+    const program = now();
     const value = valueByKey(program, field, event);
     if (value === null) return;
     take(event);
     this.#model.ask(null);
-    this.#edit ??= new DragEdit(program, field, onEdit);
+    this.#edit ??= new DragEdit(now, field, onEdit);
     if (value !== valueAt(program, field)) this.#edit.move(value);
   }
 

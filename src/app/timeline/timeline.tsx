@@ -22,7 +22,10 @@ import './timeline.css';
 
 export interface TimelineProps {
   readonly program: TimerProgram;
-  /** Gives the present program, because `program` may be a moment old. A handle that is taken begins there. */
+  /**
+   * Gives the present program, because `program` may be a moment old. A handle that is taken begins there. Needed where
+   * values can be changed.
+   */
   readonly now?: (() => TimerProgram) | undefined;
   /** A second program, drawn faintly behind the first: what the timer holds, or a saved one. */
   readonly overlay?:

@@ -4,7 +4,7 @@ import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { formatTime } from '../../../src/app/editing/units.js';
 import { Theme } from '../../../src/app/settings/theme.js';
-import type { ProgramField } from '../../../src/program/index.js';
+import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, appBench, idle } from '../bench/bench.js';
 import { late } from '../screen.js';
 
@@ -68,6 +68,30 @@ describe('the timeline', () => {
     expect(editor.textOf(S1)).toBe(String(before + 1));
     editor.undo();
     expect([editor.textOf(S1), editor.dirty.value]).toEqual([String(before), false]);
+  });
+
+  it.each<[string, (held: Element) => unknown]>([
+    ['is released', (held) => fireEvent.keyUp(held, { key: 'ArrowLeft' })],
+    ['goes on', (held) => fireEvent.keyDown(held, { key: 'ArrowLeft' })],
+    ['is put back', (held) => fireEvent.keyDown(held, { key: 'Escape' })],
+  ])('a movement that %s changes nothing in a program that has come meanwhile', async (_, end) => {
+    const { editor } = await opened();
+    const dt = () => editor.working.value?.times[dtOf(editor)];
+    const held = handle('DT time');
+    fireEvent.keyDown(held, { key: 'ArrowLeft' });
+    await idle(100);
+    expect(dt()).toBe(17900);
+    // Another timer of the same kind was plugged in.
+    const other = structuredClone(editor.baseline.value as TimerProgram);
+    (other.times as number[])[dtOf(editor)] = 9000;
+    act(() => {
+      editor.clear();
+      editor.rebase(other);
+    });
+    await soon(() => handle('DT time').getAttribute('aria-valuetext')).toBe('1:30');
+    end(handle('DT time'));
+    await idle();
+    expect([dt(), editor.changes.value]).toEqual([9000, []]);
   });
 
   it('brings that servo to the front whose field has the focus', async () => {

@@ -27,6 +27,7 @@ function shown(program: TimerProgram = PROGRAM, props: Partial<TimelineProps> = 
   const Bench = () => (
     <Timeline
       program={current.value}
+      now={() => current.value}
       selected={selected.value}
       onEdit={onEdit}
       onSelect={(field) => {

@@ -31,7 +31,7 @@ export class MoveHandle implements Gesture {
     const program = now();
     const value = valueAt(program, field) ?? 0;
     this.#model = model;
-    this.#edit = new DragEdit(program, field, onEdit);
+    this.#edit = new DragEdit(now, field, onEdit);
     this.#from = from;
     this.#last = field.kind === 'time' ? from.x : from.y;
     this.#at = this.#placeOf(layout, value);
