@@ -67,6 +67,8 @@ export class Exchange {
   #isMet = true;
   /** How often this program had stood still before the job. */
   #standstills = 0;
+  /** The request in progress, and how often it went out. */
+  #details: { readonly request: CommandName; readonly sent: number } | undefined;
   /** What has gone wrong since the job began. */
   #seen: () => Disturbance;
 
@@ -201,6 +203,12 @@ export class Exchange {
     return outcome.kind === 'answer' ? outcome.answer : null;
   }
 
+  /** @throws TimerError `stood-still` when this program stood still during the job: nothing more is sent in it. */
+  requireGoing(): void {
+    if (this.#wire.standstill.count === this.#standstills) return;
+    throw new TimerError('stood-still', 'this program stood still in the middle of the job', this.#details);
+  }
+
   /** Waits for the request in progress, and refuses all others with `closed`. */
   async close(): Promise<void> {
     this.#closed = true;
@@ -216,6 +224,7 @@ export class Exchange {
     const wire = this.#wire;
     const seen = this.watch();
     let sent = 0;
+    this.#details = { request: name, sent };
     let silent = 0;
     let bad = 0;
     let badReply: unknown;
@@ -238,7 +247,9 @@ export class Exchange {
       }
       throwIfAborted(signal);
       if (sent > 0) this.schedule.repeated();
+      this.requireGoing();
       sent++;
+      this.#details = { request: name, sent };
       const misprints = strict ? 'known' : 'yes';
       const outcome = await this.#once(() => wire.ask({ request, identity: this.identity, misprints }));
       if (outcome.kind === 'answer') {
@@ -254,7 +265,7 @@ export class Exchange {
       isDecided = !COMMANDS[name].repeatable || sent >= tries || bad >= BAD_REPLIES || isIgnored();
       if (isDecided) break;
     }
-    this.#requireGoing();
+    this.requireGoing();
     const details = { request: name, sent };
     if (bad > 0 && (bad === sent || bad >= BAD_REPLIES)) {
       throw new TimerError('bad-reply', `the reply to ${name} cannot be right`, details, badReply);
@@ -303,7 +314,7 @@ export class Exchange {
 
   async #once<T>(send: () => Promise<Outcome<T>>): Promise<Outcome<T>> {
     if (this.#closed) throw new TimerError('closed', 'this client was closed');
-    this.#requireGoing();
+    this.requireGoing();
     this.#lastSent = this.#clock.now();
     const asking = send();
     this.#underWay = asking.catch(() => {});
@@ -314,12 +325,6 @@ export class Exchange {
     this.#silent = outcome.kind === 'silent' ? this.#silent + 1 : 0;
     if (this.#silent === 1) this.#silentSince = this.#lastSent;
     return outcome;
-  }
-
-  /** @throws TimerError `stood-still` when this program stood still during the job: nothing more is sent in it. */
-  #requireGoing(): void {
-    if (this.#wire.standstill.count === this.#standstills) return;
-    throw new TimerError('stood-still', 'this program stood still in the middle of the job');
   }
 
   /**

@@ -52,6 +52,7 @@ async function requireWritable(job: ClientJob, { requests, before, baseline }: W
     throw new TimerError('undecided', 'the byte order of the times is in doubt', { request: 'SETTIMERS' });
   }
   throwIfAborted(signal);
+  job.exchange.requireGoing();
 }
 
 /** A write from its first SET request on. */

@@ -83,9 +83,12 @@ class StillPage implements BytePort, Clock {
       const bytes = (): void => {
         for (const each of came) this.#deliver(each);
       };
-      if (this.#bytesFirst) bytes();
-      for (const act of due) act();
-      if (!this.#bytesFirst) this.#clock.after(1, bytes);
+      const all = (): void => {
+        for (const act of due) act();
+      };
+      const [now, then] = this.#bytesFirst ? [bytes, all] : [all, bytes];
+      now();
+      this.#clock.after(1, then);
     });
   }
 }
@@ -228,6 +231,26 @@ describe('a page that stands still', () => {
     expect(page.requests).toBe(page.stopAt);
     await clock.run(client.selectMemory(0));
     expect(timer.core.memory).toBe(0);
+  });
+
+  it.each([true, false])('behind a command says that it was sent, bytes first: %s', async (bytesFirst) => {
+    const clock = new VirtualClock();
+    const timer = new VirtualTimer({ clock, identity: { ...SMALL, timerClass: 'Q' }, latency: 20 });
+    const page = new StillPage(clock, [timer], bytesFirst);
+    const client = new TimerClient(page, { clock: page });
+    await clock.run(client.identify());
+    for (const [act, request] of [
+      [() => client.unlockMotor(), 'UNLOCK'],
+      [() => client.setPosition({ servo: 0, slot: 1 }, 5), 'SETSERVO'],
+    ] as const) {
+      page.stopAt = page.requests + 1;
+      page.stopFor = 60_000;
+      const error = await clock.run(act().catch((failure: unknown) => failure));
+      // An answer that came meanwhile is an answer.
+      if (bytesFirst) expect(error).toBeUndefined();
+      else expect(error).toMatchObject({ code: 'stood-still', details: { request, sent: 1 } });
+      expect(page.requests).toBe(page.stopAt);
+    }
   });
 
   it('between two jobs is nothing to the second one', async () => {
