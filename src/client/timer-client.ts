@@ -138,6 +138,11 @@ export class TimerClient {
     return this.#wire.strays;
   }
 
+  /** How often a reply, or the end of a wait, came so late that this program must have stood still meanwhile. */
+  get standstills(): number {
+    return this.#wire.standstill.count;
+  }
+
   /**
    * How late the latest reply came, in milliseconds beyond the time of its bytes; null while all replies came in time.
    * Later requests wait that much longer.

@@ -30,8 +30,8 @@ export interface JobContext {
   readonly onProgress: (progress: Progress) => void;
   /**
    * Call it after every wait and before the next byte: the world may have changed.
-   * @throws TimerError `closed` when the connection is no longer the one on which the job began; `aborted` when the
-   * pilot has asked to stop, or no longer says that it is safe.
+   * @throws TimerError `closed` when the connection is no longer the one on which the job began; `stood-still`;
+   * `aborted` when the pilot has asked to stop, or no longer says that it is safe.
    */
   readonly stillOn: () => void;
   /** Asks the pilot whether to go on, and waits. A lost connection or a stop counts as no. */
@@ -194,6 +194,8 @@ export class JobRunner {
 
   #optionsOf(connection: TimerConnection, signal: AbortSignal): JobContext {
     const wasSafe = this.#safety.confirmed.value;
+    const { client } = connection;
+    const { standstills } = client;
     return {
       signal,
       onProgress: (progress) => {
@@ -203,6 +205,7 @@ export class JobRunner {
         if (this.#link.connection.value !== connection) {
           throw new TimerError('closed', 'the connection is another by now');
         }
+        if (client.standstills > standstills) throw new TimerError('stood-still', 'the page stood still');
         if (signal.aborted) throw new TimerError('aborted', 'stopped on request');
         if (wasSafe && !this.#safety.confirmed.value) throw new TimerError('aborted', 'it is no longer safe');
       },

@@ -352,6 +352,19 @@ describe('following ends', () => {
     expect([app.follow.ended.value?.reason, app.follow.endRead.value]).toEqual(['lost', true]);
   });
 
+  it('when the page stood still while a position was stored: nothing moves after that', async () => {
+    const app = await following();
+    const now = performance.now.bind(performance);
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETSERVO') vi.spyOn(performance, 'now').mockImplementation(() => now() + 60_000);
+    };
+    set(app, [S2, 70]);
+    await idle();
+    vi.mocked(performance.now).mockRestore();
+    expect([told(app), app.follow.on.value]).toEqual([['S4.1=70'], false]);
+    expect(app.follow.ended.value?.reason).toBe('failed');
+  });
+
   it('when a movement is not acknowledged, which is not sent again', async () => {
     const app = await following();
     const { core } = app.timer;
