@@ -7,6 +7,7 @@ import { media } from '../browser/doors.js';
 import { plainSeconds } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
 import type { Standing } from '../session/standing.js';
+import { useRelease } from '../ui/use-release.js';
 import { type EditedValue, Hand, type HeldField } from './hand.js';
 import { RepeatPress } from './repeat-press.js';
 import { type Goal, goalsFrom } from './sheet-moves.js';
@@ -186,17 +187,7 @@ interface StepKeyProps {
 function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
   const { sheet: words } = messages.value.edits;
   const repeat = useMemo(() => new RepeatPress(), []);
-  useEffect(() => {
-    const release = (): void => repeat.release();
-    // Somebody else has the screen: nobody tells that the finger has left it.
-    addEventListener('blur', release);
-    document.addEventListener('visibilitychange', release);
-    return () => {
-      release();
-      removeEventListener('blur', release);
-      document.removeEventListener('visibilitychange', release);
-    };
-  }, [repeat]);
+  useRelease(repeat);
   const step = (): void => act(() => value.step(direction, { tenfold }));
   const release = (): void => repeat.release();
   return (

@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { PressAndHold } from './press-and-hold.js';
+import { useRelease } from './use-release.js';
 import './hold-button.css';
 
 interface HoldButtonProps {
@@ -21,15 +22,7 @@ export function HoldButton({ label, holding, disabled, onHeld, describedBy }: Ho
   latest.current = onHeld;
   const hold = useMemo(() => new PressAndHold(() => latest.current()), []);
   const release = hold.release.bind(hold);
-  useEffect(() => {
-    addEventListener('blur', release);
-    document.addEventListener('visibilitychange', release);
-    return () => {
-      release();
-      removeEventListener('blur', release);
-      document.removeEventListener('visibilitychange', release);
-    };
-  }, []);
+  useRelease(hold);
   useEffect(() => {
     if (disabled) release();
   }, [disabled]);
