@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { type BytePort, TimerClient, type WriteReport } from '../../src/client/index.js';
+import { type BytePort, TimerClient, TimerError, type WriteReport } from '../../src/client/index.js';
+import { StandstillWatch } from '../../src/client/standstill.js';
 import { type Clock, VirtualClock } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
 import { VirtualTimer } from '../../src/simulator/index.js';
@@ -7,6 +8,36 @@ import { bench, contentOf, edited } from './bench.js';
 import { everyValueChanged } from './matrix.js';
 
 const SMALL = { functions: 2, memories: 2, servos: 1 };
+
+describe('the watch for standstills', () => {
+  /** The clock of a program, and a clock on the wall that is an hour ahead. */
+  function clocks() {
+    const at = { own: 5000, wall: 3_605_000 };
+    const clock: Clock = { now: () => at.own, after: () => () => {}, wall: () => at.wall };
+    return { at, watch: new StandstillWatch(clock) };
+  }
+
+  it('counts what comes more than ten seconds late', () => {
+    const { watch } = clocks();
+    watch.noteDue(-5000);
+    expect(watch.count, 'ten seconds are not more').toBe(0);
+    watch.noteDue(-5001);
+    watch.noteDue(-5001);
+    expect(watch.count).toBe(2);
+  });
+
+  it('counts a jump of the clock on the wall by more than ten seconds, and its log follows the jump', () => {
+    const { at, watch } = clocks();
+    expect(watch.time).toBe(3_605_000);
+    at.wall += 10_000;
+    expect([watch.count, watch.time]).toEqual([0, 3_605_000]);
+    at.wall += 10_001;
+    expect([watch.count, watch.time]).toEqual([1, 3_615_001]);
+    at.own += 10_001;
+    at.wall += 10_001;
+    expect([watch.count, watch.time], 'both go on').toEqual([1, 3_625_002]);
+  });
+});
 
 /** A page that stands still for a while, as when the lid of a laptop is closed. The timer and its adapter do not. */
 class StillPage implements BytePort, Clock {
@@ -149,10 +180,12 @@ describe('a page that stands still during a write', () => {
     }
   });
 
-  it.each(CASES)('for two seconds, after request $at, bytes first: $bytesFirst, goes on', async (each) => {
-    const { first, goal, result } = await written({ ...each, ms: 2000 });
-    expect(result).toMatchObject({ result: 'verified', stopped: null });
-    expect(contentOf(first)).toEqual(goal);
+  it.each(CASES)('for up to ten seconds, after request $at, bytes first: $bytesFirst, goes on', async (each) => {
+    for (const ms of [2000, 9990]) {
+      const { first, goal, result } = await written({ ...each, ms });
+      expect(result, `for ${ms} ms`).toMatchObject({ result: 'verified', stopped: null });
+      expect(contentOf(first)).toEqual(goal);
+    }
   });
 });
 
@@ -204,6 +237,30 @@ describe('a computer that sleeps, and whose clock for programs sleeps, too', () 
     const { timer, goal, result } = await slept(FRESH + 1, ms);
     expect(result).toMatchObject({ result: 'verified', stopped: null });
     expect(contentOf(timer)).toEqual(goal);
+  });
+
+  it('wherever it sleeps, the error says which request was in progress, and whether it went out', async () => {
+    const sents = new Set<number | undefined>();
+    for (let sleepsAt = 1; sleepsAt < 200; sleepsAt++) {
+      const clock = new VirtualClock();
+      const timer = new VirtualTimer({ clock, identity: SMALL, latency: 20 });
+      let looks = Number.NEGATIVE_INFINITY;
+      const client = new TimerClient(timer, {
+        clock: {
+          now: () => clock.now(),
+          after: (after, callback) => clock.after(after, callback),
+          wall: () => clock.now() + (++looks > sleepsAt ? 60_000 : 0),
+        },
+      });
+      await clock.run(client.identify());
+      looks = 0;
+      const error = await clock.run(client.readProgram().catch((failure: unknown) => failure as TimerError));
+      if (!(error instanceof TimerError)) break;
+      expect(error.code).toBe('stood-still');
+      expect(error.details.request).toMatch(/^GET/);
+      sents.add(error.details.sent);
+    }
+    expect(sents, 'before and after a request').toEqual(new Set([0, 1]));
   });
 
   it('between two jobs is nothing to the second one, and counts in the log', async () => {
