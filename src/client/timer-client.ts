@@ -138,7 +138,10 @@ export class TimerClient {
     return this.#wire.strays;
   }
 
-  /** How often a reply, or the end of a wait, came so late that this program must have stood still meanwhile. */
+  /**
+   * How often this program stood still: a reply, or the end of a wait, came more than ten seconds after its time, or
+   * the clock of the computer jumped by as much.
+   */
   get standstills(): number {
     return this.#wire.standstill.count;
   }
