@@ -97,7 +97,8 @@ export class StorageQuestions {
     const say = setTimeout(() => this.#watch.failed(this.#shelf, kind, 'slow'), Math.min(limit, SAID_AFTER));
     // A late change must not undo a later one: changes go one by one, however long that takes.
     const answer = kind === 'change' && !now ? this.#changes.then(work) : (async () => work())();
-    if (kind === 'change') this.#changes = Promise.allSettled([this.#changes, answer]);
+    // Without the results: each would hold the one before, for as long as the page is open.
+    if (kind === 'change') this.#changes = Promise.allSettled([this.#changes, answer]).then(() => {});
     answer.then(
       () => {
         clearTimeout(say);

@@ -1,3 +1,5 @@
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
 import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { limited, SHELF_CALLS, SHELVES } from '../../../src/app/storage/index.js';
 import { StorageError, type StorageErrorCode, withinLimit } from '../../../src/app/storage/limit.js';
@@ -117,4 +119,25 @@ it('after one without an answer, the next ones wait only briefly until one answe
   const third = watched(drafts.all());
   await vi.advanceTimersByTimeAsync(4999);
   expect(third.said).toBe('open');
+});
+
+it('keeps nothing of what the changes gave back', async () => {
+  setFlagsFromString('--expose-gc');
+  const collect: () => void = runInNewContext('gc');
+  const store = new MemoryStore();
+  const { drafts } = limited(store, { answered: () => {}, failed: () => {} });
+  let given: WeakRef<object> | undefined;
+  // No spy: it would keep each result itself.
+  store.drafts.exchange = async () => {
+    const result = {};
+    given ??= new WeakRef(result);
+    return result as never;
+  };
+  for (let changes = 0; changes < 3; changes++) await drafts.exchange({} as never);
+  // A WeakRef holds what it refers to until the code that made it has returned.
+  vi.useRealTimers();
+  await new Promise((resolve) => setTimeout(resolve));
+  collect();
+  expect(given).toBeDefined();
+  expect(given?.deref()).toBeUndefined();
 });
