@@ -26,7 +26,7 @@ export function MotorRowBefore(props: MotorRowProps) {
   return isHere ? <MotorRow {...props} /> : null;
 }
 
-function MotorRow({ session, tools, identity, servos, selection, hand, marked }: MotorRowProps) {
+function MotorRow({ session, tools, identity, servos, selection, hand, marked, rested }: MotorRowProps) {
   const { editor } = session;
   const { program, edits } = messages.value;
   const row = useMemo(() => new RowModel({ editor, selection, marked }, 0, [MOTOR_STOP]), [editor, selection, marked]);
@@ -50,15 +50,15 @@ function MotorRow({ session, tools, identity, servos, selection, hand, marked }:
         <td class="interval" />
         <td colSpan={servos.length} />
       </tr>
-      <RowNotes identity={identity} notes={row.notes} width={servos.length + FIRST_SERVO_COLUMN + 1} />
+      <RowNotes {...{ identity, rested }} notes={row.notes} width={servos.length + FIRST_SERVO_COLUMN + 1} />
     </>
   );
 }
 
-type ThrottleRowProps = Pick<ProgramRowProps, 'session' | 'identity' | 'servos' | 'hand'>;
+type ThrottleRowProps = Pick<ProgramRowProps, 'session' | 'identity' | 'servos' | 'hand' | 'rested'>;
 
 /** The idle throttle, if the timer has told one. It is no function, so it stands below them. */
-export function ThrottleRow({ session, identity, servos, hand }: ThrottleRowProps) {
+export function ThrottleRow({ session, identity, servos, hand, rested }: ThrottleRowProps) {
   const { editor } = session;
   const { program } = messages.value;
   const isKnown = useComputed(() => typeof editor.working.value?.idleThrottle === 'number').value;
@@ -78,7 +78,7 @@ export function ThrottleRow({ session, identity, servos, hand }: ThrottleRowProp
           {program.idleThrottleUnit}
         </td>
       </tr>
-      <RowNotes identity={identity} notes={notes} width={servos.length + FIRST_SERVO_COLUMN + 1} />
+      <RowNotes {...{ identity, rested, notes }} width={servos.length + FIRST_SERVO_COLUMN + 1} />
     </>
   );
 }

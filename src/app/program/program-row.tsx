@@ -1,4 +1,4 @@
-import { useComputed, useSignal } from '@preact/signals';
+import { type ReadonlySignal, useComputed, useSignal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
 import { type ProgramField, slotKind } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
@@ -27,11 +27,13 @@ export interface ProgramRowProps extends Pick<RowSources, 'selection' | 'marked'
   readonly slot: number;
   readonly servos: readonly number[];
   readonly hand: Hand;
+  /** Changes when the pilot's hands rest. */
+  readonly rested: ReadonlySignal<unknown>;
 }
 
 /** One slot of the program: its time, its interval, a position for each servo, and the notes about them. */
 export function ProgramRow(props: ProgramRowProps) {
-  const { session, bench, follow, tools, identity, slot, servos, selection, hand, marked } = props;
+  const { session, bench, follow, tools, identity, slot, servos, selection, hand, marked, rested } = props;
   const { editor } = session;
   const { edits, slotShort } = messages.value;
   // The motor stop of a Q has a row of its own.
@@ -74,7 +76,7 @@ export function ProgramRow(props: ProgramRowProps) {
           </td>
         ))}
       </tr>
-      <RowNotes identity={identity} notes={row.notes} width={width} />
+      <RowNotes {...{ identity, rested, width }} notes={row.notes} />
       <ServosOffer bench={bench} follow={follow} identity={identity} slot={slot} width={width} />
     </>
   );

@@ -17,6 +17,7 @@ import { Selection } from './selection.js';
 import { cellAt } from './table-cells.js';
 import { tableClipboard } from './table-clipboard.js';
 import { TableHead } from './table-head.js';
+import { useRested } from './use-rested.js';
 import './program-table.css';
 import './table-box.css';
 
@@ -37,6 +38,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
   const { program, edits } = messages.value;
   const selection = useMemo(() => new Selection(), []);
   const hand = useHand();
+  const rested = useRested(editor);
   const place = useMemo(() => new MotorPlace(editor), [editor]);
   const tools = useMemo(() => given ?? new RowTools(editor), [given, editor]);
   const pasting = useSignal<Pasting | null>(null);
@@ -92,7 +94,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
   if (!identity) return null;
   const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
   const isLarge = slots.length > MOST_SLOTS || servos.length > MOST_SERVOS;
-  const shared = { session, tools, identity, servos, selection, hand, marked };
+  const shared = { session, tools, identity, servos, selection, hand, marked, rested };
   const hasMotor = identity.timerClass === 'Q';
   const classes = ['program-table', selection.picking.value && 'picking', intervals.value && 'by-intervals'];
   return (
@@ -130,7 +132,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
               </Fragment>
             ))}
             <MotorRowBefore {...shared} place={place} slot={slots.length} />
-            <ThrottleRow {...{ session, identity, servos, hand }} />
+            <ThrottleRow {...{ session, identity, servos, hand, rested }} />
           </tbody>
         </table>
       </div>

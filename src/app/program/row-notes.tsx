@@ -1,4 +1,4 @@
-import type { ReadonlySignal } from '@preact/signals';
+import { type ReadonlySignal, useComputed } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { fieldLabel, messages } from '../messages/index.js';
@@ -8,22 +8,41 @@ import './row-notes.css';
 interface RowNotesProps {
   readonly identity: Identity;
   readonly notes: ReadonlySignal<readonly FieldNote[]>;
+  /** Changes when the pilot's hands rest. */
+  readonly rested: ReadonlySignal<unknown>;
   /** How many columns the table has. */
   readonly width: number;
 }
 
-/** Under a row: the notes about its fields. It reads them itself, so that they do not draw the row again. */
-export function RowNotes({ identity, notes: { value: notes }, width }: RowNotesProps) {
-  if (notes.length === 0) return null;
+/**
+ * Under a row: the notes about its fields. It reads them itself, so that they do not draw the row again.
+ *
+ * They get and lose their room when the hands rest. On the way to `12.3` stands `1`, which is too early: rows that jump
+ * at each digit are hard to read. What stands there is true at each moment: a note that no longer holds is hidden.
+ */
+export function RowNotes({ identity, notes, rested, width }: RowNotesProps) {
+  const room = useComputed(() => {
+    // Only its change matters.
+    void rested.value;
+    return notes.peek();
+  }).value;
+  if (room.length === 0) return null;
+  const left = [...notes.value];
   return (
     <tr class="row-notes">
       <td colSpan={width}>
-        {notes.map(({ field, severity, text }, at) => (
-          // The figures in its text change with each digit, but the element stays the same.
-          <p key={`${fieldKey(field)} ${at}`} class={severity}>
-            <strong>{messages.value.about(fieldLabel(identity, field))}</strong> {text}
-          </p>
-        ))}
+        {room.map((old, at) => {
+          const key = fieldKey(old.field);
+          const found = left.findIndex(({ field }) => fieldKey(field) === key);
+          const [note] = found < 0 ? [] : left.splice(found, 1);
+          const { field, severity, text } = note ?? old;
+          return (
+            // The figures in its text change with each digit, but the element stays the same.
+            <p key={`${key} ${at}`} class={`${severity} ${note ? '' : 'over'}`}>
+              <strong>{messages.value.about(fieldLabel(identity, field))}</strong> {text}
+            </p>
+          );
+        })}
       </td>
     </tr>
   );
