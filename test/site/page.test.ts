@@ -1,5 +1,15 @@
+import type { Page } from 'playwright';
 import { expect, inject, test } from 'vitest';
 import { newPage } from './page.js';
+
+/**
+ * What a translator of the browser may touch. It replaces texts by copies that the page no longer reaches: the strip
+ * would go on showing the DT from before an edit, and that the program is as in the timer.
+ */
+const open = (page: Page): Promise<string[]> =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('*')].flatMap((each) => ((each as HTMLElement).translate ? [each.tagName] : [])),
+  );
 
 for (const site of ['site', 'siteUnderPath'] as const) {
   test(`the page at ${new URL(inject(site)).pathname} loads and breaks no rule of its own`, async () => {
@@ -7,6 +17,8 @@ for (const site of ['site', 'siteUnderPath'] as const) {
     await page.goto(inject(site));
     expect(await page.title()).toBe('Sidus Timer');
     await expect.poll(() => page.locator('html').getAttribute('lang')).toBe('en');
+    expect(await open(page), 'texts that a translator of the browser may replace').toEqual([]);
+    expect(await page.locator('meta[name=google]').getAttribute('content')).toBe('notranslate');
   });
 
   test(`the page at ${new URL(inject(site)).pathname} is drawn in its own font, whose licence goes with it`, async () => {
