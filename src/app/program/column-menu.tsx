@@ -1,7 +1,8 @@
 import { useSignal } from '@preact/signals';
-import { useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
+import { onBackKey } from '../browser/back-key.js';
 import type { Edit } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { copyServo, reverseServo } from '../editing/edits.js';
@@ -27,6 +28,8 @@ export function ColumnMenu({ editor, identity, servo }: ColumnMenuProps) {
     problem.value = null;
     opener.current?.focus();
   };
+  const isOpen = open.value;
+  useEffect(() => (isOpen ? onBackKey(close) : undefined), [isOpen]);
   const apply = (edit: (program: TimerProgram) => Edit): void => {
     const { value } = editor.working;
     const obstacle = value && editor.apply(edit(value));
@@ -62,10 +65,10 @@ export function ColumnMenu({ editor, identity, servo }: ColumnMenuProps) {
         class="menu-opener"
         aria-label={edits.table.tools(servoName(servo))}
         title={edits.table.tools(servoName(servo))}
-        aria-expanded={open.value}
+        aria-expanded={isOpen}
         onClick={() => (open.value = !open.value)}
       />
-      {open.value && (
+      {isOpen && (
         <span class="menu">
           {others.map((to) => (
             <button type="button" key={to} onClick={() => apply((program) => copyServo(program, servo, to))}>

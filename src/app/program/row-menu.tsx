@@ -1,6 +1,7 @@
 import { type ReadonlySignal, useComputed } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Identity } from '../../protocol/index.js';
+import { onBackKey } from '../browser/back-key.js';
 import { media } from '../browser/doors.js';
 import { formatInterval } from '../editing/units.js';
 import { messages } from '../messages/index.js';
@@ -93,6 +94,7 @@ function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onCl
     document.addEventListener('pointerdown', away);
     return () => document.removeEventListener('pointerdown', away);
   }, [tools, opener]);
+  useEffect(() => onBackKey(() => tools.close()), [tools]);
   const isDt = slot === identity.functions;
   return (
     <form

@@ -1,5 +1,6 @@
 import { batch, effect, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
+import { takeBack } from '../browser/back-key.js';
 import { tried } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { isLink } from '../library/share/sharing.js';
@@ -72,18 +73,20 @@ export class Views {
       // A setting in the address is shown over the present view.
       if (isLink(window.location.hash)) return;
       const { view, path } = addressAt(window.location.hash) ?? PROGRAM;
-      this.show(view, path);
+      // The present address comes again behind the one that the browser went back to: the next Back leads there.
+      if (hashOf({ view, path }) !== this.address && takeBack()) write(this.address);
+      else this.show(view, path);
+    };
+    const write = (hash: string): void => {
+      const now = addressAt(window.location.hash) ?? PROGRAM;
+      if (hashOf(now) !== hash) window.history.pushState(null, '', hash);
     };
     read();
     // A browser would scroll before the view is there.
     tried(() => {
       window.history.scrollRestoration = 'manual';
     });
-    const stop = effect(() => {
-      const hash = hashOf({ view: this.shown.value, path: this.path.value });
-      const now = addressAt(window.location.hash) ?? PROGRAM;
-      if (hashOf(now) !== hash) window.history.pushState(null, '', hash);
-    });
+    const stop = effect(() => write(hashOf({ view: this.shown.value, path: this.path.value })));
     window.addEventListener('popstate', read);
     window.addEventListener('hashchange', read);
     return () => {

@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { onBackInHistory } from '../browser/back-key.js';
 import { useUnsaved } from './unsaved.js';
 import './modal.css';
 
@@ -25,7 +26,14 @@ export function Modal({ open, ...props }: ModalProps) {
 function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<ModalProps, 'open'>) {
   const dialog = useRef<HTMLDialogElement>(null);
   const heading = useRef<HTMLHeadingElement>(null);
+  const latest = useRef({ held, onEscape });
+  latest.current = { held, onEscape };
   useUnsaved();
+  useLayoutEffect(
+    // Back may be meant for the view. So unlike Escape it does not stop a job.
+    () => onBackInHistory(() => latest.current.held || latest.current.onEscape()),
+    [],
+  );
   // Before the next frame, so that nobody sees an empty dialog.
   useLayoutEffect(() => {
     const { current: opened } = dialog;

@@ -95,27 +95,6 @@ describe('the sheet', () => {
     expect(sheets()).toBe(0);
   });
 
-  it('closes with the Back key of a phone, and the page stays', async () => {
-    class Watcher extends EventTarget {
-      static readonly open = new Set<Watcher>();
-      constructor() {
-        super();
-        Watcher.open.add(this);
-      }
-      destroy(): void {
-        Watcher.open.delete(this);
-      }
-    }
-    vi.stubGlobal('CloseWatcher', Watcher);
-    await connected();
-    await tap('Function 4, S2');
-    await tap('Function 4, S3');
-    expect(Watcher.open.size).toBe(1);
-    for (const watcher of Watcher.open) watcher.dispatchEvent(new Event('close'));
-    await idle();
-    expect([sheets(), Watcher.open.size]).toEqual([0, 0]);
-  });
-
   it('does not open for a reserved time before the pilot unlocks it', async () => {
     await connected({ identity: { timerClass: 'B' } });
     await tap('Start time');

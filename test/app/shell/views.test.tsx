@@ -1,0 +1,88 @@
+import { render, screen } from '@testing-library/preact';
+import { expect, it, onTestFinished, vi } from 'vitest';
+import { type AddressWindow, Views } from '../../../src/app/shell/views.js';
+import { Modal } from '../../../src/app/ui/modal.js';
+
+/** A window with a history of its own: Back and Forward go through it at once. */
+function historyFrom(...hashes: string[]) {
+  const entries = [...hashes];
+  let at = entries.length - 1;
+  const heard = new EventTarget();
+  const go = (by: number): void => {
+    at += by;
+    for (const type of ['popstate', 'hashchange']) heard.dispatchEvent(new Event(type));
+  };
+  const window = {
+    get location() {
+      return { hash: entries[at] };
+    },
+    history: {
+      pushState: (_state: unknown, _title: string, hash: string) => {
+        entries.splice(++at, Number.POSITIVE_INFINITY, hash);
+      },
+    },
+    addEventListener: heard.addEventListener.bind(heard),
+    removeEventListener: heard.removeEventListener.bind(heard),
+  } as unknown as AddressWindow;
+  return { window, back: () => go(-1), forward: () => go(1), shown: () => entries.slice(0, at + 1) };
+}
+
+function following(...hashes: string[]) {
+  const past = historyFrom(...hashes);
+  const views = new Views();
+  onTestFinished(views.follow(past.window));
+  return { ...past, views };
+}
+
+function open(held: boolean) {
+  const onEscape = vi.fn();
+  const dialog = (isOpen: boolean) => (
+    <Modal open={isOpen} title="Question" titleId="question" held={held} onEscape={onEscape}>
+      text
+    </Modal>
+  );
+  const { rerender, unmount } = render(dialog(true));
+  return { onEscape, close: () => rerender(dialog(false)), unmount };
+}
+
+it('Back leads through the views when no dialog is open', () => {
+  const { back, forward, views, shown } = following('#settings', '#program');
+  open(false).close();
+  back();
+  expect([views.shown.value, shown()]).toEqual(['settings', ['#settings']]);
+  forward();
+  expect([views.shown.value, shown()]).toEqual(['program', ['#settings', '#program']]);
+});
+
+it('Back closes an open dialog once, and stays in the view', () => {
+  const { back, views, shown } = following('#settings', '#program');
+  const { onEscape, close } = open(false);
+  back();
+  expect([onEscape.mock.calls.length, views.shown.value, shown()]).toEqual([1, 'program', ['#settings', '#program']]);
+  close();
+  back();
+  expect([onEscape.mock.calls.length, views.shown.value, shown()]).toEqual([1, 'settings', ['#settings']]);
+});
+
+it('Back neither closes a dialog that has to stay open, nor changes the view behind it', () => {
+  const { back, views, shown } = following('#settings', '#program');
+  const { onEscape, unmount } = open(true);
+  back();
+  back();
+  expect([onEscape.mock.calls.length, views.shown.value, shown()]).toEqual([0, 'program', ['#settings', '#program']]);
+  expect(screen.getByRole<HTMLDialogElement>('dialog', { name: 'Question' }).open).toBe(true);
+  unmount();
+  back();
+  expect(views.shown.value).toBe('settings');
+});
+
+it('Back closes the topmost dialog first', () => {
+  const { back } = following('#settings', '#program');
+  const below = open(false);
+  const above = open(false);
+  back();
+  above.close();
+  expect([below.onEscape.mock.calls.length, above.onEscape.mock.calls.length]).toEqual([0, 1]);
+  back();
+  expect(below.onEscape.mock.calls.length).toBe(1);
+});
