@@ -2,6 +2,7 @@ import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app.js';
 import { afterPaint, nextTask } from './browser/after-paint.js';
+import { leaveComposing } from './browser/composing.js';
 import { lacksOf, media, openDoors, tabNumberOf } from './browser/doors.js';
 import { registerOffline } from './browser/offline.js';
 import { platformOf } from './browser/platform.js';
@@ -54,6 +55,7 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   if (views.shown.value === 'library') void session.library.load();
   tried(() => sharing.follow(window, () => views.address));
   tried(() => density.follow(document, media(TABLET)));
+  leaveComposing(window);
   render(<App models={models} />, root);
   lead();
   void session.keptWork.start().then(lead);

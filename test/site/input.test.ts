@@ -122,6 +122,28 @@ describe('what was typed is kept', () => {
   });
 });
 
+test('Enter and the arrows first end the composing of a text, and go to another cell only then', async () => {
+  const app = await AppPage.open({ bench: {} });
+  await app.connect();
+  const devTools = await app.page.context().newCDPSession(app.page);
+  const press = async (key: string, windowsVirtualKeyCode: number): Promise<void> => {
+    for (const type of ['keyDown', 'keyUp'] as const)
+      await devTools.send('Input.dispatchKeyEvent', { type, key, code: key, windowsVirtualKeyCode });
+  };
+  const focused = () => app.page.evaluate(() => document.activeElement?.ariaLabel);
+  const place = 'Function 2, S1';
+  await app.field(place).focus();
+  await devTools.send('Input.imeSetComposition', { text: '12', selectionStart: 2, selectionEnd: 2 });
+  for (const key of ['ArrowDown', 'Enter']) {
+    await press(key, 229);
+    expect([key, await focused(), await app.valueOf(place)]).toEqual([key, place, '12']);
+  }
+  await devTools.send('Input.insertText', { text: '127' });
+  expect([await focused(), await app.valueOf(place)]).toEqual([place, '127']);
+  await press('Enter', 13);
+  expect(await focused()).toBe('Function 3, S1');
+});
+
 describe('the page starts all the same', () => {
   const program = (functions: number, servos: number, value: unknown) => ({
     identity: { timerClass: 'Q', firmware: '536', functions, memories: 4, servos },
