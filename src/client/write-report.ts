@@ -29,7 +29,10 @@ export interface WriteReport {
   readonly acknowledged: number;
   /** Requests that were repeated, fences included. */
   readonly repeats: number;
-  /** What stopped the write or the read back; null when nothing did. */
+  /**
+   * What stopped the write or the read back; null when nothing did. With `other-memory` the memory that was found may
+   * have taken some of the values: a request does not say for which memory it is.
+   */
   readonly stopped: TimerError | null;
 }
 

@@ -141,7 +141,7 @@ interface ResultProps {
 function Result({ session, jobs, current }: ResultProps) {
   const { memories: words, write } = messages.value;
   const { plan, outcome, kept } = current;
-  const { ends, saved, notHeld, stopped } = outcome;
+  const { ends, saved, notHeld, stopped, strayed } = outcome;
   const again = notHeld || stopped === 'stale';
   return (
     <>
@@ -151,6 +151,7 @@ function Result({ session, jobs, current }: ResultProps) {
         {ends.map((end) => (
           <p key={end.memory}>{endText(session, end)}</p>
         ))}
+        {strayed !== null && <NoticeText said={write.strayed(memoryText(session, strayed))} />}
         {notHeld && <NoticeText said={write.move.notHeld} />}
         {!kept && <p>{words.notKept}</p>}
       </div>

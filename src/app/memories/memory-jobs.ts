@@ -5,6 +5,7 @@ import { type Crossing, crossingOf, sameCrossing } from '../session/crossing.js'
 import { type JobContext, stoppedBy, type Work } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from '../write/job-dialog.js';
+import { strayed } from '../write/strayed.js';
 import type { NotedRoundTrip } from './noted-round-trip.js';
 import {
   changesBy,
@@ -49,6 +50,7 @@ type Stopped = NonNullable<MemoriesOutcome['stopped']>;
 interface Done {
   saved: number;
   notHeld: boolean;
+  strayed: number | null;
   /** The memories in which writing has begun. */
   readonly begun: Set<number>;
 }
@@ -95,7 +97,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
       this.show({
         step: 'done',
         plan,
-        outcome: { saved: 0, ends, stopped: end.stopped, notHeld: false },
+        outcome: { saved: 0, ends, stopped: end.stopped, notHeld: false, strayed: null },
         kept: true,
       });
     }
@@ -120,13 +122,13 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     const { knowledge, nextFlight } = this.#session;
     const { plan, changes } = shown;
     this.#kept = true;
-    const done: Done = { saved: 0, notHeld: false, begun: new Set() };
+    const done: Done = { saved: 0, notHeld: false, strayed: null, begun: new Set() };
     const { stopped } = await this.#run(plan, async (on, options) => {
       if (on !== shown.connection) throw new TimerError('closed', 'it was shown for another connection');
       if (plan.kind === 'back-up') done.saved = await this.#backUp(on, options);
       else await this.#write(changes, on, options, done);
     });
-    const { saved, notHeld, begun } = done;
+    const { saved, notHeld, begun, strayed: other } = done;
     const ends = changes.map((change) => {
       const { memory } = change;
       return endOf(memory, knowledge.of(memory), change, begun.has(memory));
@@ -134,7 +136,8 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     // The notice of the page says what stopped a backup.
     if (plan.kind === 'back-up' && saved === 0) this.show(null);
     else if (plan.kind !== 'back-up' && stopped === 'aborted' && begun.size === 0) this.#nothingWritten();
-    else this.show({ step: 'done', plan, outcome: { saved, ends, stopped, notHeld }, kept: this.#kept });
+    else
+      this.show({ step: 'done', plan, outcome: { saved, ends, stopped, notHeld, strayed: other }, kept: this.#kept });
     // One of the written memories may be the one on the screen.
     if (begun.size > 0) nextFlight.doubt();
     await this.#session.reader.readIfOpen();
@@ -224,6 +227,8 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
       if (report.held && !report.stopped) await knowledge.ended(before);
       if (report.held) knowledge.read(report.held, Date.now(), report.result === 'verified');
     }
+    done.strayed = strayed(memories.map(({ report }) => report));
+    if (done.strayed !== null) knowledge.doubt(done.strayed);
     // Where the write did not even begin, nothing was sent.
     for (const { memory, before } of shown) {
       if (!begun.has(memory) || memories.some((each) => each.memory === memory)) continue;

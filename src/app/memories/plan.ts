@@ -46,6 +46,8 @@ export interface MemoriesOutcome {
   readonly stopped: TimerErrorCode | 'unexpected' | null;
   /** Whether positions were not kept, perhaps because the servos did not move. */
   readonly notHeld: boolean;
+  /** The memory, counted from 0, that may have taken values of another one; null for none. */
+  readonly strayed: number | null;
 }
 
 /** Whether everything went well. */

@@ -74,6 +74,10 @@ export const write = {
     advice:
       'The timer could not be read back completely. Read again, then write what still differs. Your changes are kept.',
   },
+  strayed: (memory: string) => ({
+    title: `${memory} became current during the write.`,
+    advice: `Some of the values may be in ${memory} now. Read it, and look at all of it before you fly it.`,
+  }),
   refused: 'Nothing was written.',
   held: 'Timer holds now',
   status: { verified: 'verified', differs: 'differs', unknown: 'not known' },

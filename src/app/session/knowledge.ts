@@ -158,6 +158,15 @@ export class Knowledge {
     });
   }
 
+  /** Values that were meant for another memory may be in this one: what was last read of it no longer counts. */
+  doubt(memory: number): void {
+    const timer = this.#timer.peek();
+    if (!timer) return;
+    const readings = new Map(this.#readings.peek());
+    readings.delete(programKey({ identity: timer.identity, memory }, timer.simulated));
+    this.#readings.value = readings;
+  }
+
   /**
    * The timer has acknowledged the whole change in this memory. That is no reading: the record stays, and if the
    * connection is lost before a reading, the memory is uncertain.

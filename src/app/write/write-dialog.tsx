@@ -16,6 +16,7 @@ import { ClosingButtons, JobStep } from './dialog-steps.js';
 import { Difference } from './difference.js';
 import { MoveServosCheck } from './move-servos-check.js';
 import { SafetyCheck } from './safety-check.js';
+import { strayed } from './strayed.js';
 import { UncertainNote } from './uncertain-band.js';
 import { DifferenceInWords, ValueTable } from './value-table.js';
 import type { Shown, WriteFlow, WriteStep } from './write-flow.js';
@@ -190,6 +191,7 @@ function Result({ session, write, identity, done, children }: ResultProps) {
   const { report, notHeld } = done;
   const { write: words, timer } = messages.value;
   const canWrite = session.runner.ready.value && !session.editor.blocked.value;
+  const other = strayed([report]);
   const shown = report.values.filter(({ status, asked }) => status !== 'verified' || !asked);
   return (
     <>
@@ -197,6 +199,7 @@ function Result({ session, write, identity, done, children }: ResultProps) {
         <NoticeText said={words[report.result]} />
         {report.result === 'verified' && report.held && <Verdict session={session} done={done} held={report.held} />}
         {report.stopped && <NoticeText said={timer[report.stopped.code]} />}
+        {other !== null && <NoticeText said={words.strayed(memoryText(session, other))} />}
         {notHeld && <NoticeText said={words.move.notHeld} />}
         {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
       </div>

@@ -7,6 +7,7 @@ import { type Crossing, sameCrossing, sameModel } from '../session/crossing.js';
 import type { JobContext, JobEnd } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from './job-dialog.js';
+import { strayed } from './strayed.js';
 
 /** What the dialog has shown: exactly this is written, or nothing. */
 export interface Shown {
@@ -199,6 +200,8 @@ export class WriteFlow extends JobDialog<WriteStep> {
         editor.wrote(report.held);
         if (report.result === 'verified') recognition.wrote(shown.model);
       }
+      const other = strayed([report]);
+      if (other !== null) knowledge.doubt(other);
       const stays = report.result !== 'verified' || signal.aborted;
       const notHeld = servoMoves.wanted(moveServos, [report]);
       this.show({ step: 'done', report, shown, at, stays, notHeld });

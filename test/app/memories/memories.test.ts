@@ -334,6 +334,28 @@ describe('a copy that fails early says so', () => {
     expect(made.session.knowledge.uncertain.value).toMatchObject([{ memory: 3 }]);
   });
 
+  it('when another memory becomes current: it may have taken values, also if it was verified before', async () => {
+    const made = await bench();
+    await job(made, { kind: 'back-up' });
+    made.memories.jobs.dismiss();
+    const backups = [...made.session.backups.list.value].reverse();
+    for (const { times, positions } of made.timer.core.memories) {
+      times.splice(10, 1, 36_000);
+      positions[0]?.splice(2, 1, 7);
+    }
+    made.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS' && made.timer.core.memory === 2) made.timer.core.memory = 0;
+    };
+    await job(made, { kind: 'restore', backups });
+    expect(ends(made)).toEqual([
+      [0, 'unknown'],
+      [1, 'verified'],
+      [2, 'unknown'],
+      [3, 'untouched'],
+    ]);
+    expect(made.memories.jobs.current.value).toMatchObject({ outcome: { stopped: 'other-memory', strayed: 0 } });
+  });
+
   it('for each memory of a set', async () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });

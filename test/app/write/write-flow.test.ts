@@ -1,6 +1,6 @@
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import type { ValueReport, WriteReport } from '../../../src/client/index.js';
-import type { ProgramField } from '../../../src/program/index.js';
+import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
@@ -265,6 +265,19 @@ describe('a write', () => {
     expect(bench.write.current.value).toMatchObject({ step: 'refused', error: { code: 'other-memory' } });
     expect(sets(bench)).toEqual([]);
     expect(bench.editor.changes.value).toHaveLength(3);
+  });
+
+  it('during which another memory becomes current names that memory, of which nothing is known any more', async () => {
+    const bench = await reviewed();
+    const { core } = bench.timer;
+    const { knowledge, editor } = bench.session;
+    for (const memory of [1, 2]) knowledge.remember({ ...(editor.baseline.value as TimerProgram), memory }, 1);
+    core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS') core.memory = 1;
+    };
+    await run(bench.write.start());
+    expect(core.memories[1]?.positions[0]?.[2], 'the position is in the other memory').toBe(7);
+    expect([0, 1, 2].map((memory) => knowledge.of(memory).state)).toEqual(['uncertain', 'unread', 'read']);
   });
 
   it('that the timer does not take shows what it holds, and keeps the edit', async () => {

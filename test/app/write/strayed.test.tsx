@@ -1,0 +1,34 @@
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { afterEach, expect, it } from 'vitest';
+import { connected, press, type } from '../screen.js';
+
+afterEach(() => localStorage.clear());
+
+async function confirm(title: string, button: string): Promise<HTMLElement> {
+  const dialog = screen.getByRole('dialog', { name: title });
+  fireEvent.click(within(dialog).getByRole('checkbox', { name: /^The propeller is off/ }));
+  await press(button);
+  return dialog;
+}
+
+it('a write during which another memory became current says that values may be in that one', async () => {
+  const { timer } = await connected();
+  await type('DT time', '4:00');
+  await type('Function 2, S1', '7');
+  timer.core.onAnswer = ({ name }) => {
+    if (name === 'SETTIMERS') timer.core.memory = 2;
+  };
+  await press('Write 2…');
+  const dialog = await confirm('Write to the timer', 'Write 2 changes');
+  expect(dialog.textContent).toContain('M3 became current during the write. Some of the values may be in M3 now.');
+});
+
+it('so does a copy of a memory', async () => {
+  const { timer } = await connected();
+  await press('Copy M1 to M3…');
+  timer.core.onAnswer = ({ name }) => {
+    if (name === 'SETTIMERS') timer.core.memory = 0;
+  };
+  const dialog = await confirm('Copy a memory', 'Copy');
+  expect(dialog.textContent).toContain('M1 became current during the write. Some of the values may be in M1 now.');
+});
