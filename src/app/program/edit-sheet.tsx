@@ -7,6 +7,7 @@ import { media } from '../browser/doors.js';
 import { plainSeconds } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
 import type { Standing } from '../session/standing.js';
+import { pressListeners } from '../ui/press-listeners.js';
 import { useRelease } from '../ui/use-release.js';
 import { type EditedValue, Hand, type HeldField } from './hand.js';
 import { RepeatPress } from './repeat-press.js';
@@ -189,16 +190,14 @@ function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
   const repeat = useMemo(() => new RepeatPress(), []);
   useRelease(repeat);
   const step = (): void => act(() => value.step(direction, { tenfold }));
-  const release = (): void => repeat.release();
   return (
     <button
       type="button"
       tabIndex={-1}
-      onPointerDown={() => repeat.press(step)}
-      onPointerUp={release}
-      onPointerLeave={release}
-      onPointerCancel={release}
-      onContextMenu={(event) => event.preventDefault()}
+      {...pressListeners(
+        () => repeat.press(step),
+        () => repeat.release(),
+      )}
       onClick={() => repeat.click(step)}
     >
       {words[direction > 0 ? 'up' : 'down'](amountOf(value, tenfold))}

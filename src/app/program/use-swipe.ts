@@ -38,8 +38,13 @@ export function useSwipe(input: RefObject<HTMLInputElement | null>, onStep: OnSt
       addEventListener('pointerup', end);
       addEventListener('pointercancel', end);
     };
-    const move = ({ pointerId, clientX, clientY }: PointerEvent): void => {
+    const move = ({ pointerId, clientX, clientY, buttons }: PointerEvent): void => {
       if (pointerId !== swipe?.id) return;
+      // A pen was lifted where the page could not hear it, and moves above the screen.
+      if ((buttons & 1) === 0) {
+        forget();
+        return;
+      }
       const way = clientX - swipe.x;
       const across = Math.abs(clientY - swipe.y);
       if (!swipe.going && across >= TRAVEL && across >= Math.abs(way)) {

@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { PressAndHold } from './press-and-hold.js';
+import { pressListeners } from './press-listeners.js';
 import { useRelease } from './use-release.js';
 import './hold-button.css';
 
@@ -33,11 +34,7 @@ export function HoldButton({ label, holding, disabled, onHeld, describedBy }: Ho
       class={`hold ${isHolding ? 'holding' : ''}`}
       disabled={disabled}
       aria-describedby={describedBy}
-      onPointerDown={(event) => event.button === 0 && event.isPrimary !== false && hold.press()}
-      onPointerUp={release}
-      onPointerLeave={release}
-      onPointerCancel={release}
-      onContextMenu={(event) => event.preventDefault()}
+      {...pressListeners(() => hold.press(), release)}
       onKeyDown={(event) => {
         if (event.key !== ' ' && event.key !== 'Enter') return;
         event.preventDefault();

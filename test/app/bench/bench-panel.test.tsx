@@ -178,6 +178,11 @@ describe('hold to unlock', () => {
       (button) => fireEvent.pointerDown(button, { button: 0, isPrimary: true }),
       (button) => fireEvent.pointerLeave(button),
     ],
+    [
+      'a mouse whose other button stays down',
+      (button) => fireEvent.pointerDown(button, { button: 0, buttons: 1, isPrimary: true }),
+      (button) => fireEvent.pointerMove(button, { button: 0, buttons: 2, isPrimary: true }),
+    ],
     ['Space', (button) => fireEvent.keyDown(button, { key: ' ' }), (button) => fireEvent.keyUp(button, { key: ' ' })],
     [
       'Enter',
@@ -206,6 +211,15 @@ describe('hold to unlock', () => {
     await idle();
     expect(unlocks(app)).toBe(1);
     expect(screen.getByText('The motor is unlocked. The propeller may start.')).toBeTruthy();
+  });
+
+  it('goes on while the finger moves on the button', async () => {
+    const app = await opened();
+    fireEvent.pointerDown(unlockButton(), { button: 0, buttons: 1, isPrimary: true });
+    fireEvent.pointerMove(unlockButton(), { button: -1, buttons: 1, isPrimary: true });
+    await vi.advanceTimersByTimeAsync(HOLD);
+    await idle();
+    expect(unlocks(app)).toBe(1);
   });
 
   it('does nothing on a click', async () => {

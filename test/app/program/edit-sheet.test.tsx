@@ -157,7 +157,7 @@ describe('its keys', () => {
     await connected();
     await tap('Function 4, S2');
     const plus = sheet('Function 4, S2').getByRole('button', { name: '+1' });
-    fireEvent.pointerDown(plus, { pointerType: 'touch' });
+    fireEvent.pointerDown(plus, { pointerType: 'touch', isPrimary: true });
     await idle(449);
     const before = field('Function 4, S2').value;
     await idle(1 + 2 * 90);
@@ -172,12 +172,29 @@ describe('its keys', () => {
   it('stop stepping when somebody else gets the screen', async () => {
     await connected();
     await tap('Function 4, S2');
-    fireEvent.pointerDown(sheet('Function 4, S2').getByRole('button', { name: '+1' }), { pointerType: 'touch' });
+    const plus = sheet('Function 4, S2').getByRole('button', { name: '+1' });
+    fireEvent.pointerDown(plus, { pointerType: 'touch', isPrimary: true });
     await idle(450);
     const before = field('Function 4, S2').value;
     fireEvent.blur(window);
     await idle();
     expect([before, field('Function 4, S2').value]).toEqual(['56', '56']);
+  });
+
+  it.each([
+    ['another button of the mouse is pressed', { button: 2, buttons: 2 }, { buttons: 2 }, '55'],
+    ['another button of the mouse stays down', { button: 0, buttons: 1 }, { buttons: 2 }, '56'],
+    ['the finger moves on the key', { button: 0, buttons: 1 }, { buttons: 1 }, '60'],
+  ])('step only while they are pressed: %s', async (_, down, moved, after) => {
+    await connected();
+    await tap('Function 4, S2');
+    const plus = sheet('Function 4, S2').getByRole('button', { name: '+1' });
+    fireEvent.pointerDown(plus, { ...down, isPrimary: true });
+    await idle(450);
+    fireEvent.pointerMove(plus, { ...moved, isPrimary: true });
+    await idle(4 * 90);
+    fireEvent.pointerCancel(plus);
+    expect(field('Function 4, S2').value).toBe(after);
   });
 
   it('begin a new value after a step, and after Put back', async () => {

@@ -19,6 +19,7 @@ async function draw(
     pointerId: 2,
     isPrimary: true,
     pointerType: 'touch',
+    buttons: 1,
     clientX,
     clientY,
     ...pointer,
@@ -70,6 +71,17 @@ describe('stepping', () => {
       ]);
     },
   );
+
+  it('is not what a pen does that was lifted where the page could not hear it', async () => {
+    await connected();
+    field('Function 4, S2').focus();
+    const pen = { bubbles: true, pointerId: 3, isPrimary: true, pointerType: 'pen', clientX: 200, clientY: 300 };
+    fireEvent.pointerDown(field('Function 4, S2'), { ...pen, buttons: 1 });
+    fireEvent.pointerMove(field('Function 4, S2'), { ...pen, buttons: 0, clientX: 260 });
+    fireEvent.pointerMove(field('Function 4, S2'), { ...pen, buttons: 1, clientX: 260 });
+    await idle();
+    expect(field('Function 4, S2').value).toBe('55');
+  });
 
   it('by a swipe does not move the caret, and a pen works like a finger', async () => {
     await connected();

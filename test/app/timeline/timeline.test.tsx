@@ -238,13 +238,16 @@ describe('the mouse', () => {
     expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12 back.', 12]);
   });
 
-  it('puts back when the button was released where the page could not hear it', async () => {
+  it.each([
+    ['over another window', 0],
+    ['while another one is down', 2],
+  ])('puts back when the button was released %s, where the page cannot hear it', async (_, buttons) => {
     const { log, current } = shown();
     await hold('Function 2, S1', 0, -40);
     await drawn();
     expect(current.value.positions[0]?.[2]).not.toBe(12);
-    // Over another window. Now the mouse comes back, with no button down.
-    const back = { ...placeOf(handle('Function 2, S1')), ...mouse, buttons: 0 };
+    // Now the mouse moves, without the button down that began it.
+    const back = { ...placeOf(handle('Function 2, S1')), ...mouse, buttons };
     await act(() => void fireEvent.pointerMove(window, { ...back, clientY: back.clientY - 80 }));
     await drawn();
     expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12 back.', 12]);
