@@ -12,9 +12,10 @@ import { Trials } from './trials.js';
 /**
  * Why the servos no longer follow, when the pilot did not end it. `hidden`: the page went out of sight. `job`: another
  * job has the wire. `memory`: another memory is current, or was asked for. `unsafe`: the pilot no longer says that it
- * is safe. `lost`: the connection ended. `failed`: a command failed.
+ * is safe. `lost`: the connection ended. `failed`: a command failed. `strayed`: the reading at the end shows that
+ * another memory became current, which may have taken positions.
  */
-export type EndReason = 'hidden' | 'job' | 'memory' | 'unsafe' | 'lost' | 'failed';
+export type EndReason = 'hidden' | 'job' | 'memory' | 'unsafe' | 'lost' | 'failed' | 'strayed';
 
 /** How following ended. */
 export interface Ended {
@@ -70,6 +71,8 @@ export class Follow {
   readonly #edits: FollowedEdits;
   /** Whether the browser has kept what was stored. It keeps each position before the first byte goes out. */
   #isKept = true;
+  /** Whether a position was sent since following began. */
+  #hasStored = false;
 
   constructor(session: Session, bench: Bench) {
     const { editor } = session;
@@ -194,6 +197,7 @@ export class Follow {
       this.#edits.begin();
       this.#bound = connection.value;
       this.#isKept = true;
+      this.#hasStored = false;
       this.#followed = this.#session.onScreen.workKey(before);
       this.#wanted.value = null;
       this.trials.set({ before, touched: new Set() });
@@ -217,11 +221,17 @@ export class Follow {
       this.#ended.value = reason && { reason, held };
     });
     // Any other job reads the timer itself.
-    const other = runner.job.peek();
-    if (other && !BESIDE.has(other.kind)) return;
+    const kind = runner.job.peek()?.kind ?? 'bench';
+    const isReading = kind === 'read';
+    if (!isReading && !BESIDE.has(kind)) return;
     const bound = this.#bound;
     if (runner.busy.peek()) await runner.ended();
-    if (bound && connection.peek() === bound) await this.#session.reader.read();
+    if (!bound || connection.peek() !== bound) return;
+    if (!isReading) await this.#session.reader.read();
+    // A position goes into the memory that is current, whichever the page believes that to be.
+    const now = editor.baseline.peek();
+    const isOther = held !== null && now !== null && now.memory !== held.memory;
+    if (isOther && this.#hasStored && !this.#on.peek()) this.#ended.value = { reason: 'strayed', held };
   }
 
   /** Decides what to do next, after each change and each finished command. */
@@ -307,6 +317,7 @@ export class Follow {
     options.stillOn();
     if (!this.#on.peek()) return;
     editor.sent();
+    this.#hasStored = true;
     await connection.client.setPosition(field, pending.value, options);
     if (editor.baseline.peek() !== before) return;
     batch(() => {

@@ -47,6 +47,8 @@ export const bench = {
     memory: 'Following has stopped: another memory is current, or may be.',
     unsafe: 'Following has stopped: the safety box is no longer ticked.',
     lost: 'Following has stopped: the connection ended.',
+    strayed:
+      'Another memory became current while the servos followed. It may have taken some of the positions: look at all of it before you fly it.',
     failed: 'Following has stopped: the timer did not acknowledge a command.',
   },
   endRead: 'The timer has been read since then.',

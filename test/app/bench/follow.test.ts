@@ -299,6 +299,25 @@ describe('following ends', () => {
     expect(told(app)).toEqual(before);
   });
 
+  it.each<[string, (app: AppBench) => Promise<unknown>]>([
+    ['the pilot stops', ({ follow }) => follow.stop()],
+    ['it is read again', ({ session }) => session.reader.read()],
+  ])('as “strayed” when %s and another memory has become current, which has taken positions', async (_, end) => {
+    for (const stored of [false, true]) {
+      const app = await following();
+      app.timer.core.memory = 1;
+      if (stored) set(app, [S2, 70]);
+      await idle();
+      await run(end(app));
+      await idle();
+      expect(app.timer.core.memories.map(({ positions }) => positions[1]?.[4] === 70).indexOf(true)).toBe(
+        stored ? 1 : -1,
+      );
+      expect(app.follow.ended.value?.reason === 'strayed', `a position was stored: ${stored}`).toBe(stored);
+      await run(app.session.timer.disconnect());
+    }
+  });
+
   it('not by a frame by hand that only reads; a reading follows one that may move servos', async () => {
     const app = await following();
     const form = new FrameForm(app.session);
