@@ -239,15 +239,16 @@ describe('the mouse', () => {
   });
 
   it.each([
-    ['over another window', 0],
-    ['while another one is down', 2],
-  ])('puts back when the button was released %s, where the page cannot hear it', async (_, buttons) => {
+    ['a mouse over another window', { buttons: 0 }],
+    ['a mouse while another one is down', { buttons: 2 }],
+    ['a pen that was lifted', { buttons: 0, pointerType: 'pen' }],
+  ])('puts back when the button of %s was released where the page cannot hear it', async (_, moved) => {
     const { log, current } = shown();
     await hold('Function 2, S1', 0, -40);
     await drawn();
     expect(current.value.positions[0]?.[2]).not.toBe(12);
     // Now the mouse moves, without the button down that began it.
-    const back = { ...placeOf(handle('Function 2, S1')), ...mouse, buttons };
+    const back = { ...placeOf(handle('Function 2, S1')), ...mouse, ...moved };
     await act(() => void fireEvent.pointerMove(window, { ...back, clientY: back.clientY - 80 }));
     await drawn();
     expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12 back.', 12]);
@@ -316,6 +317,7 @@ describe('fingers', () => {
   const finger = (pointerId: number, clientX: number, clientY: number) => ({
     pointerId,
     pointerType: 'touch',
+    buttons: 1,
     button: 0,
     clientX,
     clientY,

@@ -106,7 +106,7 @@ export class PointerControl {
     const target = this.#target();
     if (!target || !this.#down.has(event.pointerId)) return;
     // The button was released where the page could not hear it, as over another window or with another button down.
-    if (event.pointerType === 'mouse' && (event.buttons & 1) === 0) this.#lost(event);
+    if ((event.buttons & 1) === 0) this.#lost(event);
     else {
       this.#down.set(event.pointerId, pointIn(target.svg, event));
       this.#note(event, target);
