@@ -1,6 +1,6 @@
 import type { Flight, TimerProgram } from '../../program/index.js';
 import { formatFigure } from '../editing/units.js';
-import { dateFormat } from '../messages/date-format.js';
+import { formatDate } from '../messages/date-format.js';
 import { flightMessages } from '../messages/flights.js';
 import { messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
@@ -33,5 +33,5 @@ export function heldText(program: TimerProgram): string {
 /** A day as the heading of a group: “Sun 22 Nov 2026”. */
 export function dayHeading(at: number): string {
   const day = { weekday: 'short', day: 'numeric', month: 'short', year: 'numeric' } as const;
-  return dateFormat(messages.value.locale, day).format(at);
+  return formatDate(messages.value.locale, day, at);
 }

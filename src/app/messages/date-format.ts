@@ -1,11 +1,14 @@
 /** One formatter for each form: making one is slow, and a list has thousands of days. */
 const formatters = new Map<string, Intl.DateTimeFormat>();
 
-/** Formats a time in a language, by the present time zone of the device. */
-export function dateFormat(locale: string, options: Intl.DateTimeFormatOptions): Intl.DateTimeFormat {
+/**
+ * A time in words, by the present time zone of the device: “23 Nov 2026, 10:08”. It breaks only after a comma: half a
+ * date at the end of a line reads as another one.
+ */
+export function formatDate(locale: string, options: Intl.DateTimeFormatOptions, time: number): string {
   // A formatter keeps the time zone in which it was made, and a device may travel.
   const key = [locale, new Date().getTimezoneOffset(), JSON.stringify(options)].join();
   const made = formatters.get(key) ?? new Intl.DateTimeFormat(locale, options);
   formatters.set(key, made);
-  return made;
+  return made.format(time).replace(/(?<!,) /g, '\u00a0');
 }

@@ -16,7 +16,7 @@ import {
   plainSeconds,
   spokenParts,
 } from '../editing/units.js';
-import { dateFormat } from './date-format.js';
+import { formatDate } from './date-format.js';
 import { en } from './en.js';
 import { isToday } from './today.js';
 
@@ -152,7 +152,7 @@ export function readable(bytes: Uint8Array): string {
 /** A day and a time of day, in the form of this language. */
 export function dateText(time: number): string {
   const { locale, dateTime } = messages.value;
-  return dateFormat(locale, dateTime).format(time);
+  return formatDate(locale, dateTime, time);
 }
 
 /** For today the hour and minute, for any other day the day alone: “12 Nov”, “12 Nov 2025”. */
@@ -162,13 +162,13 @@ export function dayText(time: number): string {
   const now = new Date();
   if (isToday(day)) return clockText(time);
   const year = day.getFullYear() === now.getFullYear() ? {} : ({ year: 'numeric' } as const);
-  return dateFormat(locale, { day: 'numeric', month: 'short', ...year }).format(time);
+  return formatDate(locale, { day: 'numeric', month: 'short', ...year }, time);
 }
 
 /** For today the hour and minute, for any other day also the day. */
 export function clockText(time: number): string {
   const { locale, dateTime } = messages.value;
-  return isToday(new Date(time)) ? dateFormat(locale, { timeStyle: dateTime.timeStyle }).format(time) : dateText(time);
+  return isToday(new Date(time)) ? formatDate(locale, { timeStyle: dateTime.timeStyle }, time) : dateText(time);
 }
 
 /** A value inside a sentence: “3:00”, “10.0 s”, “65”, or that it is not known. */

@@ -55,7 +55,7 @@ describe('the print view', () => {
     expect(sheets().map((sheet) => within(sheet).getByRole('heading', { level: 2 }).textContent)).toEqual([
       'Lancer 07',
     ]);
-    expect(sheets()[0]?.textContent).toMatch(/Read from the timer \d+ Nov 2026/);
+    expect(sheets()[0]?.textContent).toMatch(/Read from the timer \d+\sNov\s2026/);
     choose(/^No\smodel\s· found$/);
     choose(/^Lancer\s07\s· wind$/);
     expect(sheets().map((sheet) => sheet.querySelector('.leaf-name')?.textContent)).toEqual([

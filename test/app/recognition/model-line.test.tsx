@@ -36,7 +36,7 @@ const list = () => within(screen.getByRole('dialog', { name: 'Which model is it?
 describe('the line about the model', () => {
   it('is its name and the day, shown once', async () => {
     await withModels(record('Lancer 07', HELD[0]));
-    expect(line()).toBe('This is Lancer 07, as seen 12 Nov 2025.');
+    expect(line()).toBe('This is Lancer 07, as seen 12\u00a0Nov\u00a02025.');
     await press('OK');
     expect(line()).toBeUndefined();
     expect(button('Model Lancer 07: say which model it is').textContent).toBe('Lancer 07');
