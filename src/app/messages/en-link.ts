@@ -27,7 +27,7 @@ export const link = {
     reading: { title: 'Reading the timer', advice: 'Hold it as it is.' },
     closing: { title: 'Closing the port', advice: '' },
     /** While waiting for an answer. Changes with each second. */
-    noAnswer: (seconds: number) => `No answer for ${seconds} s.`,
+    noAnswer: (seconds: number) => `No answer for ${seconds}\u00a0s.`,
     silent: 'This page keeps asking and goes on by itself.',
     open: 'The adapter is open',
     /** `now`: the step to take, large. `text`: the same step in the list. */
@@ -37,8 +37,8 @@ export const link = {
         text: 'Wake the timer: press its switch briefly',
       },
       near: {
-        now: 'Hold the head closer than 20 cm',
-        text: 'Hold the infra-red head closer than 20 cm, out of the sun',
+        now: 'Hold the head closer than 20\u00a0cm',
+        text: 'Hold the infra-red head closer than 20\u00a0cm, out of the sun',
       },
       other: {
         now: 'Is the timer on another adapter?',
@@ -59,12 +59,12 @@ export const link = {
     }),
     noise: (_: string, rate: number) => ({
       title: 'No timer answers. Bytes come that no timer sends.',
-      advice: `They come at ${rate} baud. Something else talks on this port, or light disturbs the infra-red head. Shade the head, wake the timer and hold it closer than 20 cm, or choose another port.`,
+      advice: `They come at ${rate} baud. Something else talks on this port, or light disturbs the infra-red head. Shade the head, wake the timer and hold it closer than 20\u00a0cm, or choose another port.`,
     }),
     echo: () => ({
       title: 'Only what this page sends comes back.',
       advice:
-        'The timer sleeps or is too far away, or something else is on this port. Press the switch of the timer briefly and hold it closer than 20 cm, or choose another port.',
+        'The timer sleeps or is too far away, or something else is on this port. Press the switch of the timer briefly and hold it closer than 20\u00a0cm, or choose another port.',
     }),
   },
   chooseAnother: 'Choose another port',

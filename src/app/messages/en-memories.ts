@@ -1,4 +1,4 @@
-import { dotted } from './dotted.js';
+import { dotted, whole } from './dotted.js';
 import { plural } from './plural.js';
 
 /** Which memory flies next, and what is known about the others. */
@@ -80,7 +80,7 @@ export const memories = {
     `${memory} verified ${time} · ${dotted(figures)}`,
   uncertain: (memory: string, open: readonly string[], more: number) =>
     `It is not known what ${memory} holds: ${open.join(', ')}${more > 0 ? `, and ${more} more` : ''}. Do not fly it before it is read.`,
-  either: (field: string, one: string, other: string) => `${field} is ${one} or ${other}`,
+  either: (field: string, one: string, other: string) => `${field} is ${whole(one)} or ${whole(other)}`,
   ends: {
     verified: (memory: string) => `${memory} verified.`,
     untouched: (memory: string) => `Nothing was written into ${memory}.`,

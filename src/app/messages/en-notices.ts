@@ -55,7 +55,7 @@ export const connection: Record<ConnectionErrorCode, Said> = {
 export const timer: Record<TimerErrorCode, Said> = {
   'no-answer': {
     title: 'The timer did not answer.',
-    advice: 'Is it awake, and closer than 20 cm? Press its switch briefly and try again. What you typed is kept.',
+    advice: 'Is it awake, and closer than 20\u00a0cm? Press its switch briefly and try again. What you typed is kept.',
   },
   'bad-reply': {
     title: 'The answer of the timer cannot be right.',

@@ -1,8 +1,11 @@
+import { whole } from './dotted.js';
+
 /** A DT for trimming that is about to be flown. The page asks before the pilot disconnects, and at a contest round. */
 export const shortDt = {
   /** @param memory null where the timer does not say which one is current. */
-  held: (memory: string | null, dt: string) => (memory === null ? `DT is ${dt}.` : `DT of ${memory} is ${dt}.`),
-  ask: (back: string) => `Put back to ${back}?`,
+  held: (memory: string | null, dt: string) =>
+    memory === null ? `DT is ${whole(dt)}.` : `DT of ${memory} is ${whole(dt)}.`,
+  ask: (back: string) => `Put back to ${whole(back)}?`,
   putBack: (back: string) => `Put back to ${back}…`,
   flyWith: (dt: string) => `Fly with ${dt}`,
   /** Something that was typed prevents every write. */

@@ -159,7 +159,7 @@ export const en = {
   preview,
   /** While a job goes on over a bad line. */
   disturbed: (repeats: number, seconds: number) =>
-    `Line disturbed: ${plural(repeats, 'request', 'requests')} repeated, ends in ${seconds} s at the latest`,
+    `Line disturbed: ${plural(repeats, 'request', 'requests')} repeated, ends in ${seconds}\u00a0s at the latest`,
   dismiss: 'Dismiss',
   connection,
   timer,

@@ -17,6 +17,7 @@ import {
   spokenParts,
 } from '../editing/units.js';
 import { formatDate } from './date-format.js';
+import { whole } from './dotted.js';
 import { en } from './en.js';
 import { isToday } from './today.js';
 
@@ -111,7 +112,7 @@ export function findingText({ code, params, field }: Finding): string {
   const { findings, seconds } = messages.value;
   const shown = Object.entries(params).map(([name, value]): [string, string] => [
     name,
-    isTime && typeof value === 'number' ? seconds(formatTime(value)) : String(value),
+    isTime && typeof value === 'number' ? whole(seconds(formatTime(value))) : String(value),
   ]);
   return findings[code](Object.fromEntries(shown));
 }
@@ -219,7 +220,7 @@ function reasonText(
   const shown = Object.fromEntries(
     Object.entries(params).map(([name, value]): [string, string] => [
       name,
-      isTime ? seconds(formatInterval(value)) : String(value),
+      isTime ? whole(seconds(formatInterval(value))) : String(value),
     ]),
   );
   if (code in edits.refused) return edits.refused[code as keyof typeof edits.refused](shown);

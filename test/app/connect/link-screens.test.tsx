@@ -124,8 +124,8 @@ describe('what to do while no timer answers', () => {
     expect(help()).toBeNull();
     await idle(8000);
     expect([stage(), current()]).toEqual([
-      'Hold the head closer than 20 cm',
-      'Hold the infra-red head closer than 20 cm, out of the sun',
+      'Hold the head closer than 20\u00a0cm',
+      'Hold the infra-red head closer than 20\u00a0cm, out of the sun',
     ]);
     await idle(20_000);
     expect([stage(), current()]).toEqual(['Is the timer on another adapter?', 'Another adapter?Choose another port']);

@@ -36,7 +36,7 @@ describe('with a short DT in the timer', () => {
     await press('Disconnect');
     expect([status(app), dialog().getByRole('status').textContent]).toEqual([
       'on',
-      'DT of M1 is 20 s. Put back to 2:45 min?',
+      'DT of M1 is 20\u00a0s. Put back to 2:45\u00a0min?',
     ]);
     expect(buttons()).toEqual(['Stay connected', 'Fly with 20 s', 'Put back to 2:45 min…']);
     await press('Put back to 2:45 min…');
@@ -109,7 +109,7 @@ describe('with a short DT in the timer', () => {
     await press('Disconnect');
     expect(screen.getAllByRole('dialog').length).toBe(1);
     expect(dialog().getByRole('status').textContent).toBe(
-      'M3 will fly next. When you connected it was M1.DT of M3 is 10 s. Put back to 3:00 min?',
+      'M3 will fly next. When you connected it was M1.DT of M3 is 10\u00a0s. Put back to 3:00\u00a0min?',
     );
     expect(buttons()).toEqual([
       'Stay connected',
@@ -124,7 +124,7 @@ describe('with a short DT in the timer', () => {
     await press('Back to M1 and disconnect');
     expect([status(app), dialog().getByRole('status').textContent]).toEqual([
       'on',
-      'DT of M1 is 20 s. Put back to 3:00 min?',
+      'DT of M1 is 20\u00a0s. Put back to 3:00\u00a0min?',
     ]);
     expect(dialog().queryByRole('alert'), 'going back worked, so there is no warning').toBeNull();
     await press('Fly with 20 s');
