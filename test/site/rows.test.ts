@@ -123,6 +123,13 @@ describe('a timer of another layout', () => {
       return [input, table?.querySelector('th.servo:last-child'), input.closest('tr')?.querySelector('th')].map(isSeen);
     });
     expect(seen).toEqual([true, true, true]);
+    const unit = app.table.locator('tr.dt td.time .unit');
+    // It stands before its figure, in its cell, and nothing cuts it.
+    await expect
+      .poll(() =>
+        unit.evaluate((it) => it.getBoundingClientRect().left - (it.closest('td')?.getBoundingClientRect().left ?? 0)),
+      )
+      .toBeGreaterThan(0);
   });
 });
 

@@ -44,6 +44,16 @@ test('a view is as it was left: the focus, the scroll position, and what was typ
   await app.text('1 change').first().waitFor();
 });
 
+test('a table with many servos is as far to the side as it was left', async () => {
+  const app = await AppPage.open({ ...PHONE, bench: { granted: true, identity: { servos: 6 } } });
+  await app.connect();
+  const scroller = app.page.locator('.table-scroller');
+  await scroller.evaluate((table) => table.scrollTo(90, 0));
+  await app.goTo('Memories');
+  await app.page.goBack();
+  await expect.poll(() => scroller.evaluate((table) => table.scrollLeft)).toBe(90);
+});
+
 test('every action that is possible can be found by its name and done with Enter', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.hasParts();

@@ -1,9 +1,13 @@
 /** Where the pilot was in a view. */
 export interface ViewPlace {
   readonly scroll: number;
+  /** The same inside the table, which scrolls with unusually many functions or servos. */
+  readonly inTable: { readonly left: number; readonly top: number };
   /** The focused element, by its number among those of its kind; null when nothing had the focus. */
   readonly focus: { readonly tag: string; readonly at: number } | null;
 }
+
+const TABLE = '.table-scroller, .bench-table';
 
 /**
  * Where the pilot is in a view now.
@@ -11,9 +15,11 @@ export interface ViewPlace {
  */
 export function placeIn(view: HTMLElement, last: Element | null): ViewPlace {
   const scroll = view.ownerDocument.documentElement.scrollTop;
-  if (!last || last === view || !view.contains(last)) return { scroll, focus: null };
+  const { scrollLeft: left = 0, scrollTop: top = 0 } = view.querySelector(TABLE) ?? {};
+  const here = { scroll, inTable: { left, top } };
+  if (!last || last === view || !view.contains(last)) return { ...here, focus: null };
   const tag = last.tagName;
-  return { scroll, focus: { tag, at: [...view.querySelectorAll(tag)].indexOf(last) } };
+  return { ...here, focus: { tag, at: [...view.querySelectorAll(tag)].indexOf(last) } };
 }
 
 /**
@@ -24,6 +30,7 @@ export function placeIn(view: HTMLElement, last: Element | null): ViewPlace {
 export function putBackPlace(view: HTMLElement, place: ViewPlace | undefined, byTouch: boolean): void {
   const { ownerDocument: page } = view;
   page.documentElement.scrollTop = place?.scroll ?? 0;
+  if (place) view.querySelector(TABLE)?.scrollTo(place.inTable);
   if (page.querySelector('dialog[open]')) return;
   const was = place?.focus && view.querySelectorAll<HTMLElement>(place.focus.tag)[place.focus.at];
   (was && !byTouch ? was : view).focus({ preventScroll: true });
