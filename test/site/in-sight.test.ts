@@ -138,6 +138,44 @@ test('on a desktop two memories stand beside each other, with the buttons of eac
   expect(found).toEqual({ columns: 2, lines: [1, 1, 1, 1] });
 });
 
+test('on a small phone in the sun the buttons of a memory stand on one line', async () => {
+  const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
+  await app.trySimulated('F1Q');
+  await app.goTo('Memories');
+  await app.button('Read and keep all…').click();
+  await app.page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
+  await app.button('Close').click();
+  await app.button('Compare with M1: M4').waitFor();
+  const lines = await app.page
+    .locator('.card-actions')
+    .evaluateAll((actions) =>
+      actions.map(({ children }) => new Set([...children].map((button) => button.getBoundingClientRect().top)).size),
+    );
+  expect(lines).toEqual([1, 1, 1, 1]);
+});
+
+test.each([3, 5])('on a small phone in the sun functions are in sight above the trim of %i servos', async (servos) => {
+  const app = await AppPage.open({
+    ...PHONE,
+    viewport: { width: 360, height: 740 },
+    bench: { granted: true, identity: { servos } },
+    before: IN_SUN,
+  });
+  await app.connect();
+  await app.goTo('Bench');
+  await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
+  await app.button('Next function').click();
+  await app.text('Servos at start').waitFor();
+  const covered = () =>
+    app.page.evaluate(() => {
+      const trim = document.querySelector('.bench-trim')?.getBoundingClientRect().top ?? 0;
+      const rows = [...document.querySelectorAll('.bench-table tbody tr')];
+      return rows.findIndex((row) => row.getBoundingClientRect().bottom > trim);
+    });
+  // The start and a function, at least.
+  await expect.poll(covered).toBeGreaterThanOrEqual(2);
+});
+
 test('on a tablet in the sun what is known does not stand word below word', async () => {
   const app = await AppPage.open({
     viewport: { width: 820, height: 1180 },
