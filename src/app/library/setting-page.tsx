@@ -116,7 +116,7 @@ export function SettingPage(props: SettingPageProps) {
           ))}
         </select>
       </label>
-      <p class="hint">
+      <p class="hint setting-origin">
         {words.setting.origin(words.setting.from[setting.from], clockText(setting.at))}
         {'. '}
         {originText(program)}
