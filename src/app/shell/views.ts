@@ -24,6 +24,9 @@ interface Address {
 /** The most characters that a place in a view has. */
 const LONGEST_PATH = 300;
 
+/** Marks the entries of the history where the pilot has been: only Back and Forward lead to one of them again. */
+const SEEN = 'seen';
+
 /** Which view is shown. Its name stands in the address, so that Back works and a reload shows it again. */
 export class Views {
   readonly #shown = signal<View>('program');
@@ -73,13 +76,15 @@ export class Views {
       // A setting in the address is shown over the present view.
       if (isLink(window.location.hash)) return;
       const { view, path } = addressAt(window.location.hash) ?? PROGRAM;
+      const isNew = window.history.state !== SEEN;
+      if (isNew) tried(() => window.history.replaceState(SEEN, ''));
       // The present address comes again behind the one that the browser went back to: the next Back leads there.
-      if (hashOf({ view, path }) !== this.address && takeBack()) write(this.address);
+      if (!isNew && hashOf({ view, path }) !== this.address && takeBack()) write(this.address);
       else this.show(view, path);
     };
     const write = (hash: string): void => {
       const now = addressAt(window.location.hash) ?? PROGRAM;
-      if (hashOf(now) !== hash) window.history.pushState(null, '', hash);
+      if (hashOf(now) !== hash) window.history.pushState(SEEN, '', hash);
     };
     read();
     // A browser would scroll before the view is there.

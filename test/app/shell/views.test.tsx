@@ -5,7 +5,7 @@ import { Modal } from '../../../src/app/ui/modal.js';
 
 /** A window with a history of its own: Back and Forward go through it at once. */
 function historyFrom(...hashes: string[]) {
-  const entries = [...hashes];
+  const entries = hashes.map((hash) => ({ hash, state: 'seen' as unknown }));
   let at = entries.length - 1;
   const heard = new EventTarget();
   const go = (by: number): void => {
@@ -14,17 +14,26 @@ function historyFrom(...hashes: string[]) {
   };
   const window = {
     get location() {
-      return { hash: entries[at] };
+      return { hash: entries[at]?.hash };
     },
     history: {
-      pushState: (_state: unknown, _title: string, hash: string) => {
-        entries.splice(++at, Number.POSITIVE_INFINITY, hash);
+      get state() {
+        return entries[at]?.state;
       },
+      pushState: (state: unknown, _title: string, hash: string) => {
+        entries.splice(++at, Number.POSITIVE_INFINITY, { hash, state });
+      },
+      replaceState: (state: unknown) => Object.assign(entries[at] ?? {}, { state }),
     },
     addEventListener: heard.addEventListener.bind(heard),
     removeEventListener: heard.removeEventListener.bind(heard),
   } as unknown as AddressWindow;
-  return { window, back: () => go(-1), forward: () => go(1), shown: () => entries.slice(0, at + 1) };
+  const enter = (hash: string): void => {
+    entries.splice(at + 1, Number.POSITIVE_INFINITY, { hash, state: null });
+    go(1);
+  };
+  const shown = () => entries.slice(0, at + 1).map(({ hash }) => hash);
+  return { window, back: () => go(-1), forward: () => go(1), enter, shown };
 }
 
 function following(...hashes: string[]) {
@@ -74,6 +83,15 @@ it('Back neither closes a dialog that has to stay open, nor changes the view beh
   unmount();
   back();
   expect(views.shown.value).toBe('settings');
+});
+
+it('an address that is entered is shown, also behind a dialog, and Back from there closes it', () => {
+  const { back, enter, views, shown } = following('#program');
+  const { onEscape } = open(false);
+  enter('#line');
+  expect([onEscape.mock.calls.length, views.shown.value, shown()]).toEqual([0, 'line', ['#program', '#line']]);
+  back();
+  expect([onEscape.mock.calls.length, views.shown.value]).toEqual([1, 'line']);
 });
 
 it('Back closes the topmost dialog first', () => {

@@ -15,7 +15,8 @@ function windowAt(hash: string) {
     location,
     history: {
       pushState: (_: unknown, __: string, to: string) => arriveAt(to),
-      replaceState: (_: unknown, __: string, to: string) => {
+      replaceState: (_: unknown, __: string, to?: string) => {
+        if (to === undefined) return;
         entries.pop();
         arriveAt(to);
       },
