@@ -21,7 +21,7 @@ async function atFunction4(): Promise<void> {
   field('Function 4 time').focus();
 }
 
-const EARLY = 'Function 4 time: This comes before the function above it (11.50 s).';
+const EARLY = 'Function 4 time: This comes before the function above it (11.50\u00a0s).';
 
 it('notes get their room when the keys rest, so that no row jumps while somebody types', async () => {
   await atFunction4();
