@@ -1,5 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, expect, it } from 'vitest';
+import { strayed } from '../../../src/app/write/strayed.js';
+import { TimerError, type WriteReport } from '../../../src/client/index.js';
 import { connected, press, type } from '../screen.js';
 
 afterEach(() => localStorage.clear());
@@ -31,4 +33,20 @@ it('so does a copy of a memory', async () => {
   };
   const dialog = await confirm('Copy a memory', 'Copy');
   expect(dialog.textContent).toContain('M1 became current during the write. Some of the values may be in M1 now.');
+});
+
+it('a write that changes nothing has sent no value into any memory', () => {
+  const value = { field: { kind: 'time', slot: 1 }, wanted: 1, held: null, status: 'unknown', asked: true } as const;
+  const report: WriteReport = {
+    result: 'unknown',
+    values: [value],
+    held: null,
+    acknowledged: 0,
+    repeats: 0,
+    stopped: new TimerError('other-memory', 'memory 2 is current, not 0', { expected: 0, found: 2 }),
+  };
+  expect(strayed([report])).toBe(2);
+  expect(strayed([{ ...report, values: [{ ...value, asked: false }] }])).toBeNull();
+  expect(strayed([{ ...report, values: [] }])).toBeNull();
+  expect(strayed([])).toBeNull();
 });
