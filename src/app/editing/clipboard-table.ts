@@ -1,5 +1,6 @@
 import { type TimerProgram, valueAt } from '../../program/index.js';
 import { columnsIn, type GridField, type GridRange, gridField, intervalAt, rowsIn } from './grid.js';
+import { plainDigits } from './units.js';
 
 /** How many cells of a text are read: ten times what the largest timer has. */
 export const MAX_CELLS = 10_000;
@@ -97,10 +98,12 @@ function closingMark(text: string, start: number): number {
 }
 
 /** A line that may be one number with a decimal comma. */
-const DECIMAL_COMMA = /^[^\S\r\n]*[-−]?\d*(?::\d+)?,\d+[^\S\r\n]*$/m;
+const DECIMAL_COMMA = /^-?\d*(?::\d+)?,\d+ ?(?:s|sec|min)?$/i;
 
 function separatorOf(text: string): string {
   if (text.includes('\t')) return '\t';
   if (text.includes(';')) return ';';
-  return text.includes(',') && !DECIMAL_COMMA.test(text) ? ',' : '';
+  if (!text.includes(',')) return '';
+  // As the cells are read: with all that nobody sees, and with the digits of any keyboard.
+  return text.split(/[\r\n]/).some((line) => DECIMAL_COMMA.test(plainDigits(line))) ? '' : ',';
 }

@@ -12,19 +12,44 @@ export type UnreadableReason = 'empty' | 'not-a-time' | 'too-fine' | 'not-a-whol
 export type Parsed = { readonly value: number } | { readonly unreadable: Exclude<UnreadableReason, 'ambiguous'> };
 
 /** Nobody sees these: they come with a copied text. */
-const UNSEEN = /[\u00ad\u200b\u200e\u200f\u2060\ufeff]/g;
+const UNSEEN = /[\u00ad\u061c\u200b\u200e\u200f\u2060\u2066\u2068\u2069\ufeff]/g;
 /** The signs that keyboards and other programs have for a minus. */
 const MINUS = /[\u2010-\u2013\u2212]/g;
+/** The characters of ASCII as wide as a Chinese or Japanese one, and how far they are from the usual ones. */
+const WIDE = /[\uff01-\uff5e]/g;
+const FROM_WIDE = 0xfee0;
+/** The digits of other keyboards: Arabic, Persian and Urdu, Hindi. */
+const OTHER_DIGITS = [
+  { zero: 0x660, digits: /[\u0660-\u0669]/g },
+  { zero: 0x6f0, digits: /[\u06f0-\u06f9]/g },
+  { zero: 0x966, digits: /[\u0966-\u096f]/g },
+];
+const OTHER_POINT = /\u066b/g;
+const OTHER_COMMA = /\u060c/g;
 
-/** A typed or copied number without spaces around it, with plain spaces inside and the plain minus sign. */
+/**
+ * A typed or copied number without spaces around it, with plain spaces inside, and with the plain minus sign, digits
+ * and marks. A number with two kinds of digits stays as it is, because some look alike: the Arabic 5 is like a 0.
+ */
 export function plainDigits(text: string): string {
   // Nearly every text.
   if (!/[^ -~]/.test(text)) return text.trim();
-  return text
+  const plain = text
     .replaceAll(UNSEEN, '')
     .replaceAll(/\p{Zs}/gu, ' ')
     .replaceAll(MINUS, '-')
+    .replaceAll(WIDE, (wide) => String.fromCharCode(wide.charCodeAt(0) - FROM_WIDE))
     .trim();
+  return /\d/.test(plain) ? plain : withoutOtherDigits(plain);
+}
+
+function withoutOtherDigits(text: string): string {
+  const [kind, ...more] = OTHER_DIGITS.filter(({ digits }) => text.search(digits) >= 0);
+  if (!kind || more.length > 0) return text;
+  return text
+    .replaceAll(kind.digits, (digit) => String(digit.charCodeAt(0) - kind.zero))
+    .replaceAll(OTHER_POINT, '.')
+    .replaceAll(OTHER_COMMA, ',');
 }
 
 /** The possible meanings of a text, in hundredths of a second. All different. */
@@ -38,7 +63,7 @@ export interface Ambiguous {
 export type TypedText = Parsed | Ambiguous;
 
 const TIME = /^(?:(\d{1,4})(?::(?=[0-5]?\d(?:[.,]|$))|[.,](?=[0-5]\d[.,])))?(\d{1,6})?(?:[.,](\d*))?$/;
-const IN_UNITS = /^(?:(\d{1,4}) ?min)?(?: ?(\d*[.,]?\d*) ?s?)?$/i;
+const IN_UNITS = /^(?:(\d{1,4}) ?min)?(?: ?(\d*[.,]?\d*) ?(?:s|sec)?)?$/i;
 const CLOCK_IN_MINUTES = /^(\d+:[\d.,]+) ?min$/i;
 const DECIMAL_MINUTES = /^(\d{0,4})[.,](\d{1,2}) ?min$/i;
 
@@ -115,12 +140,14 @@ export function readTime(text: string, { isDt }: { readonly isDt: boolean }): Ty
   return { unreadable: 'ambiguous', either: [first, ...more, parsed.value] };
 }
 
-/** Reads `65` as 65. A minus sign is understood, so that the value can be refused with the right reason. */
+const STEPS = /^(-?\d{1,6})(?: ?steps?)?$/i;
+
+/** Reads `65` and `65 steps`. A minus sign is understood, so that the value can be refused with the right reason. */
 export function parseSteps(text: string): Parsed {
   const trimmed = plainDigits(text);
   if (trimmed === '') return { unreadable: 'empty' };
-  if (!/^-?\d{1,6}$/.test(trimmed)) return { unreadable: 'not-a-whole-number' };
-  return { value: Number(trimmed) };
+  const [, steps] = STEPS.exec(trimmed) ?? [];
+  return steps === undefined ? { unreadable: 'not-a-whole-number' } : { value: Number(steps) };
 }
 
 /** Writes hundredths of a second as pilots do: `0.50`, `12.05`; from one minute on `3:00` or `3:00.50`. */

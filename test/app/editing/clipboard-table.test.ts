@@ -90,6 +90,10 @@ describe('a text as a table', () => {
     ['decimal commas in minutes', '2:05,5', [['2:05,5']]],
     ['commas of which one may be decimal', '1.5,65\n 12,5 ', [['1.5,65'], ['12,5']]],
     ['an interval with a decimal comma', '-1,5', [['-1,5']]],
+    ['a decimal comma behind a dash', '\u20131,5', [['\u20131,5']]],
+    ['a decimal comma behind what nobody sees', '\u200e12,5\u200b', [['\u200e12,5\u200b']]],
+    ['a decimal comma and a unit', '12,5 s\n2,5\u00a0min', [['12,5 s'], ['2,5\u00a0min']]],
+    ['a decimal comma between digits of another keyboard', '１２,５\n١٢,٥', [['１２,５'], ['١٢,٥']]],
   ])('%s', (_, text, rows) => {
     expect(readTable(text)).toEqual({ rows, cut: false });
   });

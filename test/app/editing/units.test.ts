@@ -90,8 +90,30 @@ const times: [text: string, parsed: number | string][] = [
   ['\u200b', 'empty'],
   ['1\u00a02', 'not-a-time'],
   ['1 2', 'not-a-time'],
-  ['٣', 'not-a-time'],
-  ['１２', 'not-a-time'],
+  ['12 sec', 1200],
+  ['12 second', 'not-a-time'],
+  ['１２', 1200],
+  ['１２．５', 1250],
+  ['１２，５　ｓ', 1250],
+  ['２：０５', 12500],
+  ['１2', 1200],
+  ['２ｍｉｎ３０ｓ', 15000],
+  ['٣', 300],
+  ['١٢٫٥', 1250],
+  ['١٢،٥', 1250],
+  ['٢:٠٥', 12500],
+  ['۱۲/۵', 'not-a-time'],
+  ['۴۵۶', 45600],
+  ['१२.५', 1250],
+  ['\u2068١٢\u2069', 1200],
+  ['1٥', 'not-a-time'],
+  ['٢۳', 'not-a-time'],
+  ['১২', 'not-a-time'],
+  ['①', 'not-a-time'],
+  ['2²', 'not-a-time'],
+  ['𝟏𝟐', 'not-a-time'],
+  ['二', 'not-a-time'],
+  ['١٬٠٠٠', 'not-a-time'],
   ['½', 'not-a-time'],
   ['1\u0000', 'not-a-time'],
   ['9999999', 'not-a-time'],
@@ -120,7 +142,18 @@ const steps: [text: string, parsed: number | string][] = [
   ['-', 'not-a-whole-number'],
   ['six', 'not-a-whole-number'],
   ['0x41', 'not-a-whole-number'],
-  ['٦٥', 'not-a-whole-number'],
+  ['65 steps', 65],
+  ['1 step', 1],
+  ['65\u00a0steps', 65],
+  ['65 s', 'not-a-whole-number'],
+  ['65 %', 'not-a-whole-number'],
+  ['65°', 'not-a-whole-number'],
+  ['steps', 'not-a-whole-number'],
+  ['６５', 65],
+  ['－１', -1],
+  ['٦٥', 65],
+  ['٦5', 'not-a-whole-number'],
+  ['٦٫٥', 'not-a-whole-number'],
   ['9999999', 'not-a-whole-number'],
 ];
 
@@ -183,7 +216,7 @@ describe('typed intervals', () => {
 
 describe('hostile texts', () => {
   it('are a whole number of units or get a reason, however long they are', () => {
-    const pieces = fc.constantFrom('0', '9', '.', ',', ':', '-', ' ', 'e', '٣', '\n');
+    const pieces = fc.constantFrom('0', '9', '.', ',', ':', '-', ' ', 'e', '٣', '９', '٫', '\n');
     const hostile = fc.oneof(fc.string({ unit: 'binary' }), fc.string({ unit: pieces, maxLength: 12 }));
     fc.assert(
       fc.property(hostile, (text) => {
