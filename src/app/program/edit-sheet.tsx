@@ -2,7 +2,7 @@ import type { ReadonlySignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import type { Identity } from '../../protocol/index.js';
-import { onBackKey } from '../browser/back-key.js';
+import { onBackInHistory, onBackKey } from '../browser/back-key.js';
 import { media } from '../browser/doors.js';
 import { plainSeconds } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
@@ -52,7 +52,13 @@ function Sheet({ identity, standing, held }: SheetProps) {
   /** Whether the next digit begins a new value. After a step, the last digit is not what was wrong. */
   const isWhole = useRef(false);
   useSheetPlace(element, input);
-  useEffect(() => onBackKey(() => input.blur()), [input]);
+  useEffect(() => {
+    const close = (): void => input.blur();
+    const ends = [onBackKey(close), onBackInHistory(close)];
+    return () => {
+      for (const end of ends) end();
+    };
+  }, [input]);
   useLayoutEffect(() => {
     isWhole.current = false;
   }, [input]);

@@ -1,5 +1,6 @@
 import { fireEvent, screen } from '@testing-library/preact';
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { takeBack } from '../../../src/app/browser/back-key.js';
 import { idle } from '../bench/bench.js';
 import { connected, field, press } from '../screen.js';
 
@@ -39,6 +40,17 @@ it('the Back key of a phone closes the sheet of keys, and the page stays', async
   expect(Watcher.open.size).toBe(1);
   await back();
   expect([screen.queryAllByRole('region', { name: /^Keys for/ }).length, Watcher.open.size]).toEqual([0, 0]);
+});
+
+it('Back in the history closes the sheet once, and what was typed stays', async () => {
+  await connected();
+  await tap('Function 4, S2');
+  fireEvent.input(field('Function 4, S2'), { target: { value: '7' } });
+  await tap('Function 4, S3');
+  expect(takeBack()).toBe(true);
+  await idle();
+  expect([screen.queryAllByRole('region', { name: /^Keys for/ }).length, takeBack()]).toEqual([0, false]);
+  expect(field('Function 4, S2').value).toBe('7');
 });
 
 it.each(['Tools for Function 2', 'Tools for S1'])('it closes the “%s”, and the page stays', async (tools) => {
