@@ -73,6 +73,8 @@ export class Follow {
   #isKept = true;
   /** Whether a position was sent since following began. */
   #hasStored = false;
+  /** Ends waiting for the reading that says in which memory the positions are. */
+  #unwatch: () => void = () => {};
 
   constructor(session: Session, bench: Bench) {
     const { editor } = session;
@@ -220,18 +222,30 @@ export class Follow {
       this.#wanted.value = null;
       this.#ended.value = reason && { reason, held };
     });
+    const bound = this.#bound;
+    if (held && bound && this.#hasStored && !editor.fresh.peek()) this.#watch(held, bound);
     // Any other job reads the timer itself.
     const kind = runner.job.peek()?.kind ?? 'bench';
-    const isReading = kind === 'read';
-    if (!isReading && !BESIDE.has(kind)) return;
-    const bound = this.#bound;
+    if (!BESIDE.has(kind)) return;
     if (runner.busy.peek()) await runner.ended();
-    if (!bound || connection.peek() !== bound) return;
-    if (!isReading) await this.#session.reader.read();
-    // A position goes into the memory that is current, whichever the page believes that to be.
-    const now = editor.baseline.peek();
-    const isOther = held !== null && now !== null && now.memory !== held.memory;
-    if (isOther && this.#hasStored && !this.#on.peek()) this.#ended.value = { reason: 'strayed', held };
+    if (bound && connection.peek() === bound) await this.#session.reader.read();
+  }
+
+  /**
+   * A position goes into the memory that is current, whichever the page believes that to be. The first reading after
+   * the last position says which it was: a job that selects another memory reads this one before, or restores it.
+   */
+  #watch(held: TimerProgram, bound: TimerConnection): void {
+    const { connection, editor } = this.#session;
+    this.#unwatch();
+    const stop = effect(() => {
+      if (connection.value !== bound) return this.#unwatch();
+      const now = editor.baseline.value;
+      if (!editor.fresh.value || !now) return;
+      this.#unwatch();
+      if (now.memory !== held.memory) this.#ended.value = { reason: 'strayed', held };
+    });
+    this.#unwatch = stop;
   }
 
   /** Decides what to do next, after each change and each finished command. */

@@ -97,10 +97,14 @@ export class Reader {
   /**
    * Selects another memory and reads it. Edits of the memory before are kept until it is read again. If this is stopped
    * or fails on the way, it reads the memory that is then current.
+   *
+   * What was sent into the memory before is read first: later nobody could say whether it went there.
    */
   async selectMemory(memory: number): Promise<boolean> {
-    const { runner, nextFlight } = this.#parts;
+    const { runner, nextFlight, editor } = this.#parts;
     const select = async ({ client }: TimerConnection, options: JobContext): Promise<void> => {
+      const isSent = editor.baseline.peek() !== null && !editor.fresh.peek();
+      if (isSent) await this.#show(await client.readProgram(options), options);
       nextFlight.leave(memory);
       await client.selectMemory(memory, options);
       await this.#show(await client.readProgram(options), options);

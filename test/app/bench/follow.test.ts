@@ -302,18 +302,32 @@ describe('following ends', () => {
   it.each<[string, (app: AppBench) => Promise<unknown>]>([
     ['the pilot stops', ({ follow }) => follow.stop()],
     ['it is read again', ({ session }) => session.reader.read()],
+    ['a third memory is selected', ({ session }) => session.reader.selectMemory(2)],
+    ['another memory is looked at', ({ memories }) => memories.look(2)],
+    [
+      'all memories are read',
+      async ({ memories }) => {
+        await memories.jobs.open({ kind: 'back-up' });
+        await memories.jobs.start();
+      },
+    ],
   ])('as “strayed” when %s and another memory has become current, which has taken positions', async (_, end) => {
-    for (const stored of [false, true]) {
+    for (const [at, stored] of [
+      [1, false],
+      [1, true],
+      [0, true],
+    ] as const) {
       const app = await following();
-      app.timer.core.memory = 1;
+      app.timer.core.memory = at;
       if (stored) set(app, [S2, 70]);
       await idle();
       await run(end(app));
       await idle();
       expect(app.timer.core.memories.map(({ positions }) => positions[1]?.[4] === 70).indexOf(true)).toBe(
-        stored ? 1 : -1,
+        stored ? at : -1,
       );
-      expect(app.follow.ended.value?.reason === 'strayed', `a position was stored: ${stored}`).toBe(stored);
+      const isStrayed = app.follow.ended.value?.reason === 'strayed';
+      expect(isStrayed, `a position was stored in ${at}: ${stored}`).toBe(stored && at === 1);
       await run(app.session.timer.disconnect());
     }
   });
