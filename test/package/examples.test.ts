@@ -144,11 +144,15 @@ describe('the tests of a page that uses Web Serial', () => {
   it('pass in Vitest, on the mock port', async () => {
     const consumer = await Consumer.create();
     consumer.link('vitest');
-    for (const file of ['thermometer.js', 'thermometer.test.js']) {
-      copyFileSync(join(root, 'examples/mock-port', file), join(consumer.folder, file));
+    // In a clone the example lies inside a project that has a config of its own.
+    consumer.write('vitest.config.js', 'export default { test: { include: [] } };');
+    const example = join(consumer.folder, 'example');
+    mkdirSync(example);
+    for (const file of ['thermometer.js', 'thermometer.test.js', 'vitest.config.js']) {
+      copyFileSync(join(root, 'examples/mock-port', file), join(example, file));
     }
     const vitest = join(root, 'node_modules/vitest/vitest.mjs');
-    const { said } = consumer.tell(process.execPath, vitest, 'run', '--reporter=json', '--root', consumer.folder);
+    const { said } = consumer.tell(process.execPath, vitest, 'run', '--reporter=json', '--root', example);
     expect(JSON.parse(said)).toMatchObject({ numTotalTests: 4, numPassedTests: 4 });
   });
 });
