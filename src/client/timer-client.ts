@@ -39,9 +39,10 @@ declare global {
  * One timer over one pair of byte streams. Every method waits for the one before it, so you may call them at any time.
  *
  * Each rejects with a {@link TimerError} and leaves the port usable. Any method may reject with `no-answer`,
- * `bad-reply`, `unstable`, `crowded`, `busy`, `port-lost`, `aborted` or `closed`; a method that depends on the layout
- * of the timer also with `other-timer`. Each method lists its further codes. A value that the timer or the wire cannot
- * carry is refused with a CodecError before anything is sent.
+ * `bad-reply`, `unstable`, `crowded`, `stood-still`, `busy`, `port-lost`, `aborted` or `closed`. A method that depends
+ * on the layout of the timer identifies it first, once; it may also reject with `other-timer`. Each method lists its
+ * further codes. A value that the timer or the wire cannot carry is refused with a CodecError before anything is sent.
+ * Where nothing answers from the beginning, `no-answer` comes after three seconds.
  *
  * `await using timer = new TimerClient(port)` closes it at the end of the block.
  * @example
@@ -89,7 +90,7 @@ export class TimerClient {
     this.#exchange = new Exchange(this.#wire, clock, this.#timing);
   }
 
-  /** What the timer said about itself; null before {@link identify}. */
+  /** What the timer said about itself; null until it has been identified. */
   get identity(): Identity | null {
     return this.#exchange.identity;
   }

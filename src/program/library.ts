@@ -63,7 +63,7 @@ export interface Model {
   readonly memoryNames: readonly string[];
   /** A picture: a JPEG file in base64, up to 200,000 characters; null without one. */
   readonly photo: string | null;
-  /** Put away: kept, but shown only on request. */
+  /** In the archive: kept, but shown only on request. */
   readonly archived: boolean;
 }
 
@@ -93,7 +93,7 @@ export interface Setting {
   readonly program: TimerProgram;
   /** Where the values come from. */
   readonly from: SettingSource;
-  /** Put away: kept, but shown only on request. */
+  /** In the archive: kept, but shown only on request. */
   readonly archived: boolean;
 }
 

@@ -28,6 +28,7 @@ const CUT = ' …';
 /**
  * Packs a whole setting into the characters of base64url, `A-Z a-z 0-9 - _`: version, timer, values, texts and a
  * checksum. docs/file-format.md shows the bytes. A setting of 44 values with 60 characters of text takes under 200.
+ * An address that opens it in the page is that of the page, {@link LINK_MARK} and this code.
  * @param options.longest the most characters that the code may have. A longer note is cut at its end, because a QR
  * code has little room. Nothing else is ever cut, so a code without a note may still be longer.
  * @throws CodecError as {@link requireSetting} when it is no setting.

@@ -25,7 +25,7 @@ export type ProgramField =
   | { readonly kind: 'position'; readonly servo: number; readonly slot: number }
   | { readonly kind: 'idleThrottle' };
 
-/** What a slot is: `start` is slot 0, `dt` the last one, `function` any between them. */
+/** What a slot is, counted from 0: `start` is slot 0, `dt` the last one, `function` any between them. */
 export function slotKind(identity: Identity, slot: number): 'start' | 'function' | 'dt' {
   if (slot === 0) return 'start';
   return slot === identity.functions ? 'dt' : 'function';
@@ -49,14 +49,18 @@ export function fieldKey(field: ProgramField): string {
   return field.kind;
 }
 
-/** The value of a field; null for an idle throttle that is not known. */
+/** The value of a field; null for an idle throttle that is not known, and for a slot or servo that is not there. */
 export function valueAt(program: TimerProgram, field: ProgramField): number | null {
   if (field.kind === 'time') return program.times[field.slot] ?? null;
   if (field.kind === 'position') return program.positions[field.servo]?.[field.slot] ?? null;
   return program.idleThrottle;
 }
 
-/** A copy of the program in which one field has another value. */
+/**
+ * A copy of the program in which one field has another value. A slot or servo that is not there changes nothing.
+ * @param value hundredths of a second, steps, or idle throttle. It is not checked here, but by `checkProgram`, and by
+ * the client before a write.
+ */
 export function withValue(program: TimerProgram, field: ProgramField, value: number): TimerProgram {
   const replaced = (list: readonly number[], index: number): number[] =>
     list.map((old, i) => (i === index ? value : old));
