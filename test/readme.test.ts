@@ -65,8 +65,8 @@ describe('the packed package', () => {
 });
 
 describe('the examples of the README and the docs', () => {
-  it('are five, and do what their comments say', () => {
-    expect(examples).toHaveLength(5);
+  it('are six, and do what their comments say', () => {
+    expect(examples).toHaveLength(6);
     for (const [index, code] of examples.entries()) {
       consumer.write(`example-${index}.js`, code);
       const said = [...code.matchAll(/console\.log\(.*\/\/ (.*)/g)].map(([, comment]) => comment);
