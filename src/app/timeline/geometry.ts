@@ -12,48 +12,35 @@ export interface Measures {
   /** The top of the first lane and the bottom of the last one. */
   readonly top: number;
   readonly bottom: number;
-  /** The bar that shows how long the motor runs: its middle and its thickness. */
+  /** The middle of the bar that shows how long the motor runs. */
   readonly motor: number;
-  readonly motorBar: number;
   /** The base line of the times below the plot. */
   readonly axis: number;
   readonly height: number;
 }
 
 /** Pixels: the marks stand above the lanes, the motor's bar and the times below them. */
-const FULL = { left: 44, right: 16, top: 36, motor: 18, times: 30 };
-const COMPACT = { left: 28, right: 10, top: 4, motor: 8, times: 24 };
-/** The height of a lane in a small picture, in pixels: with few servos, and with many. */
-const COMPACT_LANE = { few: 26, many: 16 };
-const FEW = 4;
+const LEFT = 44;
+const RIGHT = 16;
+const TOP = 36;
+const MOTOR = 18;
+const TIMES = 30;
 
-/** The least height of a picture that can be edited, in pixels. */
+/** The least height of the picture, in pixels. */
 export function leastHeightOf(program: TimerProgram): number {
-  return FULL.top + leastHeight(program.identity.servos) + belowOf(program, FULL);
+  return TOP + leastHeight(program.identity.servos) + belowOf(program);
 }
 
-/** @param height of the picture in pixels; none for a small picture, which cannot be edited. */
-export function measuresOf(program: TimerProgram, height?: number): Measures {
-  const { servos } = program.identity;
-  const own = height === undefined ? COMPACT : FULL;
-  const small = COMPACT.top + servos * COMPACT_LANE[servos > FEW ? 'many' : 'few'] + belowOf(program, COMPACT);
-  const whole = height === undefined ? small : Math.max(height, leastHeightOf(program));
-  const bottom = whole - belowOf(program, own);
-  return {
-    left: own.left,
-    right: own.right,
-    top: own.top,
-    bottom,
-    motor: bottom + own.motor / 2 + 1,
-    motorBar: own === FULL ? 6 : 4,
-    axis: whole - (own === FULL ? 10 : 4),
-    height: whole,
-  };
+/** @param room the height that there is, in pixels. */
+export function measuresOf(program: TimerProgram, room: number): Measures {
+  const height = Math.max(room, leastHeightOf(program));
+  const bottom = height - belowOf(program);
+  return { left: LEFT, right: RIGHT, top: TOP, bottom, motor: bottom + MOTOR / 2 + 1, axis: height - 10, height };
 }
 
 /** The height of the motor's bar and the times. */
-function belowOf(program: TimerProgram, { motor, times }: { readonly motor: number; readonly times: number }): number {
-  return (motorStopOf(program) === null ? 0 : motor) + times;
+function belowOf(program: TimerProgram): number {
+  return (motorStopOf(program) === null ? 0 : MOTOR) + TIMES;
 }
 
 /** The least distance of two marks on the stretched axis, and the width of the run-out, in pixels. */
@@ -147,8 +134,8 @@ export interface GeometryOptions {
   readonly plot: number;
   readonly measures: Measures;
   readonly servos: number;
-  /** The selected servo, whose lane is tall; null when all lanes are equal. */
-  readonly front: number | null;
+  /** The selected servo, whose lane is tall. */
+  readonly front: number;
   /** The position at the top of each lane. */
   readonly highest: number;
 }

@@ -45,7 +45,6 @@ export function useStable<F extends ((...args: never[]) => unknown) | undefined>
   return called && stable;
 }
 
-/**
 /** Changes that follow each other within this time are drawn at once, so that typing never waits. In milliseconds. */
 const HURRY = 500;
 

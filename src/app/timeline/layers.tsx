@@ -11,8 +11,8 @@ import './layers.css';
 
 interface PictureProps {
   readonly geometry: Geometry;
-  /** The selected servo; null for a small picture, where nothing can be selected. */
-  readonly front: number | null;
+  /** The selected servo. */
+  readonly front: number;
   readonly selected: ProgramField | null;
   /** The program behind it. */
   readonly overlay: TimerProgram | null;
@@ -36,13 +36,13 @@ export function Picture({ geometry, front, selected, overlay, names, clip }: Pic
       <Kept on={[layout, front]} draw={() => <Grid layout={layout} front={front} />} />
       <g clip-path={`url(#${clip})`}>
         {overlay && <Kept on={[overlay, layout]} draw={() => <Overlay program={overlay} layout={layout} />} />}
-        <Kept on={[geometry.flags, motorStop]} draw={() => <MotorRun {...geometry} small={front === null} />} />
+        <Kept on={[geometry.flags, motorStop]} draw={() => <MotorRun {...geometry} />} />
         <Kept on={[stages, layout]} draw={() => <Unknown stages={stages} layout={layout} />} />
-        <Kept on={[flags, chosen]} draw={() => <Marks {...geometry} chosen={chosen} small={front === null} />} />
+        <Kept on={[flags, chosen]} draw={() => <Marks {...geometry} chosen={chosen} />} />
         <Lines geometry={geometry} front={front} />
       </g>
       <Kept on={[ticks, layout, time]} draw={() => <TimeAxis {...geometry} chosen={time} />} />
-      <Kept on={[layout, names]} draw={() => <LaneNames layout={layout} names={names} small={front === null} />} />
+      <Kept on={[layout, names]} draw={() => <LaneNames layout={layout} names={names} />} />
       <Kept on={[layout]} draw={() => <Extent layout={layout} y={measures.height - 3} />} />
     </>
   );
@@ -57,7 +57,7 @@ function levels(highest: number): number[] {
 const LEVEL_GAP = 12;
 
 /** The ends of the lanes, and in the selected lane the positions at the left edge with their lines. */
-function Grid({ layout, front }: { readonly layout: Layout; readonly front: number | null }) {
+function Grid({ layout, front }: { readonly layout: Layout; readonly front: number }) {
   const { left, right } = layout.box;
   const edges = layout.lanes.slice(0, -1).map(({ until }) => Math.round(until) + 0.5);
   return (
@@ -65,18 +65,17 @@ function Grid({ layout, front }: { readonly layout: Layout; readonly front: numb
       {edges.map((y) => (
         <path key={y} class="edge" d={`M0 ${y}H${right}`} />
       ))}
-      {front !== null &&
-        levels(layout.highest).map((position) => {
-          const y = Math.round(layout.y(front, position)) + 0.5;
-          return (
-            <g key={position}>
-              <path d={`M${left} ${y}H${right}`} />
-              <text x={left - LEVEL_GAP} y={y} dy="0.35em">
-                {position}
-              </text>
-            </g>
-          );
-        })}
+      {levels(layout.highest).map((position) => {
+        const y = Math.round(layout.y(front, position)) + 0.5;
+        return (
+          <g key={position}>
+            <path d={`M${left} ${y}H${right}`} />
+            <text x={left - LEVEL_GAP} y={y} dy="0.35em">
+              {position}
+            </text>
+          </g>
+        );
+      })}
     </g>
   );
 }
@@ -127,16 +126,15 @@ interface MarksProps extends Pick<MarksOf, 'flags'> {
   readonly layout: Layout;
   /** The slot that is selected. */
   readonly chosen: number | null;
-  readonly small: boolean;
 }
 
 /** The vertical lines of the functions and DT, from their numbers down. */
-function Marks({ flags, layout, chosen, small }: MarksProps) {
+function Marks({ flags, layout, chosen }: MarksProps) {
   const { top, bottom } = layout.box;
   return (
     <g class="marks">
       {flags.map(({ slot, isDt, at, x, radius, labelled, roomy }) => {
-        const lead = small || !labelled ? '' : `M${pixels(x)} ${FLAG + radius}L${pixels(at)} ${top - 3}V${top}`;
+        const lead = labelled ? `M${pixels(x)} ${FLAG + radius}L${pixels(at)} ${top - 3}V${top}` : '';
         const classes = `${isDt ? 'dt' : ''} ${slot === chosen ? 'selected' : ''} ${roomy ? '' : 'many'}`;
         return <path key={slot} class={classes} d={`${lead}M${pixels(at)} ${top}V${bottom}`} />;
       })}
@@ -146,21 +144,23 @@ function Marks({ flags, layout, chosen, small }: MarksProps) {
 
 /** The width of the words for the motor stop beside it, in pixels. */
 const MOTOR_NAME = 150;
+/** The thickness of the bar that shows how long the motor runs, in pixels. */
+const MOTOR_BAR = 6;
 
 /** The motor run: a band over all lanes and a bar below them. */
-function MotorRun({ program, motorStop, layout, measures, small }: Geometry & { readonly small: boolean }) {
+function MotorRun({ program, motorStop, layout, measures }: Geometry) {
   if (motorStop === null) return null;
   const start = layout.x(0);
   const { top, bottom, left, right } = layout.box;
   const end = layout.x(motorStop);
   const width = Math.max(0, end - start);
-  const { motor, motorBar } = measures;
+  const { motor } = measures;
   const isBefore = end > right - MOTOR_NAME;
-  const isNamed = !small && layout.shows(end) && (!isBefore || end > left + MOTOR_NAME);
+  const isNamed = layout.shows(end) && (!isBefore || end > left + MOTOR_NAME);
   return (
     <g class="motor">
       <rect class="run" x={start} y={top} width={width} height={bottom - top} />
-      <rect class="bar" x={start} y={motor - motorBar / 2} width={width} height={motorBar} rx={motorBar / 2} />
+      <rect class="bar" x={start} y={motor - MOTOR_BAR / 2} width={width} height={MOTOR_BAR} rx={MOTOR_BAR / 2} />
       <path d={`M${pixels(end)} ${top}V${motor}`} />
       {isNamed && (
         <text class={isBefore ? 'before' : ''} x={isBefore ? end - 12 : end + 12} y={motor} dy="0.35em">
@@ -191,11 +191,10 @@ const VALUE_ROOM = 40;
 interface CrosshairProps {
   readonly geometry: Geometry;
   readonly time: number | null;
-  readonly small?: boolean;
 }
 
 /** A line at one time of the flight, with a dot and the position on each servo's line. */
-export function Crosshair({ geometry, time, small = false }: CrosshairProps) {
+export function Crosshair({ geometry, time }: CrosshairProps) {
   const { layout, program } = geometry;
   if (time === null || !layout.shows(layout.x(time))) return null;
   const { top, bottom, right } = layout.box;
@@ -210,12 +209,10 @@ export function Crosshair({ geometry, time, small = false }: CrosshairProps) {
         const { from, until } = layout.lanes[servo] ?? { from: top, until: bottom };
         return (
           <g key={servo} class={servoClass(servo)}>
-            <circle cy={y} r={small ? 3 : 4} />
-            {!small && (
-              <text class={side} x={side ? -9 : 9} y={Math.min(until - 8, Math.max(from + 8, y - 10))} dy="0.35em">
-                {certain ? row[slot] : messages.value.timeline.unknownValue}
-              </text>
-            )}
+            <circle cy={y} r={4} />
+            <text class={side} x={side ? -9 : 9} y={Math.min(until - 8, Math.max(from + 8, y - 10))} dy="0.35em">
+              {certain ? row[slot] : messages.value.timeline.unknownValue}
+            </text>
           </g>
         );
       })}

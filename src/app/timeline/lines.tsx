@@ -1,5 +1,4 @@
 import type { TimerProgram } from '../../program/index.js';
-import { messages } from '../messages/index.js';
 import type { Geometry } from './geometry.js';
 import { Kept } from './kept.js';
 import { type Layout, lineOf } from './layout.js';
@@ -9,7 +8,7 @@ import './lines.css';
 
 interface LinesProps {
   readonly geometry: Geometry;
-  readonly front: number | null;
+  readonly front: number;
 }
 
 /** The lines of the servos, each in its lane. */
@@ -61,22 +60,16 @@ interface LaneNamesProps {
   readonly layout: Layout;
   /** The pilot's names for what each servo moves. */
   readonly names: readonly string[] | undefined;
-  /** Whether to write the names of the lanes, because a small picture has no buttons for them. */
-  readonly small: boolean;
 }
 
-/** The names of the lanes: in a small picture the servo, else what it moves. */
-export function LaneNames({ layout, names, small }: LaneNamesProps) {
+/** What each servo moves, in its lane. The buttons of the lanes have the names of the servos. */
+export function LaneNames({ layout, names }: LaneNamesProps) {
   return (
     <g class="lane-names">
       {layout.lanes.map(({ from, until }, servo) => {
-        const name = small ? messages.value.servoName(servo) : names?.[servo];
-        if (!name || (!small && until - from < WORD_ROOM)) return null;
-        return small ? (
-          <text key={from} class={servoClass(servo)} x={2} y={(from + until) / 2} dy="0.35em">
-            {name}
-          </text>
-        ) : (
+        const name = names?.[servo];
+        if (!name || until - from < WORD_ROOM) return null;
+        return (
           <text key={from} x={layout.box.left + 14} y={from + 14} dy="0.35em">
             {name}
           </text>

@@ -62,19 +62,13 @@ export interface TimelineProps {
   readonly onAsk?: ((time: number | null) => void) | undefined;
   /** The content below the picture, such as what it is compared with. Default: the name of the second program. */
   readonly foot?: ComponentChildren;
-  /** A small picture without handles. */
-  readonly compact?: boolean | undefined;
-}
-
-/** The program over time: a lane for each servo, marks for functions, motor stop and DT. To read and to edit. */
-export function Timeline({ compact = false, ...props }: TimelineProps) {
-  return compact ? <SmallTimeline {...props} /> : <WholeTimeline {...props} />;
 }
 
 /** The least width of a plot, in pixels, however little room there is. */
 const LEAST_WIDTH = 120;
 
-function WholeTimeline({ program, overlay = null, cursor = null, selected = null, names, ...calls }: TimelineProps) {
+/** The program over time: a lane for each servo, marks for functions, motor stop and DT. To read and to edit. */
+export function Timeline({ program, overlay = null, cursor = null, selected = null, names, ...calls }: TimelineProps) {
   const { timeline } = messages.value;
   // During a flight this is drawn at each frame, so only changed parts are made again.
   const onEdit = useStable(calls.onEdit);
@@ -247,37 +241,4 @@ function useTold<T>(source: ReadonlySignal<T | null>, told: ((value: T | null) =
       told(null);
     };
   }, [told]);
-}
-
-const ALL = { start: 0, span: 1 };
-
-function SmallTimeline({ program, overlay = null, cursor = null, names }: TimelineProps) {
-  const id = useId();
-  const room = useRef<HTMLDivElement>(null);
-  const { width } = useSize(room);
-  const behind = overlay?.program ?? null;
-  const measures = measuresOf(program);
-  const plot = Math.max(LEAST_WIDTH, width - measures.left - measures.right);
-  const geometry = useMemo(() => {
-    const scale = scaleOf(program, behind, false, plot);
-    const highest = highestOf(behind ? [program, behind] : [program]);
-    const { servos } = program.identity;
-    const layout = layoutOf({ scale, view: ALL, plot, measures, servos, front: null, highest });
-    return { program, layout, measures, ...marksIn(program, layout, false, null) };
-  }, [program, behind, plot]);
-  return (
-    <div class="timeline small">
-      <div class="timeline-room" ref={room} style={{ height: `${measures.height}px` }}>
-        <svg
-          width={plot + measures.left + measures.right}
-          height={measures.height}
-          role="img"
-          aria-label={descriptionOf(program)}
-        >
-          <Picture {...{ geometry, names }} front={null} selected={null} overlay={behind} clip={`${id}-plot`} />
-          <Crosshair geometry={geometry} time={cursor} small />
-        </svg>
-      </div>
-    </div>
-  );
 }
