@@ -1,5 +1,7 @@
 import type { TimerProgram } from '../../program/index.js';
+import { MAX_POSITION } from '../../protocol/index.js';
 import { RUN_OUT, stretchedScale } from './scale.js';
+import { servoClass } from './servo-class.js';
 import './small-lanes.css';
 
 /** The picture's own measures in units. It is stretched to the room that it gets. */
@@ -7,7 +9,6 @@ const WIDTH = 520;
 const LANE = 100;
 /** The distance between the line of a servo and the edge of its lane. */
 const EDGE = 14;
-const MAX_POSITION = 130;
 /** The least distance of two functions, and the room after DT, as shares of the width. */
 const SPACING = { minGap: 0.05, runOut: 0.06 };
 
@@ -44,7 +45,7 @@ export function SmallLanes({ program, names }: SmallLanesProps) {
           return (
             <g key={servo}>
               {servo > 0 && <path class="small-lane" d={`M0 ${servo * LANE}H${WIDTH}`} />}
-              <path class={`small-line servo-${(servo % 6) + 1}`} d={`${path.join('')}H${Math.max(end, last)}`} />
+              <path class={`small-line ${servoClass(servo)}`} d={`${path.join('')}H${Math.max(end, last)}`} />
             </g>
           );
         })}
