@@ -25,7 +25,7 @@ export const FAULTS: Readonly<Record<string, (index: number) => Fault>> = {
 const DANGEROUS = ['UNLOCK', 'JUMP2', 'MOVETOFUNC'] as const;
 
 /** A timer in the field, the line to it, and the page that has opened the line. */
-export class Field {
+class Field {
   readonly clock = new VirtualClock(1_700_000_000_000);
   readonly timer: VirtualTimer;
   readonly line: FieldLine;
@@ -75,13 +75,13 @@ export function everyValueChanged(program: TimerProgram): TimerProgram {
 }
 
 /** One thing that a page does with a timer. */
-export interface Act {
+interface Act {
   /** What was done before, without faults. */
   readonly prepare: (client: TimerClient) => Promise<unknown>;
   readonly act: (client: TimerClient, field: Field) => Promise<unknown>;
 }
 
-export const ACTS: Readonly<Record<'connect' | 'read' | 'write' | (typeof DANGEROUS)[number], Act>> = {
+const ACTS: Readonly<Record<'connect' | 'read' | 'write' | (typeof DANGEROUS)[number], Act>> = {
   connect: { prepare: async () => {}, act: (client) => client.identify() },
   read: { prepare: (client) => client.identify(), act: (client) => client.readProgram() },
   write: {

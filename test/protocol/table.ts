@@ -33,7 +33,7 @@ interface Refusal extends Conditions {
 }
 
 /** One step of a stream: bytes come, or the line falls silent; then these frames are delivered. */
-export interface Step {
+interface Step {
   readonly push?: string;
   readonly idle?: true;
   /** Command and data of each, in hex. */

@@ -10,7 +10,7 @@ const OTHER = 30;
 
 /** What the pilot can do while the link asks for a timer, one after the other. */
 export const WAIT_STEPS = ['switch', 'near', 'other'] as const;
-export type WaitStep = (typeof WAIT_STEPS)[number];
+type WaitStep = (typeof WAIT_STEPS)[number];
 
 /** What the page says while connecting. */
 export interface Waiting {

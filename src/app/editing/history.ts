@@ -41,7 +41,7 @@ export interface StepName {
 /**
  * A step with the state that it leads back to: the state before it if it can be undone, after it if it can be redone.
  */
-export interface Step<T> {
+interface Step<T> {
   readonly name: StepName;
   readonly state: T;
 }

@@ -3,7 +3,7 @@ import { type Identity, slotCount } from '../../protocol/index.js';
 
 /** The classes for which a program can be made. */
 export const CLASSES = ['Q', 'B', 'E'] as const;
-export type NewClass = (typeof CLASSES)[number];
+type NewClass = (typeof CLASSES)[number];
 
 /** What the new program is for, and how it begins. */
 export interface NewProgram {

@@ -65,7 +65,7 @@ export interface PasteProblem {
 }
 
 /** A pasted text that would be ambiguous where a pilot types it. In a table it is read as seconds. */
-export interface PasteReading {
+interface PasteReading {
   readonly field: GridField;
   readonly text: string;
   /** Hundredths of a second. */

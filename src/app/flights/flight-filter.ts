@@ -5,7 +5,7 @@ export const FLIGHTS = 'flights';
 export type ModelFilter = 'all' | 'none' | { readonly id: string };
 
 export const PERIODS = ['all', 'today', 'month', 'year', 'own'] as const;
-export type Period = (typeof PERIODS)[number];
+type Period = (typeof PERIODS)[number];
 
 /** Which flights of the log are shown. An empty field filters nothing. */
 export interface FlightFilter {

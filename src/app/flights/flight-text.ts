@@ -19,7 +19,7 @@ export function isFull({ result }: Pick<Flight, 'result'>): boolean {
 }
 
 /** The figures by which a pilot knows a program: “DT 3:00 min”, “motor stop 10.0 s”. */
-export function figuresOf(program: TimerProgram): readonly string[] {
+function figuresOf(program: TimerProgram): readonly string[] {
   return keyFigures(program).map(({ label, text }) => `${label} ${text}`);
 }
 

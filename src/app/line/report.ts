@@ -15,7 +15,7 @@ import { captureText } from './recording.js';
 const ENTRIES = 60;
 
 /** What is known about the port. Nothing in it identifies one adapter, or its owner. */
-export interface PortFacts {
+interface PortFacts {
   readonly kind: PortKind;
   /** The name by which settings are remembered, such as `usb:0403:6001`. */
   readonly key: string;

@@ -2,7 +2,7 @@ import { apart } from './apart.js';
 import { plural } from './plural.js';
 
 /** Two programs side by side. */
-export const compare = {
+const compare = {
   title: 'Compare',
   open: 'Compare…',
   back: 'Library',
@@ -28,7 +28,7 @@ export const compare = {
 };
 
 /** The backups of a model, on its page. */
-export const modelBackups = {
+const modelBackups = {
   title: 'Backups',
   empty: 'Before each write, the page keeps here what the timer of this model holds.',
   hint: 'The page keeps all backups of today, one for each day of the month before, and one for each month before that.',

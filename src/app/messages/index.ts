@@ -22,7 +22,6 @@ import { en } from './en.js';
 import { isToday } from './today.js';
 
 export type { Said } from './en-notices.js';
-export type { TimelineFacts } from './en-timeline.js';
 
 /** What every language must have. A missing sentence does not compile. */
 export type Messages = typeof en;

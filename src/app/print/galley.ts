@@ -114,7 +114,7 @@ function fillerOf(drawn: Element | undefined): Filler {
 }
 
 /** The lines into which a browser has broken a paragraph. */
-export function linesIn(paragraph: Element): string[] {
+function linesIn(paragraph: Element): string[] {
   const node = paragraph.firstChild;
   const text = node?.textContent ?? '';
   if (!node || text === '') return [''];

@@ -19,7 +19,7 @@ export interface Filler {
 }
 
 /** Rows of one section on one page: from `from` to before `until`. */
-export interface PagePart {
+interface PagePart {
   readonly section: number;
   readonly from: number;
   readonly until: number;

@@ -3,7 +3,7 @@ import type { Session } from '../session/session.js';
 import { SHELVES, type Storage, withinLimit } from '../storage/index.js';
 
 /** What the browser keeps outside of the page's storage. */
-export type KeptOutside = 'settings' | 'ports' | 'offline';
+type KeptOutside = 'settings' | 'ports' | 'offline';
 
 /** How each of these is emptied. */
 export type Erasers = Readonly<Record<KeptOutside, () => Promise<void>>>;

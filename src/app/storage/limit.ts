@@ -35,7 +35,7 @@ const CODES: Readonly<Record<string, StorageErrorCode>> = {
 };
 
 /** How long the storage may take for one call, in milliseconds. */
-export const STORAGE_LIMIT = 5000;
+const STORAGE_LIMIT = 5000;
 
 /**
  * The answer of the storage, if it comes in time: a browser may leave a question open for ever. A late answer is

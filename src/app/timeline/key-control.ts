@@ -19,7 +19,7 @@ const MANY = 10;
  * The value that a key gives to a field; null for any other key. Shift makes ten steps;
  * Alt lets a time pass its neighbours.
  */
-export function valueByKey(program: TimerProgram, field: ProgramField, event: KeyboardEvent): number | null {
+function valueByKey(program: TimerProgram, field: ProgramField, event: KeyboardEvent): number | null {
   if (event.ctrlKey || event.metaKey) return null;
   if (event.key === 'Home') return limitsOf(program, field, event.altKey).min;
   if (event.key === 'End') return limitsOf(program, field, event.altKey).max;

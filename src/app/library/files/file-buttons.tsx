@@ -59,7 +59,7 @@ export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) 
 const ALL: FilePart = { kind: 'all' };
 
 /** The reminder that an export is due. Shown once, then not for a while. */
-export function ExportReminder({ files }: { readonly files: LibraryFiles }) {
+function ExportReminder({ files }: { readonly files: LibraryFiles }) {
   const { reminder: words } = filesMessages.value;
   const due = files.marks.due.value;
   if (!due) return null;

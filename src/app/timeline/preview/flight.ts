@@ -5,7 +5,7 @@ import { drawable, RUN_OUT } from '../scale.js';
  * How a flight passes a slot. `held`: its positions stay until the next slot. `passed`: the next slot has the same
  * time. `back`: the next slot has an earlier time, and nobody knows what the timer then does.
  */
-export type Passing = 'held' | 'passed' | 'back';
+type Passing = 'held' | 'passed' | 'back';
 
 /** One slot of a flight, in the order of the slots. Times are hundredths of a second from launch. */
 export interface Stage {

@@ -11,7 +11,7 @@ export interface Frames {
 }
 
 /** The frames of the screen. They stop while the page is hidden. */
-export const screenFrames: Frames = {
+const screenFrames: Frames = {
   next(callback) {
     const id = requestAnimationFrame(callback);
     return () => cancelAnimationFrame(id);
