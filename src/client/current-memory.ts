@@ -30,10 +30,7 @@ export interface MemoryQuestion {
  * believed only when two in a row agree: the numbers of all memories depend on it.
  * @throws TimerError as Exchange.
  */
-export async function askMemory(
-  job: ClientJob,
-  { expected, twice, optional }: MemoryQuestion = {},
-): Promise<CurrentMemory> {
+export async function askMemory(job: ClientJob, { expected, twice, optional }: MemoryQuestion): Promise<CurrentMemory> {
   const { quirks } = job;
   const fromOne = quirks.assumed.memoriesFromOne === true;
   const before: ReplyOf<'GETMEMORY'> | undefined =
@@ -48,12 +45,8 @@ export async function askMemory(
  * Makes sure that a memory is current.
  * @throws TimerError `other-memory` or `memory-unknown` when it is not; `other-timer`; as Exchange.
  */
-export async function requireMemory(
-  job: ClientJob,
-  expected: number | null,
-  how: Omit<MemoryQuestion, 'expected'> = {},
-): Promise<CurrentMemory> {
-  const now = await askMemory(job, { expected, ...how });
+export async function requireMemory(job: ClientJob, expected: number | null): Promise<CurrentMemory> {
+  const now = await askMemory(job, { expected, optional: true });
   if (now.memory === expected && !now.renumbered) return now;
   // The answer must not come from another timer.
   await job.exchange.requireIdentity(job.signal);

@@ -46,7 +46,7 @@ export type MemoryValues = Pick<TimerProgram, 'times' | 'positions' | 'idleThrot
 export async function readContent(
   job: ClientJob,
   stage: Progress['stage'],
-  how: ReadingOptions = {},
+  how: ReadingOptions,
 ): Promise<TimerProgram> {
   const { exchange, identity, signal } = job;
   const { strict = false, known } = how;
@@ -57,7 +57,7 @@ export async function readContent(
     const seenNow = exchange.watch();
     if (strict) await exchange.requireIdentity(signal);
     const current =
-      how.memory === undefined ? await askMemory(job, { optional: true }) : await required(job, how.memory);
+      how.memory === undefined ? await askMemory(job, { optional: true }) : await requireMemory(job, how.memory);
 
     const content = await agreedContent(job, how, previous);
 
@@ -72,12 +72,8 @@ export async function readContent(
   throw exchange.unbelievable(`not one of ${ATTEMPTS} readings was undisturbed`, 'GETMEMORY', seen());
 }
 
-function required(job: ClientJob, memory: number | null): ReturnType<typeof requireMemory> {
-  return requireMemory(job, memory, { optional: true });
-}
-
 async function isStillCurrent(job: ClientJob, memory: number | null, how: ReadingOptions): Promise<boolean> {
-  if (how.memory !== undefined) return (await required(job, how.memory)).memory === memory;
+  if (how.memory !== undefined) return (await requireMemory(job, how.memory)).memory === memory;
   const now = await askMemory(job, { expected: memory, optional: true });
   return now.memory === memory && !now.renumbered;
 }
