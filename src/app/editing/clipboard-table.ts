@@ -18,30 +18,26 @@ export interface Table {
  * Writes a range for a spreadsheet: tabs between cells, line breaks between rows. Times and intervals are seconds with
  * two decimals, positions are steps. Intervals are left out where the range also has the times.
  */
-export function formatTable(
-  program: TimerProgram,
-  range: GridRange,
-  { decimal = '.' }: { readonly decimal?: '.' | ',' } = {},
-): string {
+export function formatTable(program: TimerProgram, range: GridRange): string {
   const { identity } = program;
   const columns = columnsIn(identity, range);
   const rows = rowsIn(identity, range).map((row) =>
-    columns.map((column) => formatCell(program, gridField(identity, { row, column }), decimal)),
+    columns.map((column) => formatCell(program, gridField(identity, { row, column }))),
   );
   return rows.map((cells) => cells.join('\t')).join('\n');
 }
 
-function formatCell(program: TimerProgram, field: GridField | null, decimal: string): string {
+function formatCell(program: TimerProgram, field: GridField | null): string {
   if (!field) return '';
   const value = field.kind === 'interval' ? intervalAt(program, field.slot) : valueAt(program, field);
   if (value === null) return '';
-  return field.kind === 'position' ? String(value) : formatSeconds(value, decimal);
+  return field.kind === 'position' ? String(value) : formatSeconds(value);
 }
 
-function formatSeconds(hundredths: number, decimal: string): string {
+function formatSeconds(hundredths: number): string {
   const size = Math.abs(hundredths);
   const fraction = String(size % 100).padStart(2, '0');
-  return `${hundredths < 0 ? '-' : ''}${Math.floor(size / 100)}${decimal}${fraction}`;
+  return `${hundredths < 0 ? '-' : ''}${Math.floor(size / 100)}.${fraction}`;
 }
 
 /**

@@ -226,7 +226,7 @@ export function retime(
   program: TimerProgram,
   given: ReadonlyMap<number, number>,
   intervals: ReadonlyMap<number, number>,
-  { moveDt = false, unreadable = NONE_UNREADABLE }: DtOption & TextOption = {},
+  { moveDt = false, unreadable = NONE_UNREADABLE }: DtOption & TextOption,
 ):
   | { readonly values: readonly CellValue[] }
   | { readonly refused: Refusal | Unread<CellField>; readonly cause: number } {

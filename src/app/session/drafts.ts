@@ -92,7 +92,7 @@ export class Drafts {
    * The stored work on a program like this one.
    * @param inherit another tab has given its timer to this one: takes its edits, too.
    */
-  async of(program: TimerProgram, simulated: boolean, inherit = false): Promise<Draft | undefined> {
+  async of(program: TimerProgram, simulated: boolean, inherit: boolean): Promise<Draft | undefined> {
     await this.#begun;
     const key = this.keyOf(program, simulated);
     await this.#saving;

@@ -60,7 +60,7 @@ type Opened = () => Promise<IDBPDatabase<Schema>>;
  * Opens the storage. Every use of it fails where the browser keeps nothing,
  * and while an old version of this page holds it.
  */
-export function openStorage(name = 'sidus-timer'): Opened {
+export function openStorage(name: string): Opened {
   /** What prevented the opening may be gone: then it is open after all. */
   let late: IDBPDatabase<Schema> | undefined;
   // Where storage is switched off, opening may throw at once instead of rejecting later.
@@ -90,7 +90,7 @@ export function openStorage(name = 'sidus-timer'): Opened {
 }
 
 /** Deletes the whole storage. Other tabs release it when they are asked. */
-export async function deleteStorage(opened: Opened, name = 'sidus-timer'): Promise<void> {
+export async function deleteStorage(opened: Opened, name: string): Promise<void> {
   // A storage that could not be opened need not be closed.
   await opened().then(
     (database) => database.close(),

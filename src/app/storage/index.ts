@@ -72,7 +72,7 @@ export const SHELVES = [
   'flights',
 ] as const satisfies readonly Exclude<keyof Storage, 'erase'>[];
 
-export function browserStorage(name?: string): Storage {
+export function browserStorage(name = 'sidus-timer'): Storage {
   const opened = openStorage(name);
   const left = new Map<string, AsideRecord>();
   const note = (records: readonly AsideRecord[]): void => {

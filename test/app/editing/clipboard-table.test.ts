@@ -22,9 +22,9 @@ describe('a range as text', () => {
     );
   });
 
-  it('has a decimal comma when that is wanted', () => {
-    expect(formatTable(late, { top: 3, left: 0, bottom: 5, right: 0 }, { decimal: ',' })).toBe('9,95\n125,07\n655,35');
-    expect(formatTable(late, { top: 3, left: 1, bottom: 3, right: 1 }, { decimal: ',' })).toBe('-0,05');
+  it('has two decimals', () => {
+    expect(formatTable(late, { top: 3, left: 0, bottom: 5, right: 0 })).toBe('9.95\n125.07\n655.35');
+    expect(formatTable(late, { top: 3, left: 1, bottom: 3, right: 1 })).toBe('-0.05');
   });
 
   it('ends at the edge of the grid', () => {

@@ -69,11 +69,6 @@ export class Player {
     return this.#speed;
   }
 
-  /** The end of the flight, in hundredths of a second. */
-  get end(): ReadonlySignal<number> {
-    return this.#end;
-  }
-
   /** Another program is shown. A time past its end becomes its end. */
   setEnd(end: number): void {
     this.#end.value = drawable(end);
