@@ -28,9 +28,9 @@ export interface FreshReading {
  *
  * A change begins with {@link begin}, before its first byte. From then on there is a record of it, also in the
  * browser's storage. While the change is in progress nothing is reported. It ends in one of two ways. With {@link read}
- * or {@link ended}: a fresh reading has shown the result. With {@link cut}: the memory is uncertain, until a fresh
- * reading explains it or the pilot settles it ({@link forget}). A page that crashes in between leaves its record, which
- * means the same.
+ * or {@link ended}: a fresh reading has shown the result. With {@link jobOver} or {@link connectionOver}: it was cut
+ * off, and the memory is uncertain, until a fresh reading explains it or the pilot settles it ({@link forget}). A page
+ * that crashes in between leaves its record, which means the same.
  */
 export class Knowledge {
   /** All memories with uncertain content, of every timer that this browser knows; the latest first. */
@@ -183,19 +183,9 @@ export class Knowledge {
     await Promise.all(keys.map((key) => this.#drop(key)));
   }
 
-  /**
-   * A change was sent, or may have been, and no reading has shown the result: the memory is uncertain from now on. Also
-   * for a single value without an answer (a position, the idle throttle), with or without {@link begin}.
-   * @returns false when the browser does not keep it: then only this page remembers.
-   */
-  async cut(before: TimerProgram, goal: TimerProgram): Promise<boolean> {
-    if (this.#underWayIn(before.memory).length === 0) void this.begin(before, goal);
-    return await this.#cutAll(this.#underWayIn(before.memory));
-  }
-
   /** A job has ended. Changes that it began, and whose end nobody has seen, are cut off. */
   jobOver(): void {
-    void this.#cutAll([...this.#underWay.peek()].filter(([, acknowledged]) => !acknowledged).map(([key]) => key));
+    this.#cut((isAcknowledged) => !isAcknowledged);
   }
 
   /**
@@ -203,7 +193,7 @@ export class Knowledge {
    * A running job comes to its own end.
    */
   connectionOver(): void {
-    void this.#cutAll([...this.#underWay.peek()].filter(([, acknowledged]) => acknowledged).map(([key]) => key));
+    this.#cut((isAcknowledged) => isAcknowledged);
   }
 
   /** A timer was connected; it may be any. Nothing is known about it but interrupted writes on timers of its kind. */
@@ -244,18 +234,21 @@ export class Knowledge {
     return this.#records.refresh();
   }
 
-  async #cutAll(keys: readonly string[]): Promise<boolean> {
-    const records = this.#records.list.peek().filter((record) => record.kind === 'write' && keys.includes(record.key));
-    const saved = batch(() =>
-      (records as UnfinishedWrite[]).map((record) => {
+  /** Cuts off changes whose result no reading has shown: their memories are uncertain from now on. */
+  #cut(which: (isAcknowledged: boolean) => boolean): void {
+    const under = this.#underWay.peek();
+    const records = this.#records.list.peek().filter((record) => record.kind === 'write');
+    batch(() => {
+      for (const record of records) {
+        const isAcknowledged = under.get(record.key);
+        if (isAcknowledged === undefined || !which(isAcknowledged)) continue;
         this.#leave(record.key);
         const readings = new Map(this.#readings.value);
         readings.delete(programKey(record.before, isSimulated(record)));
         this.#readings.value = readings;
-        return this.#records.save({ ...record, tab: null });
-      }),
-    );
-    return (await Promise.all(saved)).every(Boolean);
+        void this.#records.save({ ...record, tab: null });
+      }
+    });
   }
 
   #drop(key: string): Promise<void> {

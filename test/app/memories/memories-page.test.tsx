@@ -83,7 +83,8 @@ describe('the memories', () => {
     const { session } = await read();
     const before = { ...(session.editor.baseline.value as TimerProgram), memory: 2 };
     const times = before.times.map((time, slot) => (slot === 10 ? 36_000 : time));
-    await session.knowledge.cut(before, { ...before, times });
+    await session.knowledge.begin(before, { ...before, times });
+    session.knowledge.jobOver();
     await idle(0);
     expect(said('M3')).toEqual([
       'DT 3:00 min or 6:00 min',

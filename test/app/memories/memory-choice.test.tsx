@@ -137,7 +137,8 @@ describe('the memories', () => {
     const { session } = await connected();
     const before = { ...(session.editor.baseline.value as TimerProgram), memory: 2 };
     const times = before.times.map((time, slot) => (slot === 10 ? 36_000 : time));
-    await session.knowledge.cut(before, { ...before, times });
+    await session.knowledge.begin(before, { ...before, times });
+    session.knowledge.jobOver();
     await lookAt('M3');
     expect(screen.getByRole('heading', { name: 'It is not known what M3 holds' })).toBeTruthy();
     const row = screen.getByRole('rowheader', { name: 'DT time' }).parentElement;

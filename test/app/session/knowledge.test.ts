@@ -33,12 +33,17 @@ async function page(
   return { knowledge, timer, store };
 }
 
+/** A write that begins and is cut off. */
+async function cut({ knowledge }: { knowledge: Knowledge }, before: TimerProgram, goal: TimerProgram): Promise<void> {
+  await knowledge.begin(before, goal);
+  knowledge.jobOver();
+}
+
 /** A write of DT and S1 that was cut off, and nothing read since. */
 async function cutOff(store?: MemoryStore) {
   const one = await page(store);
   one.knowledge.read(BEFORE, 5000);
-  await one.knowledge.begin(BEFORE, GOAL);
-  await one.knowledge.cut(BEFORE, GOAL);
+  await cut(one, BEFORE, GOAL);
   return one;
 }
 
@@ -115,7 +120,7 @@ describe('a write', () => {
     const store = new MemoryStore();
     const { knowledge } = await page(store);
     await knowledge.begin(BEFORE, GOAL);
-    if (isCut) await knowledge.cut(BEFORE, GOAL);
+    if (isCut) knowledge.jobOver();
     const after = await page(store);
     expect([values(after, DT), after.knowledge.uncertain.value.length]).toEqual([[18_000, 36_000], 1]);
   });
@@ -137,7 +142,7 @@ describe('a write', () => {
     store.broken = true;
     const { knowledge } = await page(store);
     expect(await knowledge.begin(BEFORE, GOAL)).toBe(false);
-    expect(await knowledge.cut(BEFORE, GOAL)).toBe(false);
+    knowledge.jobOver();
     await knowledge.refresh();
     expect(knowledge.of(0).state).toBe('uncertain');
     knowledge.read(PART);
@@ -218,8 +223,7 @@ describe('a fresh reading', () => {
     const one = await cutOff();
     one.knowledge.notThisTimer(one.knowledge.uncertain.value[0]?.key ?? '');
     const other = withValue(STRANGE, DT, 12_000);
-    await one.knowledge.begin(STRANGE, other);
-    await one.knowledge.cut(STRANGE, other);
+    await cut(one, STRANGE, other);
     expect(one.knowledge.uncertain.value, 'both writes stay uncertain').toHaveLength(2);
     one.knowledge.anotherTimer();
     one.knowledge.read(other);
@@ -230,8 +234,7 @@ describe('a fresh reading', () => {
     const one = await cutOff();
     one.knowledge.read(PART);
     const next = withValue(PART, DT, 24_000);
-    await one.knowledge.begin(PART, next);
-    await one.knowledge.cut(PART, next);
+    await cut(one, PART, next);
     expect(values(one, DT)).toEqual([36_000, 24_000]);
     expect([one.knowledge.writes.value.length, one.store.unfinished.records.size]).toEqual([1, 1]);
   });
@@ -274,9 +277,9 @@ describe('single values, sent one after the other', () => {
     expect([one.knowledge.uncertain.value, one.store.unfinished.records.size]).toEqual([[], 0]);
   });
 
-  it('may be uncertain without a beginning', async () => {
+  it('may be uncertain without a reading before', async () => {
     const one = await page();
-    await one.knowledge.cut(BEFORE, { ...BEFORE, idleThrottle: 7 });
+    await cut(one, BEFORE, { ...BEFORE, idleThrottle: 7 });
     expect(values(one, { kind: 'idleThrottle' })).toEqual([7]);
     expect(one.knowledge.of(0).state).toBe('uncertain');
   });
@@ -329,8 +332,7 @@ describe('another tab', () => {
 
   it('knows of a write that was cut off in this tab, and this tab knows what the other one reads', async () => {
     const { first, second } = await tabs();
-    await first.knowledge.begin(BEFORE, GOAL);
-    await first.knowledge.cut(BEFORE, GOAL);
+    await cut(first, BEFORE, GOAL);
     await second.knowledge.refresh();
     expect(second.knowledge.uncertain.value).toHaveLength(1);
     second.knowledge.read(GOAL);
@@ -363,14 +365,13 @@ describe('a slow reading of the storage', () => {
 
   it('does not lose what was cut off meanwhile', async () => {
     const { knowledge, arrive } = await slow(async () => {});
-    await knowledge.begin(BEFORE, GOAL);
-    await knowledge.cut(BEFORE, GOAL);
+    await cut({ knowledge }, BEFORE, GOAL);
     await arrive();
     expect(knowledge.uncertain.value).toHaveLength(1);
   });
 
   it('does not bring back what a reading has settled meanwhile', async () => {
-    const { knowledge, arrive } = await slow(({ knowledge }) => knowledge.cut(BEFORE, GOAL));
+    const { knowledge, arrive } = await slow((one) => cut(one, BEFORE, GOAL));
     expect(knowledge.read(GOAL)).toBe('completed');
     await arrive();
     expect([knowledge.uncertain.value, knowledge.writes.value]).toEqual([[], []]);

@@ -47,7 +47,8 @@ const DIALOGS: readonly [title: string, open: () => Promise<unknown>][] = [
 it.each(DIALOGS)('“%s” says what is not known, like the band that it covers', async (title, open) => {
   const { session, editor } = await connected();
   const before = { ...(editor.baseline.value as TimerProgram), memory: 1 };
-  await session.knowledge.cut(before, withValue(before, { kind: 'time', slot: 10 }, 36_000));
+  await session.knowledge.begin(before, withValue(before, { kind: 'time', slot: 10 }, 36_000));
+  session.knowledge.jobOver();
   await open();
   const dialog = screen.getByRole('dialog', { name: title });
   expect(dialog.querySelector('.dialog-head .uncertain')?.textContent).toBe(SENTENCE);
