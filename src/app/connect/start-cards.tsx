@@ -49,7 +49,7 @@ export function KeptProgramsCard({ session }: { readonly session: Session }) {
   useEffect(() => void keptPrograms.load(), [keptPrograms]);
   const list = keptPrograms.list.value;
   return (
-    <section class="start-card wide" aria-labelledby="programs-title">
+    <section class="start-card" aria-labelledby="programs-title">
       <h2 id="programs-title">{words.title}</h2>
       {list.length === 0 && <p>{words.none}</p>}
       {list.length > 0 && (

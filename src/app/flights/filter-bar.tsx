@@ -92,7 +92,7 @@ export function FilterBar({ session, log }: FilterBarProps) {
             />
           </Choice>
         ))}
-      {settingName && <p class="flight-filter-setting">{words.setting(settingName)}</p>}
+      {settingName && <p>{words.setting(settingName)}</p>}
     </search>
   );
 }

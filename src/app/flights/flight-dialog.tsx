@@ -117,7 +117,7 @@ function Result({ form }: { readonly form: FlightForm }) {
   const [id, note, hint] = [useId(), useId(), useId()];
   const { result } = form.flight.value;
   return (
-    <div class="flight-field flight-result">
+    <div class="flight-field">
       <label for={id}>{words.result}</label>
       <span class="flight-result-line">
         <MeasureField form={form} measure="result" id={id} note={`${note} ${hint}`} />

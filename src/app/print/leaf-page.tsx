@@ -102,7 +102,7 @@ export function useLeaves(copies: readonly Copy[]): {
 
 function GalleySheet({ sheet, leaf, sections, hasLines }: Copy) {
   return (
-    <div class="galley-sheet">
+    <div>
       <div class={classOf(leaf)}>
         <div class="leaf-body">
           {sections.map((section, at) => (

@@ -61,7 +61,7 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
         )}
         <PrintPicker print={print} />
       </div>
-      {pages.length === 0 ? <p class="print-nothing">{words.nothing}</p> : <Preview {...{ pages, paper, printed }} />}
+      {pages.length === 0 ? <p>{words.nothing}</p> : <Preview {...{ pages, paper, printed }} />}
       {galley}
     </>
   );

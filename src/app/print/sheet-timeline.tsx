@@ -65,7 +65,6 @@ export function SheetTimeline({ program, servos, names, leaf }: SheetTimelinePro
         return (
           <rect
             key={slot}
-            class="not-known"
             fill={`url(#${id})`}
             x={x}
             y={box.top}
@@ -87,7 +86,6 @@ export function SheetTimeline({ program, servos, names, leaf }: SheetTimelinePro
             </text>
             {use && (
               <text
-                class="lane-use"
                 x={0}
                 y={middle}
                 dy="1em"

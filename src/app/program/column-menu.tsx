@@ -46,7 +46,6 @@ export function ColumnMenu({ editor, identity, servo }: ColumnMenuProps) {
   };
   return (
     <span
-      class="column-menu"
       role="toolbar"
       onKeyDown={(event) => {
         if (event.key !== 'Escape' || !open.value) return;

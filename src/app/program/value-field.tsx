@@ -121,11 +121,7 @@ export function ValueField(props: ValueFieldProps) {
       )}
       {isLarge && (spoken || was !== null) && (
         <span class="below">
-          {spoken && (
-            <span class="spoken" id={id('spoken')}>
-              {spoken}
-            </span>
-          )}
+          {spoken && <span id={id('spoken')}>{spoken}</span>}
           {was !== null && (
             <span class="was" id={id('was')}>
               <WasText standing={session.standing} value={was} />

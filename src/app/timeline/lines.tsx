@@ -15,7 +15,7 @@ interface LinesProps {
 export function Lines({ geometry, front }: LinesProps) {
   const { program, stages, layout } = geometry;
   return (
-    <g class="lines">
+    <g>
       {program.positions.map((row, servo) => (
         <Kept
           key={servo}
