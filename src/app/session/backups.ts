@@ -2,9 +2,7 @@ import { type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import type { Backup, Keeper } from '../storage/index.js';
 import { outdated } from './backup-thinning.js';
-
-/** How long a deleted backup can be put back, in milliseconds. */
-const UNDO_WAIT = 10_000;
+import { UNDO_WAIT } from './collection.js';
 
 /** What timers held before they were written, newest first. Thinned by age, see `outdated`. */
 export class Backups {

@@ -4,7 +4,7 @@ import { type Clash, Clashes } from './clashes.js';
 import { merged } from './merged.js';
 
 /** How long a deleted record can be put back, in milliseconds. */
-const UNDO_WAIT = 10_000;
+export const UNDO_WAIT = 10_000;
 
 /** The latest time that a record can have. */
 const LAST = 8.64e15;

@@ -18,11 +18,6 @@ export class KeptPrograms {
     this.#list.value = await this.#drafts.available();
   }
 
-  /** Brings one to the screen. */
-  take(draft: Draft): Draft {
-    return this.#drafts.take(draft);
-  }
-
   /** Deletes it for good. */
   async remove(draft: Draft): Promise<void> {
     this.#list.value = this.#list.value.filter(({ key }) => key !== draft.key);

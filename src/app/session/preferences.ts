@@ -8,7 +8,8 @@ import type { Editor } from '../editing/editor.js';
 const USUAL_PRESETS = [2000, 6000, 18000, 24000, 30000, 36000, 48000, 60000];
 const MOST_PRESETS = 24;
 
-const time = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_TIME));
+/** A time that a timer can hold, in hundredths of a second. */
+export const time = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_TIME));
 const times = v.pipe(v.array(time), v.maxLength(MOST_PRESETS));
 
 /**

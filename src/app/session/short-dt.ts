@@ -1,10 +1,10 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
 import * as v from 'valibot';
 import type { Model, TimerProgram } from '../../program/index.js';
-import { MAX_TIME } from '../../protocol/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import type { Editor } from '../editing/editor.js';
 import type { NextFlight } from './next-flight.js';
+import { time } from './preferences.js';
 import { programKey } from './record-keys.js';
 import type { Standing } from './standing.js';
 
@@ -23,7 +23,6 @@ const USUAL_OTHERWISE = 18_000;
 
 /** How many are remembered: five memories of twenty models. */
 const MOST = 100;
-const time = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_TIME));
 const remembered = v.record(v.pipe(v.string(), v.maxLength(200)), time);
 
 interface ShortDtParts {

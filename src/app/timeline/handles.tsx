@@ -6,6 +6,7 @@ import { fieldLabel, messages } from '../messages/index.js';
 import { limitsOf, type OnEdit } from './drag.js';
 import { FLAG, type Flag, type Geometry } from './geometry.js';
 import type { HandleKeys } from './key-control.js';
+import { pixels } from './layout.js';
 import { timeOf } from './preview/flight.js';
 import { servoClass } from './servo-class.js';
 import type { TimelineModel } from './view-model.js';
@@ -127,7 +128,7 @@ function Handle({ geometry, model, keys, selected, now, onEdit, onSelect, field,
   const isSelected = selected !== null && fieldKey(selected) === key;
   // Outside of the view it can still get the focus, which brings it into view.
   const inView = layout.shows(layout.x(timeOf(program, field)));
-  const place = `translate(${Math.round(x * 10) / 10} ${Math.round(y * 10) / 10})`;
+  const place = `translate(${pixels(x)} ${pixels(y)})`;
   const classes = `handle ${field.kind} ${isSelected ? 'selected' : ''} ${inView ? '' : 'away'}`;
   const value = valueAt(program, field) ?? 0;
   const { min, max } = limitsOf(program, field);

@@ -2,7 +2,7 @@ import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { figureText, messages } from '../messages/index.js';
 import { FLAG, type Geometry, type Marks as MarksOf } from './geometry.js';
 import { Kept } from './kept.js';
-import type { Layout } from './layout.js';
+import { type Layout, pixels } from './layout.js';
 import { LaneNames, Lines, Overlay } from './lines.js';
 import { marksOf, reachedAt } from './preview/flight.js';
 import { servoClass } from './servo-class.js';
@@ -218,9 +218,4 @@ export function Crosshair({ geometry, time }: CrosshairProps) {
       })}
     </g>
   );
-}
-
-/** A coordinate as text for the picture. */
-function pixels(place: number): number {
-  return Math.round(place * 10) / 10;
 }

@@ -105,14 +105,14 @@ export function lineOf(
   layout: Layout,
 ): LinePaths {
   const row = positions[servo] ?? [];
-  const height = (slot: number): number => round(layout.y(servo, row[slot] ?? 0));
-  let line = `M${round(layout.x(0))} ${height(0)}`;
+  const height = (slot: number): number => pixels(layout.y(servo, row[slot] ?? 0));
+  let line = `M${pixels(layout.x(0))} ${height(0)}`;
   let back = '';
   for (const { slot, from, until, passing } of stages) {
     const last = Math.max(layout.x(layout.scale.end), layout.box.right);
-    const end = round(until === null ? last : layout.x(until));
+    const end = pixels(until === null ? last : layout.x(until));
     if (passing === 'back') {
-      back += `M${round(layout.x(from))} ${height(slot)}H${end}`;
+      back += `M${pixels(layout.x(from))} ${height(slot)}H${end}`;
       line += `M${end} ${height(slot)}`;
     } else line += `H${end}`;
     if (until !== null) line += `V${height(slot + 1)}`;
@@ -157,6 +157,7 @@ export function spread(numbers: readonly number[], gap: number, min: number, max
   return result;
 }
 
-function round(pixels: number): number {
-  return Math.round(pixels * 10) / 10;
+/** A coordinate in pixels, short enough for the text of a picture. */
+export function pixels(place: number): number {
+  return Math.round(place * 10) / 10;
 }
