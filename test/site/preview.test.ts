@@ -54,7 +54,7 @@ test('the flight can be played with keys alone, and the timeline shows the time'
   await preview(app).getByRole('button', { name: 'Play' }).press('Enter');
   await preview(app).getByText('3:03 min', { exact: true }).waitFor();
   await cursor.first().waitFor();
-  const back = preview(app).getByRole('button', { name: 'Previous event' });
+  const back = preview(app).getByRole('button', { name: 'Previous mark' });
   await back.press('Enter');
   await preview(app).getByText('3:00 min', { exact: true }).waitFor();
   await back.press('Enter');

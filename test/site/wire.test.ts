@@ -63,7 +63,7 @@ test('the computer sleeps in the middle of a write: nothing more is sent, and th
   });
   await app.write();
   await app.result('It is not certain what the timer holds.');
-  await app.dialog.getByText('This page stood still in the middle of it.').waitFor();
+  await app.dialog.getByText('This page stood still during the job.').waitFor();
   expect(await app.bench(({ sets }) => sets)).toEqual(['SETTIMERS']);
   await app.close();
   await app.readAgain();

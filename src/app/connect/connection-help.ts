@@ -17,6 +17,9 @@ export interface Situation {
 /** One thing to do. messages/ has its sentence under this code. */
 export type HelpStepCode = keyof Messages['help']['steps'];
 
+/** Where a pilot reports what went wrong. */
+const ISSUES = 'https://github.com/sidus-timer/sidus-timer/issues';
+
 /** Lines to copy that belong to some steps. A step is left out when its lines cannot be made here. */
 const COMMANDS: Partial<Readonly<Record<HelpStepCode, (situation: Situation) => readonly string[] | null>>> = {
   'holder-mac': () => ['lsof /dev/cu.*'],
@@ -35,6 +38,7 @@ const COMMANDS: Partial<Readonly<Record<HelpStepCode, (situation: Situation) => 
   'own-tab': ({ address }) => [address],
   'policy-header': () => ['Permissions-Policy: serial=(self)'],
   'policy-frame': () => ['allow="serial"'],
+  report: () => [ISSUES],
 };
 
 /** The steps for every system, before and after those for each system. */

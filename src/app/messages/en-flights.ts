@@ -55,7 +55,7 @@ export const flights = {
     allPlaces: 'All places',
     noPlace: 'No place',
     period: 'Period',
-    periods: { all: 'Always', today: 'Today', month: 'Last 30 days', year: 'This year', own: 'From … to …' },
+    periods: { all: 'Any time', today: 'Today', month: 'Last 30 days', year: 'This year', own: 'From … to …' },
     from: 'From',
     until: 'To',
     setting: (name: string) => `Setting ${name}`,

@@ -108,7 +108,10 @@ export const checklist = {
   lead: 'Tick each item. The ticks are for one flight and are not kept.',
   items: {
     memory: { text: 'The right memory flies next.', why: 'A fly-off memory has another DT.' },
-    dtTime: { text: 'The DT time was said aloud.', why: 'A short DT from a test flight ends the next flight early.' },
+    dtTime: {
+      text: 'I have said the DT time aloud.',
+      why: 'A short DT from a test flight ends the next flight early.',
+    },
     surfaces: { text: 'Wing, tailplane and rudder sit firmly and stand as they should.', why: '' },
     battery: {
       text: 'The battery is charged, and its plug is in all the way.',
@@ -118,7 +121,7 @@ export const checklist = {
       text: 'I have seen the servo move to DT.',
       why: 'Use the Bench view, or take the propeller off and let the timer run to its end.',
     },
-    radioDt: { text: 'The radio DT was tried, if there is one.', why: 'This page cannot send it.' },
+    radioDt: { text: 'I have tried the radio DT, if there is one.', why: 'This page cannot send it.' },
     switch: {
       text: 'I pressed the start switch five times, and it sprang back each time.',
       why: 'While the switch sticks, the motor idles: the sequence does not begin, and no DT comes.',
@@ -201,7 +204,7 @@ export const troubles = {
       steps: [
         'After a flight the timer locks the motor. To free it, hold the model and keep your hands away from the propeller: it may start. Then press “Hold to UNLOCK” in the Bench view.',
         'Has the start switch sprung back? While it is held, the motor only idles.',
-        'Is the motor stop longer than 0.1 s?',
+        'Is the motor stop later than 0.1 s?',
       ],
     },
     noLibrary: {

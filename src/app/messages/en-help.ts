@@ -80,7 +80,7 @@ const steps = {
     'If you have set a rate under Serial settings, it may be wrong for your adapter. Click Stop, then Usual settings: the page then finds the rate by itself.',
   'usual-settings': 'Click Usual settings: 8 data bits, no parity and 1 stop bit. Every adapter takes them.',
   report:
-    'If it happens again with the timer awake and near, copy the report under Line and send it to the maintainers.',
+    'If it happens again with the timer awake and near: switch Expert on in the settings, open Line and click Copy report. Send the report to the maintainers, at this address:',
   'ask-again': 'Click Connect again, and allow the port when the browser asks.',
   'site-permission':
     'This address lists the pages that may not use serial ports. Open it in a tab. If this page is in the list, remove it:',

@@ -59,7 +59,8 @@ export const timer: Record<TimerErrorCode, Said> = {
   },
   'bad-reply': {
     title: 'The answer of the timer cannot be right.',
-    advice: 'Try again. If it happens again, copy the line below and send it to the maintainers.',
+    advice:
+      'Try again. If it happens again: switch Expert on in the settings, open Line and click Copy report. Send the report to the maintainers (github.com/sidus-timer/sidus-timer/issues).',
   },
   unstable: {
     title: 'The line is too noisy to trust.',
@@ -97,9 +98,9 @@ export const timer: Record<TimerErrorCode, Said> = {
     advice: 'Something else changed it, or this is another timer. Look at the marked fields before you write again.',
   },
   'stood-still': {
-    title: 'This page stood still in the middle of it.',
+    title: 'This page stood still during the job.',
     advice:
-      'The computer slept, or something held the page up. Nothing more was sent, because it may be another timer by now. Read again to see what the timer holds.',
+      'The computer slept, or something held the page up. Nothing more was sent: another timer may be there by now. Read again to see what the timer holds.',
   },
   undecided: {
     title: 'It is not certain in which order this timer sends the bytes of a time.',

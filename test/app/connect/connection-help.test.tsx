@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Browser, Platform, System } from '../../../src/app/browser/platform.js';
@@ -79,6 +80,12 @@ describe('what to do', () => {
     expect([...used].sort()).toEqual(Object.keys(en.help.steps).sort());
   });
 
+  it('says where a report goes: to the address that the package names', () => {
+    const { bugs } = JSON.parse(readFileSync('package.json', 'utf8')) as { bugs: string };
+    expect(steps('bad-reply', on('windows')).copy).toEqual([bugs]);
+    expect(en.timer['bad-reply'].advice).toContain(`(${bugs.replace('https://', '')})`);
+  });
+
   it.each<[HelpCode, Platform, PortInfo | null, readonly HelpStepCode[]]>([
     ['busy', on('windows'), FTDI, ['close-tabs', 'programs-windows', 'replug']],
     ['busy', on('mac'), FTDI, ['close-tabs', 'programs-mac', 'holder-mac', 'replug']],
@@ -120,6 +127,7 @@ describe('what to do', () => {
     ['lost', on('windows', 'firefox'), SPP, ['bluetooth-one', 'bluetooth-again']],
     ['lost', on('windows'), SPP, ['bluetooth-one', 'bluetooth-again']],
     ['waiting', on('windows'), FTDI, ['wake', 'near', 'battery', 'other-port-waiting', 'rate-waiting']],
+    ['bad-reply', on('windows'), FTDI, ['near', 'other-port', 'rate', 'report']],
     ['not-allowed', on('android'), null, ['ask-again', 'site-permission-mobile']],
     ['unsupported', on('windows', 'brave'), null, ['brave-flag', 'brave-relaunch']],
     ['unsupported', on('android', 'brave'), null, []],

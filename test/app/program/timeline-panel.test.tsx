@@ -241,7 +241,7 @@ describe('the timeline', () => {
     expect(preview.getByText(/^(Launch|.* at .*)$/).textContent).toBe('DT at 3:00 min');
   });
 
-  it.each(['Play', 'Next event', 'Previous event'])(
+  it.each(['Play', 'Next mark', 'Previous mark'])(
     'begins at the cell that was selected a moment before %s was clicked, as it now is',
     async (name) => {
       const { editor, models } = await opened();
@@ -260,7 +260,7 @@ describe('the timeline', () => {
       editor.type({ kind: 'time', slot: 6 }, '13.0');
       editor.type({ kind: 'time', slot: 7 }, '13.5');
       to(6);
-      const expected = { Play: 1300, 'Next event': 1350, 'Previous event': 1250 }[name];
+      const expected = { Play: 1300, 'Next mark': 1350, 'Previous mark': 1250 }[name];
       expect(await click()).toBe(expected);
       // What was played or sought stays, and is not taken for a new choice.
       await idle(1000);

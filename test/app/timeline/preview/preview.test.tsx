@@ -119,7 +119,7 @@ describe('the flight preview', () => {
   it('goes from event to event', async () => {
     shown();
     const seen: (string | null)[] = [];
-    for (const name of ['Next event', 'Next event', 'Next event', 'Next event', 'Previous event', 'Previous event']) {
+    for (const name of ['Next mark', 'Next mark', 'Next mark', 'Next mark', 'Previous mark', 'Previous mark']) {
       await press(name);
       seen.push(said());
     }
