@@ -33,7 +33,7 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   const doors = openDoors();
   const models = createModels({
     surroundings: doors.surroundings,
-    storage: browserStorage(),
+    storage: browserStorage(undefined, () => keeping.lack('emptied')),
     tab: tabNumberOf(doors),
     plugSimulated: async (timerClass) => (await fetchSimulated()).plugSimulatedTimer(timerClass),
     plugRecording: async (entries) => (await fetchSimulated()).plugRecording(entries),

@@ -59,3 +59,31 @@ test('everything that the page keeps is deleted, and nothing of another program 
   // The workbench keeps its timer through a reload.
   expect(settings.filter((name) => name !== 'workbench')).toEqual(['another program']);
 });
+
+test('when the browser deletes what it kept, the page says so, and keeps what is changed from then on', async () => {
+  const app = await AppPage.open();
+  const { page } = app;
+  await page.evaluate(() => location.assign('#library'));
+  for (const [open, field, text, make] of [
+    ['New model…', 'Name', 'Lancer 07', 'Make the model'],
+    ['New setting…', 'Name of the setting', 'calm', 'Make the setting'],
+  ] as const) {
+    await app.button(open).click();
+    await page.getByRole('dialog').getByRole('textbox', { name: field }).fill(text);
+    await app.button(make).click();
+    await page.getByRole('dialog').waitFor({ state: 'hidden' });
+  }
+  const devTools = await page.context().newCDPSession(page);
+  await devTools.send('Storage.clearDataForOrigin', { origin: new URL(page.url()).origin, storageTypes: 'indexeddb' });
+  await devTools.detach();
+  const note = page.getByRole('article', { name: 'calm' }).getByRole('textbox', { name: 'Note' });
+  await note.fill('after that');
+  await note.blur();
+  await app.says('What it kept for this page was deleted.');
+  await app.button('Export the library…').waitFor();
+  const { hash } = new URL(page.url());
+  await app.reload();
+  await page.evaluate((at) => location.assign(at), hash);
+  await expect.poll(() => note.inputValue()).toBe('after that');
+  await page.getByRole('link', { name: /^Without a model/ }).waitFor();
+});

@@ -6,9 +6,10 @@ import { TabNumber, tabMemory } from './tab-number.js';
 
 /**
  * What the browser may lack for this page, besides its storage. `locks` tell tabs apart. Over the `channel` the tabs
- * talk to each other. `settings` are small choices. `offline`: the page kept for use without a network.
+ * talk to each other. `settings` are small choices. `offline`: the page kept for use without a network. `emptied`: what
+ * its storage held until it was deleted.
  */
-export type Lack = 'locks' | 'channel' | 'settings' | 'offline';
+export type Lack = 'locks' | 'channel' | 'settings' | 'offline' | 'emptied';
 
 /** The part of a media query that the page uses. */
 export type Query = Pick<MediaQueryList, 'matches' | 'addEventListener' | 'removeEventListener'>;

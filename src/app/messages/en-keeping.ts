@@ -22,6 +22,8 @@ export const keeping = {
     locks: 'This page cannot tell its tabs apart. Use one tab only.',
     channel: 'This page cannot reach its other tabs. Close them before you connect.',
     settings: 'Colours, presets and other choices last only while this page is open.',
+    emptied:
+      'What it kept for this page was deleted. What you see is kept only while this page is open: export the library. What you change from now on is kept.',
     offline: 'The page itself is not kept: you cannot open it without a network.',
   } satisfies Record<Lack, string>,
 };

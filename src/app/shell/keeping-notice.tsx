@@ -18,13 +18,14 @@ export function KeepingNotice({ keeping, library, onExport }: KeepingNoticeProps
   const storage = keeping.storage.value;
   const lacks = keeping.lacks.value;
   if ((!storage && lacks.length === 0) || keeping.dismissed.value) return null;
+  const mayBeLost = storage !== null || lacks.includes('emptied');
   return (
     <div class="notice bad">
       <p>
         <strong>{words.title}</strong> {storage && words.storage[storage]}{' '}
         {lacks.map((lack) => words.lacks[lack]).join(' ')}
       </p>
-      {storage && [library.models, library.settings, library.flights].some(({ list }) => list.value.length > 0) && (
+      {mayBeLost && [library.models, library.settings, library.flights].some(({ list }) => list.value.length > 0) && (
         <button type="button" onClick={onExport}>
           {words.export}
         </button>

@@ -57,36 +57,57 @@ const VERSION = 5;
 type Opened = () => Promise<IDBPDatabase<Schema>>;
 
 /**
- * Opens the storage. Every use of it fails where the browser keeps nothing,
- * and while an old version of this page holds it.
+ * Opens the storage. Every use of it fails where the browser keeps nothing, and while an old version of this page holds
+ * it. A browser may close it at any time, as when its data is cleared or its own storage process ends: then the next
+ * use opens it again.
+ * @param onEmptied called when everything was deleted while this page was open, but not by a tab of this page.
  */
-export function openStorage(name: string): Opened {
+export function openStorage(name: string, onEmptied: () => void = () => {}): Opened {
   /** What prevented the opening may be gone: then it is open after all. */
   let late: IDBPDatabase<Schema> | undefined;
-  // Where storage is switched off, opening may throw at once instead of rejecting later.
-  const opened = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
-    if (!service('indexedDB')) return reject(new StorageError('missing', 'the browser has no storage for this page'));
-    openDB<Schema>(name, VERSION, {
-      async upgrade(database, before, _, change) {
-        for (const store of STORES) {
-          if (!database.objectStoreNames.contains(store)) database.createObjectStore(store, { keyPath: 'key' });
-        }
-        if (before === 0 || before >= 4) return;
-        for (const store of RENAMED) {
-          for await (const entry of change.objectStore(store)) await entry.update(withPresentNames(entry.value));
-        }
-      },
-      blocked: () => reject(new StorageError('blocked', 'another tab holds an older version of the storage')),
-      // A newer version of this page wants to change the storage: closes it for that one.
-      blocking: (_, __, event) => (event.target as IDBDatabase).close(),
-    }).then((database) => {
-      late = database;
-      resolve(database);
-    }, reject);
-  });
+  let wasOpen = false;
+  const open = (): Promise<IDBPDatabase<Schema>> => {
+    // Where storage is switched off, opening may throw at once instead of rejecting later.
+    const opening = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
+      if (!service('indexedDB')) return reject(new StorageError('missing', 'the browser has no storage for this page'));
+      let isEmpty = false;
+      openDB<Schema>(name, VERSION, {
+        async upgrade(database, before, _, change) {
+          isEmpty = before === 0;
+          for (const store of STORES) {
+            if (!database.objectStoreNames.contains(store)) database.createObjectStore(store, { keyPath: 'key' });
+          }
+          if (isEmpty || before >= 4) return;
+          for (const store of RENAMED) {
+            for await (const entry of change.objectStore(store)) await entry.update(withPresentNames(entry.value));
+          }
+        },
+        blocked: () => reject(new StorageError('blocked', 'another tab holds an older version of the storage')),
+        // A newer version of this page wants to change the storage: closes it for that one.
+        blocking: (_, __, event) => (event.target as IDBDatabase).close(),
+        terminated: () => {
+          late = undefined;
+          opened = undefined;
+        },
+      }).then((database) => {
+        late = database;
+        resolve(database);
+        if (wasOpen && isEmpty) onEmptied();
+        wasOpen = true;
+      }, reject);
+    });
+    opening.catch(() => {
+      // The error of the first opening stays; later ones may be over with the next try.
+      if (wasOpen && opened === opening) opened = undefined;
+    });
+    return opening;
+  };
   // Each user gets the error. At this moment there is none yet.
-  opened.catch(() => {});
-  return async () => late ?? (await opened);
+  let opened: Promise<IDBPDatabase<Schema>> | undefined = open();
+  return async () => {
+    opened ??= open();
+    return late ?? (await opened);
+  };
 }
 
 /** Deletes the whole storage. Other tabs release it when they are asked. */

@@ -72,8 +72,9 @@ export const SHELVES = [
   'flights',
 ] as const satisfies readonly Exclude<keyof Storage, 'erase'>[];
 
-export function browserStorage(name = 'sidus-timer'): Storage {
-  const opened = openStorage(name);
+/** @param onEmptied see {@link openStorage}. */
+export function browserStorage(name = 'sidus-timer', onEmptied?: () => void): Storage {
+  const opened = openStorage(name, onEmptied);
   const left = new Map<string, AsideRecord>();
   const note = (records: readonly AsideRecord[]): void => {
     for (const record of records)

@@ -1,5 +1,5 @@
-import { openDB } from 'idb';
-import { describe, expect, it, onTestFinished } from 'vitest';
+import { deleteDB, openDB, unwrap } from 'idb';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { openStorage, Shelf } from '../../../src/app/storage/database.js';
 import { browserStorage, limited, StorageError } from '../../../src/app/storage/index.js';
 import { backupSchema, portSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
@@ -86,6 +86,26 @@ describe('the storage of the browser', () => {
       .catch((error) => error);
     expect(StorageError.of(failed).code).toBe('newer');
   });
+
+  it.each([false, true])(
+    'is opened again after the browser has closed it, and says if it is empty: %s',
+    async (empty) => {
+      const own = name();
+      const onEmptied = vi.fn();
+      const opened = openStorage(own, onEmptied);
+      const shelf = new Shelf(opened, 'ports', portSchema);
+      await shelf.save(PORT);
+      const database = await opened();
+      database.close();
+      if (empty) await deleteDB(own);
+      // As the browser does, which a test cannot make do it.
+      unwrap(database).dispatchEvent(new Event('close'));
+      expect(await shelf.all()).toEqual(empty ? [] : [PORT]);
+      await shelf.save({ ...PORT, key: 'a' });
+      expect(await shelf.load('a')).toBeTruthy();
+      expect(onEmptied).toHaveBeenCalledTimes(empty ? 1 : 0);
+    },
+  );
 
   it('can be deleted, also while another tab uses it', async () => {
     const own = name();
