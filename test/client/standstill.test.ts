@@ -168,6 +168,7 @@ describe('a page that stands still during a write', () => {
       const { clock, client, first, other, goal, page, result } = await written({ ...each, ms: 60_000, swap });
       const before = everyValueChanged(contentOf(new VirtualTimer({ clock, identity: SMALL })));
       expect([page.requests, result.code ?? result.stopped?.code]).toEqual([each.at, 'stood-still']);
+      expect(client.standstills).toBeGreaterThan(0);
       // Before the first SET the write does not begin; later nobody knows.
       expect(result.result).toBe(each.at <= FRESH ? undefined : 'unknown');
       expect(contentOf(other)).toEqual(before);
@@ -182,8 +183,9 @@ describe('a page that stands still during a write', () => {
 
   it.each(CASES)('for up to ten seconds, after request $at, bytes first: $bytesFirst, goes on', async (each) => {
     for (const ms of [2000, 9990]) {
-      const { first, goal, result } = await written({ ...each, ms });
+      const { client, first, goal, result } = await written({ ...each, ms });
       expect(result, `for ${ms} ms`).toMatchObject({ result: 'verified', stopped: null });
+      expect(client.standstills, `for ${ms} ms`).toBe(0);
       expect(contentOf(first)).toEqual(goal);
     }
   });
