@@ -4,9 +4,9 @@
  * States:
  * - `off`: nothing is open.
  * - `choosing`: the browser's chooser is open.
- * - `opening`: a port is being opened. While it refuses, the link tries again for some time.
+ * - `opening`: a port is being opened. While it refuses, the link tries again each second, for 15 seconds.
  * - `searching`: the port is open, and the link tries one rate after another.
- * - `waiting`: nothing answered at any rate. The link asks quietly until something does.
+ * - `waiting`: nothing answered at any rate. The link asks once a second until something does.
  * - `on`: a timer has said what it is.
  * - `away`: the port was unplugged or its stream failed. The link opens it again once it is back.
  * - `closing`: the last request comes to its end, and the port is closed.

@@ -31,8 +31,8 @@ export const DEFAULT_SETTINGS: SerialSettings = Object.freeze({
 export type Rates = readonly [number, ...number[]];
 
 /**
- * The rates at which a timer may answer, the likeliest first.
- * The capture of a real one rules out 2400 bits a second and below.
+ * The rates at which a timer may answer, in bits a second, the likeliest first: 9600, 19200, 38400, 57600, 115200,
+ * 4800. The recording of a real one rules out 2400 and below.
  */
 export const RATES: Rates = Object.freeze([9600, 19200, 38400, 57600, 115200, 4800]) as Rates;
 

@@ -29,7 +29,7 @@ const steps: Record<StepCode, (params: Params) => string> = {
   'saved-elsewhere': () => 'what another tab has saved',
   fix: ({ field }) => `correcting ${field}`,
   'keep-tried': () => 'keeping what was tried',
-  'take-across': ({ field }) => `taking ${field} over`,
+  'take-across': ({ field }) => `taking ${field}`,
 };
 
 /** What prevents an edit, or a pasted cell, besides the reasons of the checks and the fields. */

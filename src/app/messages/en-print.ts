@@ -26,7 +26,7 @@ export const print = {
       ? 'One of these settings is not in the library of this device.'
       : `${count} of these settings are not in the library of this device.`,
   left: (count: number) =>
-    `${plural(count, 'setting is', 'settings are')} not on this print, which has at most 100. Print the others after it.`,
+    `${plural(count, 'setting is', 'settings are')} not on this print, which has at most 100. Print the others afterwards.`,
   choose: (chosen: number) => `Settings on this print: ${chosen}`,
   search: 'Search by model or setting',
   onScreen: 'The program on the screen',

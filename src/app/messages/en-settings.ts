@@ -15,5 +15,5 @@ export const settings = {
 /** The height of the rows of the program. */
 export const density = {
   title: 'Rows',
-  names: { system: 'As the screen is', dense: 'Dense', comfortable: 'Comfortable' },
+  names: { system: 'Fit the screen', dense: 'Dense', comfortable: 'Comfortable' },
 };
