@@ -47,7 +47,7 @@ export class Erase {
       const records = await this.#storage[shelf].all().catch(() => null);
       return [shelf, records?.length ?? null] as const;
     });
-    const counts = Object.fromEntries(await Promise.all(counted)) as Record<(typeof SHELVES)[number], number | null>;
+    const counts = Object.fromEntries(await Promise.all(counted)) as KeptCounts;
     this.#current.value = { step: 'review', counts };
   }
 

@@ -19,8 +19,8 @@ export interface Records {
 export type Kind = keyof Records;
 
 /** What to do with entries that differ: keep the newer one, keep both, or skip everything of this model. */
-export type Way = 'newer' | 'both' | 'skip';
-export const WAYS = ['newer', 'both', 'skip'] as const satisfies readonly Way[];
+export const WAYS = ['newer', 'both', 'skip'] as const;
+export type Way = (typeof WAYS)[number];
 
 type EntryOf = { models: Model; settings: Setting; flights: Flight };
 
