@@ -166,7 +166,7 @@ describe('the order of the page', () => {
     ],
     [
       'a folder in a folder',
-      'timeline/preview/flight.ts',
+      'timeline/preview/player.ts',
       '../../program/presets.js',
       'app/timeline may not use app/program',
     ],
@@ -199,7 +199,7 @@ describe('the order of the page', () => {
     expect(breaches('program/table.tsx', "import { a } from '../ui/modal.js';")).toEqual([]);
     expect(breaches('program/table.tsx', "import '../bench/b.js';")).toEqual([]);
     expect(breaches('connect/simulated-timer.ts', "import { a } from '../../simulator/index.js';")).toEqual([]);
-    expect(breaches('timeline/preview/flight.ts', "import { a } from '../scale.js';")).toEqual([]);
+    expect(breaches('timeline/preview/player.ts', "import { a } from '../scale.js';")).toEqual([]);
   });
 });
 

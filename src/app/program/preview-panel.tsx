@@ -3,8 +3,8 @@ import { useEffect, useMemo } from 'preact/hooks';
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { whenIdle } from '../browser/when-idle.js';
 import type { Session } from '../session/session.js';
+import { flightEnd, timeOf } from '../timeline/flight.js';
 import { Kept } from '../timeline/kept.js';
-import { flightEnd, timeOf } from '../timeline/preview/flight.js';
 import { FlightPreview } from '../timeline/preview/flight-preview.js';
 import type { Player } from '../timeline/preview/player.js';
 

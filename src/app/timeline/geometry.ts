@@ -1,7 +1,7 @@
 import { type ProgramField, slotKind, type TimerProgram } from '../../program/index.js';
+import { flightEnd, marksOf, motorStopOf, type Stage, stagesOf } from './flight.js';
 import { lanesOf, leastHeight } from './lanes.js';
 import { Layout, spread, type TimeView } from './layout.js';
-import { flightEnd, marksOf, motorStopOf, type Stage, stagesOf } from './preview/flight.js';
 import { evenScale, RUN_OUT, type Scale, stretchedScale } from './scale.js';
 import { ticks } from './ticks.js';
 

@@ -4,10 +4,10 @@ import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../p
 import { formatTime } from '../editing/units.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import { limitsOf, type OnEdit } from './drag.js';
+import { timeOf } from './flight.js';
 import { FLAG, type Flag, type Geometry } from './geometry.js';
 import type { HandleKeys } from './key-control.js';
 import { pixels } from './layout.js';
-import { timeOf } from './preview/flight.js';
 import { servoClass } from './servo-class.js';
 import type { TimelineModel } from './view-model.js';
 import './handles.css';

@@ -1,7 +1,7 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { DragEdit, limitsOf, type OnEdit, stepped } from './drag.js';
+import { marksOf } from './flight.js';
 import type { Geometry } from './geometry.js';
-import { marksOf } from './preview/flight.js';
 import type { Scale } from './scale.js';
 import type { TimelineModel } from './view-model.js';
 

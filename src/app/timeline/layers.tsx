@@ -1,10 +1,10 @@
 import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { figureText, messages } from '../messages/index.js';
+import { marksOf, reachedAt } from './flight.js';
 import { FLAG, type Geometry, type Marks as MarksOf } from './geometry.js';
 import { Kept } from './kept.js';
 import { type Layout, pixels } from './layout.js';
 import { LaneNames, Lines, Overlay } from './lines.js';
-import { marksOf, reachedAt } from './preview/flight.js';
 import { servoClass } from './servo-class.js';
 import { shortTime } from './ticks.js';
 import './layers.css';

@@ -1,6 +1,6 @@
 import type { TimerProgram } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
-import type { Stage } from './preview/flight.js';
+import type { Stage } from './flight.js';
 import type { Scale } from './scale.js';
 
 /** The visible part of the time axis, in places of its scale. */

@@ -1,8 +1,8 @@
 import type { TimerProgram } from '../../program/index.js';
+import { motorStopOf, stagesOf } from './flight.js';
 import type { Geometry } from './geometry.js';
 import { Kept } from './kept.js';
 import { type Layout, lineOf } from './layout.js';
-import { motorStopOf, stagesOf } from './preview/flight.js';
 import { servoClass } from './servo-class.js';
 import './lines.css';
 

@@ -1,7 +1,7 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { formatFigure, formatTime } from '../editing/units.js';
 import { fieldLabel, figureOf, messages, slotLabel } from '../messages/index.js';
-import { motorStopOf, reachedAt } from './preview/flight.js';
+import { motorStopOf, reachedAt } from './flight.js';
 import type { TimelineModel } from './view-model.js';
 import './readout.css';
 

@@ -3,7 +3,7 @@ import type { TimerProgram } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
 import { messages, slotLabel } from '../messages/index.js';
 import { SlotTable } from '../ui/slot-table.js';
-import { motorStopOf, stagesOf } from './preview/flight.js';
+import { motorStopOf, stagesOf } from './flight.js';
 import './timeline-table.css';
 
 /**

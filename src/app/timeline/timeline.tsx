@@ -4,6 +4,7 @@ import { useEffect, useId, useLayoutEffect, useMemo, useRef } from 'preact/hooks
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import type { OnEdit } from './drag.js';
+import { timeOf } from './flight.js';
 import { type Geometry, layoutOf, leastHeightOf, marksIn, measuresOf, scaleOf } from './geometry.js';
 import { Handles } from './handles.js';
 import { useGlides, useSize, useStable } from './hooks.js';
@@ -13,7 +14,6 @@ import { Crosshair, Picture } from './layers.js';
 import { highestOf } from './layout.js';
 import type { Target } from './pointer/gesture.js';
 import { PointerControl } from './pointer/pointer-control.js';
-import { timeOf } from './preview/flight.js';
 import { descriptionOf, Moment, Spoken } from './readout.js';
 import { TimelineNotes, TimelineTable } from './timeline-table.js';
 import { Tools, TrueScale } from './tools.js';

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { limitsOf, snapped, stepped, timeStep } from '../../../src/app/timeline/drag.js';
+import { eventsBetween, flightEnd, reachedAt, stagesOf } from '../../../src/app/timeline/flight.js';
 import { layoutOf, marksIn, measuresOf, scaleOf } from '../../../src/app/timeline/geometry.js';
 import { spread } from '../../../src/app/timeline/layout.js';
-import { eventsBetween, flightEnd, reachedAt, stagesOf } from '../../../src/app/timeline/preview/flight.js';
 import { evenScale, RUN_OUT, Scale, stretchedScale } from '../../../src/app/timeline/scale.js';
 import { shortTime, ticks } from '../../../src/app/timeline/ticks.js';
 import { TimelineModel } from '../../../src/app/timeline/view-model.js';

@@ -1,5 +1,5 @@
-import type { ProgramField, TimerProgram } from '../../../program/index.js';
-import { drawable, RUN_OUT } from '../scale.js';
+import type { ProgramField, TimerProgram } from '../../program/index.js';
+import { drawable, RUN_OUT } from './scale.js';
 
 /**
  * How a flight passes a slot. `held`: its positions stay until the next slot. `passed`: the next slot has the same
