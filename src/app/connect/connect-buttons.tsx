@@ -1,5 +1,6 @@
 import { messages } from '../messages/index.js';
-import { type Session, SIMULATED_CLASSES } from '../session/session.js';
+import type { Session } from '../session/session.js';
+import { SIMULATED_CLASSES } from '../session/timer-access.js';
 
 interface ConnectButtonsProps {
   readonly session: Session;

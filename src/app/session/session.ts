@@ -32,10 +32,6 @@ import { type Standing, standingOf } from './standing.js';
 import { TimerAccess, type TimerSources } from './timer-access.js';
 import { UnfinishedRecords } from './unfinished.js';
 
-/** The classes for which there is a simulated timer. */
-export const SIMULATED_CLASSES = ['Q', 'B', 'E'] as const;
-export type SimulatedClass = (typeof SIMULATED_CLASSES)[number];
-
 export interface SessionOptions extends TimerSources {
   readonly storage: Storage;
   readonly tab: TabNumber;

@@ -4,7 +4,11 @@ import type { CaptureEntry } from '../../protocol/index.js';
 import { type LinkState, portKey, type SerialPortLike, type Surroundings } from '../../serial/index.js';
 import type { Assumed } from './link.js';
 import type { Reader } from './reader.js';
-import { type Session, SIMULATED_CLASSES, type SimulatedClass } from './session.js';
+import type { Session } from './session.js';
+
+/** The classes for which there is a simulated timer. */
+export const SIMULATED_CLASSES = ['Q', 'B', 'E'] as const;
+export type SimulatedClass = (typeof SIMULATED_CLASSES)[number];
 
 /** The sources of timers to which this page can connect. */
 export interface TimerSources {
