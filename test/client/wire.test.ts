@@ -48,13 +48,13 @@ function setUp(write: () => Promise<void> = async () => {}) {
     ask,
     say: (bytes: Uint8Array) => controller?.enqueue(bytes),
     end: () => controller?.close(),
-    /** Says something every so many milliseconds, from then on. */
-    repeat(bytes: Uint8Array, every: number, from = 0) {
+    /** Says something every so many milliseconds, from now on. */
+    repeat(bytes: Uint8Array, every: number) {
       const say = (): void => {
         controller?.enqueue(bytes);
         clock.after(every, say);
       };
-      clock.after(from, say);
+      clock.after(0, say);
     },
     /** What a promise gives, and after how many milliseconds. */
     async timed<T>(promise: Promise<T>): Promise<[T, number]> {

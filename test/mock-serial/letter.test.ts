@@ -264,10 +264,10 @@ describe('as Web IDL has it', () => {
 });
 
 describe('the ways of Chromium, where a test asks for them', () => {
-  const opened = async (bufferSize?: number) => {
+  const opened = async () => {
     const serial = new MockSerial({ chromium: true });
     const port = serial.plug({}, { granted: true });
-    await port.open({ baudRate: 9600, ...(bufferSize !== undefined && { bufferSize }) });
+    await port.open({ baudRate: 9600 });
     return { serial, port, device: port.device };
   };
 

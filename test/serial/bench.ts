@@ -68,8 +68,8 @@ export class Adapter {
   }
 
   /** Plugs it in again without the browser recognising it: at another port. */
-  returnAsNew(options: PlugOptions = {}): void {
-    this.#port = this.#serial.plug(this.#info, { ...this.#plug, ...options });
+  returnAsNew(): void {
+    this.#port = this.#serial.plug(this.#info, this.#plug);
     void this.#hear();
   }
 

@@ -1,9 +1,8 @@
 import { AppPage } from './app-page.js';
-import type { WorkbenchOptions } from './workbench.js';
 
 /** A pilot who has connected, and has edited a time and a position. */
-export async function edited(bench: WorkbenchOptions = { granted: true }): Promise<AppPage> {
-  const app = await AppPage.open({ bench });
+export async function edited(): Promise<AppPage> {
+  const app = await AppPage.open({ bench: { granted: true } });
   await app.connect();
   await app.type('DT time', '4:00');
   await app.type('Function 2, S1', '7');

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { FrameForm } from '../../../src/app/line/frame-form.js';
 import { toHex } from '../../tools/bytes.js';
-import { type BenchOptions, connectedBench, idle, run } from '../bench/bench.js';
+import { connectedBench, idle, run } from '../bench/bench.js';
 
 /** A pilot before the form, connected to a timer. */
-async function atForm(options: BenchOptions = {}) {
-  const bench = await connectedBench(options);
+async function atForm() {
+  const bench = await connectedBench();
   const { answered } = bench.timer.core;
   answered.length = 0;
   return { ...bench, form: new FrameForm(bench.session), asked: () => answered.map(({ name }) => name) };

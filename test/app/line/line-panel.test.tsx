@@ -2,12 +2,12 @@ import { fireEvent, render, screen, waitFor, within } from '@testing-library/pre
 import { options, type VNode } from 'preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { LinePanel } from '../../../src/app/line/line-panel.js';
-import { type AppBench, appBench, type BenchOptions, connectedBench, idle, run } from '../bench/bench.js';
+import { type AppBench, appBench, connectedBench, idle, run } from '../bench/bench.js';
 import { damage, lineError } from './line.js';
 
 /** The panel, open, of a pilot who has connected and read. */
-async function opened(options: BenchOptions = {}): Promise<AppBench> {
-  return await panelOf(await connectedBench(options));
+async function opened(): Promise<AppBench> {
+  return await panelOf(await connectedBench());
 }
 
 async function panelOf(bench: AppBench): Promise<AppBench> {

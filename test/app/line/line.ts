@@ -15,8 +15,8 @@ export function sent(request: Request, time = 0): LineEntry {
 }
 
 /** A frame that came from a timer of the example. */
-export function came(reply: Reply, time = 0, identity = B536): LineEntry {
-  return frameEntry('in', encodeReply(reply, { identity }), time);
+export function came(reply: Reply, time = 0): LineEntry {
+  return frameEntry('in', encodeReply(reply, { identity: B536 }), time);
 }
 
 /** Any whole frame, from its five zeros on. */

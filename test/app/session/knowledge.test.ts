@@ -40,8 +40,8 @@ async function cut({ knowledge }: { knowledge: Knowledge }, before: TimerProgram
 }
 
 /** A write of DT and S1 that was cut off, and nothing read since. */
-async function cutOff(store?: MemoryStore) {
-  const one = await page(store);
+async function cutOff() {
+  const one = await page();
   one.knowledge.read(BEFORE, 5000);
   await cut(one, BEFORE, GOAL);
   return one;

@@ -7,8 +7,8 @@ const TAILPLANE: ServoUse = { duty: 'tailplane', name: '', low: 20, high: 95, re
 const FLAP: ServoUse = { duty: 'other', name: 'Flap', low: 0, high: 130, reversed: false };
 
 /** Freshly opened, with a timer of this kind at hand. */
-function opened(kind = 'timer/Q', servos = 2) {
-  const atHand = signal<ServosAtHand | null>({ kind, servos });
+function opened(kind = 'timer/Q') {
+  const atHand = signal<ServosAtHand | null>({ kind, servos: 2 });
   return { atHand, uses: new ServoUses(atHand) };
 }
 

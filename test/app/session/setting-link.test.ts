@@ -21,8 +21,9 @@ const wide = (servos: number, functions: number): SharedSetting => ({
 });
 
 /** What another library reads from the pixels of a code, as they would be on a screen. */
-function readBack(text: string, each = 4): string {
+function readBack(text: string): string {
   const { size, path } = qrPath(text);
+  const each = 4;
   const edge = size * each;
   const data = new Uint8ClampedArray(edge * edge * 4).fill(255);
   for (const [, x, y, width] of path.matchAll(/M(\d+) (\d+)h(\d+)v1h-\d+z/g)) {

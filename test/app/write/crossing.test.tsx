@@ -16,8 +16,8 @@ const MAGPIE = LANCER.map(({ times, positions }) => ({
   positions: positions.map((row) => row.map((position, slot) => position + 1 + (slot % 3))),
 }));
 
-function programOf({ times, positions }: Content, memory = 0): TimerProgram {
-  return { identity: IDENTITY, memory, times, positions, idleThrottle: 30 };
+function programOf({ times, positions }: Content): TimerProgram {
+  return { identity: IDENTITY, memory: 0, times, positions, idleThrottle: 30 };
 }
 
 function record(name: string, content: Content): ModelRecord {

@@ -71,10 +71,10 @@ describe('a surface', () => {
 });
 
 describe('where nobody has said what the servos move', () => {
-  const guess = (servos: number, timerClass = 'Q') =>
+  const guess = (servos: number) =>
     guessedUses(
       programOf(
-        timerClass,
+        'Q',
         TIMES,
         Array.from({ length: servos }, () => [62, 66, 70, 62, 95]),
       ),
