@@ -2,7 +2,6 @@ import { plural } from './plural.js';
 
 /** Moving servos and motor from the page. */
 export const bench = {
-  title: 'Bench',
   lead: 'Moves the servos of the timer in front of you.',
   slots: 'Move to',
   grid: 'What the timer holds for each function',

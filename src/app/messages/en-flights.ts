@@ -39,7 +39,6 @@ export const flights = {
     dt: (time: string) => `DT ${time}`,
   },
   totals: {
-    title: 'Totals',
     flights: (count: number) => plural(count, 'flight', 'flights'),
     best: (time: string) => `best ${time}`,
     average: (time: string) => `average ${time}`,
@@ -84,7 +83,6 @@ export const flights = {
     date: 'Date and time',
     place: 'Place',
     model: 'Model',
-    setting: 'Setting',
     flown: 'What was flown',
     flownCaption: 'Times and positions that the timer held',
     undo: 'Put back as it was',
@@ -98,7 +96,6 @@ export const flights = {
     },
     range: (min: number, max: number, unit: string) => `${min} to ${max} ${unit}.`,
     resultUnit: 's',
-    tooLong: (most: number) => `At most ${most} characters.`,
     shortDt: (dt: string) => `DT was ${dt} on this flight.`,
   },
   csv: {

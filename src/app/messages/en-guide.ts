@@ -104,7 +104,6 @@ export const words = {
 
 /** What a pilot checks before a flight. */
 export const checklist = {
-  title: 'Before the flight',
   lead: 'Tick each item. The ticks are for one flight and are not kept.',
   items: {
     memory: { text: 'The right memory flies next.', why: 'A fly-off memory has another DT.' },
@@ -155,7 +154,6 @@ export const checklist = {
 
 /** Problems as a pilot sees them, and what to do. Steps for the connection stand in en-help.ts. */
 export const troubles = {
-  title: 'When something is wrong',
   lead: 'Choose what you see.',
   symptoms: {
     noAnswer: { title: 'The timer does not answer', steps: [] as string[] },
@@ -222,7 +220,6 @@ export const troubles = {
 
 /** How much energy the rules of F1Q leave for the motor. */
 export const energy = {
-  title: 'Energy for F1Q',
   lead: 'How long may the motor run? The page works it out from the weight of the model and the power of the motor.',
   weight: 'Weight of the model',
   grams: 'g',
@@ -243,7 +240,6 @@ export const energy = {
   joules: (joules: number) => `${joules} J`,
   run: 'Motor run',
   seconds: (seconds: string) => `${seconds} s`,
-  watt: (watts: string) => `${watts} W`,
   energyBy: {
     weight: (perGram: number) => `${perGram} J for each gram`,
     ceiling: (most: number) => `the most for any model: ${most} J`,

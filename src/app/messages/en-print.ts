@@ -17,7 +17,6 @@ export const print = {
   parts: { timeline: 'Timeline', notes: 'Notes', lines: 'Lines to write on', code: 'QR code' },
   print: (pages: number) => `Print ${plural(pages, 'page', 'pages')}…`,
   failed: 'This browser did not open its print window. Use the print command in its menu.',
-  back: 'Back',
   preview: 'Preview',
   page: (page: number, pages: number) => `Page ${page} of ${pages}`,
   nothing: 'Nothing is chosen. Choose settings of the library, or open a program.',
