@@ -52,6 +52,17 @@ describe('connect', () => {
     expect(status(bench)).toBe('on');
   });
 
+  it('asks when the browser has not listed its ports within a second', async () => {
+    const bench = await appBench();
+    vi.spyOn(bench.serial, 'getPorts').mockImplementation(() => new Promise(() => {}));
+    const asked = vi.spyOn(bench.serial, 'requestPort');
+    void bench.session.timer.connect();
+    await idle(999);
+    expect(asked).not.toHaveBeenCalled();
+    await idle(1);
+    expect(asked).toHaveBeenCalled();
+  });
+
   it('asks when more than one port is remembered, or when the pilot wants to choose', async () => {
     const bench = await appBench({ plug: { granted: true } });
     bench.serial.choose(null);
