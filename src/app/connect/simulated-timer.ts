@@ -28,6 +28,7 @@ function plug(timer: VirtualTimer | ReplayTimer, options: PlugOptions): SerialPo
     const writer = timer.writable.getWriter();
     for (;;) await writer.write(await device.read());
   })();
-  void timer.readable.pipeTo(new WritableStream({ write: (bytes) => device.write(bytes) }));
+  // Not awaited: a reply that comes after the port was closed is lost, and that must not end the stream.
+  void timer.readable.pipeTo(new WritableStream({ write: (bytes) => void device.write(bytes) }));
   return port;
 }
