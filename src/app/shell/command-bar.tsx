@@ -30,7 +30,8 @@ export function CommandBar({ session, write, bench, follow, saveSetting, onShift
   const { program, edits } = messages.value;
   const { editor } = session;
   const bar = useRef<HTMLElement>(null);
-  useHeight(bar, '--bar');
+  // The buttons of a phone are a little higher.
+  useHeight(bar, '--bar', { likely: picture ? 53 : 52 });
   return (
     <section class="actions" ref={bar}>
       <FollowNote session={session} write={write} bench={bench} follow={follow} />

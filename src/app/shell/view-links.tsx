@@ -11,7 +11,7 @@ export function ViewLinks({ views }: { readonly views: Views }) {
   const { views: words } = messages.value;
   const areBelow = useQuery(TABS_BELOW).value;
   const nav = useRef<HTMLElement>(null);
-  useHeight(nav, areBelow ? '--tabs' : '--rail');
+  useHeight(nav, areBelow ? '--tabs' : null, { likely: 57 });
   const shown = views.shown.value;
   const wanted = VIEWS.filter((view) => view !== 'line' || views.expert.value || shown === 'line');
   // A phone has no room for a sixth link: the settings lead to the help.

@@ -3,16 +3,26 @@ import { useLayoutEffect } from 'preact/hooks';
 
 /**
  * Gives the styles the height of something that stays at an edge, so that nothing scrolls behind it.
- * @param usual the height that the styles assume without this. Setting it restyles the whole page.
+ * @param name null: the styles do not need it. Setting it restyles the whole page.
+ * @param usual the height that the styles assume without this.
+ * @param likely the height that it mostly has. It is set before the first drawing, which is then not done twice.
  */
-export function useHeight(element: RefObject<HTMLElement | null>, name: `--${string}`, usual?: number): void {
+export function useHeight(
+  element: RefObject<HTMLElement | null>,
+  name: `--${string}` | null,
+  { usual, likely }: { readonly usual?: number; readonly likely?: number } = {},
+): void {
   useLayoutEffect(() => {
     const { current } = element;
-    if (!current) return;
+    if (!current || !name) return;
     const { style } = document.documentElement;
+    let told = likely;
+    if (likely !== undefined) style.setProperty(name, `${likely}px`);
     // The observer brings the height. Asking the element would lay out the page once more.
     const observer = new ResizeObserver((entries) => {
       const height = Math.round(entries.at(-1)?.borderBoxSize[0]?.blockSize ?? current.offsetHeight);
+      if (height === told) return;
+      told = height;
       if (height === usual) style.removeProperty(name);
       else style.setProperty(name, `${height}px`);
     });
@@ -21,5 +31,5 @@ export function useHeight(element: RefObject<HTMLElement | null>, name: `--${str
       observer.disconnect();
       style.removeProperty(name);
     };
-  }, [element, name, usual]);
+  }, [element, name, usual, likely]);
 }

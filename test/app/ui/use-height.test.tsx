@@ -3,14 +3,20 @@ import { useRef } from 'preact/hooks';
 import { expect, it, vi } from 'vitest';
 import { useHeight } from '../../../src/app/ui/use-height.js';
 
-function Bar({ usual }: { readonly usual?: number }) {
+interface BarProps {
+  readonly name?: '--bar' | null;
+  readonly usual?: number;
+  readonly likely?: number;
+}
+
+function Bar({ name = '--bar', ...heights }: BarProps) {
   const bar = useRef<HTMLDivElement>(null);
-  useHeight(bar, '--bar', usual);
+  useHeight(bar, name, heights);
   return <div ref={bar} />;
 }
 
-/** What the styles are told while it is so high, one height after the other. */
-function told(usual: number | undefined, ...heights: number[]): string[] {
+/** What the styles are told at first, then while it is so high, one height after the other, and afterwards. */
+function told(props: BarProps, ...heights: number[]): string[] {
   let tell: (height: number) => void = () => {};
   vi.stubGlobal(
     'ResizeObserver',
@@ -24,25 +30,39 @@ function told(usual: number | undefined, ...heights: number[]): string[] {
       disconnect(): void {}
     },
   );
-  const { unmount } = render(usual === undefined ? <Bar /> : <Bar usual={usual} />);
+  const { unmount } = render(<Bar {...props} />);
   const { style } = document.documentElement;
+  const first = style.getPropertyValue('--bar');
   const said = heights.map((height) => {
     tell(height);
     return style.getPropertyValue('--bar');
   });
   unmount();
   vi.unstubAllGlobals();
-  return [...said, style.getPropertyValue('--bar')];
+  return [first, ...said, style.getPropertyValue('--bar')];
 }
 
 it('an element tells the styles its height in whole pixels, as long as it is shown', () => {
-  expect(told(undefined, 52.4, 0)).toEqual(['52px', '0px', '']);
+  expect(told({}, 52.4, 0)).toEqual(['', '52px', '0px', '']);
+});
+
+it('an element tells the height that it mostly has before it is drawn, then the one that it has', () => {
+  expect(told({ likely: 52 }, 52, 60, 52)).toEqual(['52px', '52px', '60px', '52px', '']);
 });
 
 it('an element does not repeat the same height, because that would style the whole page again', () => {
   const { style } = document.documentElement;
   const sets = vi.spyOn(style, 'setProperty');
-  expect([told(0, 0), sets.mock.calls]).toEqual([['', ''], []]);
+  expect([told({ usual: 0 }, 0), sets.mock.calls]).toEqual([['', '', ''], []]);
+  told({ likely: 52 }, 52, 52.4, 60, 60);
+  expect(sets.mock.calls).toEqual([
+    ['--bar', '52px'],
+    ['--bar', '60px'],
+  ]);
   sets.mockRestore();
-  expect(told(0, 40, 0)).toEqual(['40px', '', '']);
+  expect(told({ usual: 0 }, 40, 0)).toEqual(['', '40px', '', '']);
+});
+
+it('an element whose height no style needs tells nothing', () => {
+  expect(told({ name: null }, 52)).toEqual(['', '', '']);
 });
