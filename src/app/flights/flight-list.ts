@@ -1,4 +1,5 @@
 import type { Flight } from '../../program/index.js';
+import { askCalendar } from '../messages/today.js';
 import type { FlightRecord } from '../storage/index.js';
 import type { FlightFilter } from './flight-filter.js';
 
@@ -120,6 +121,7 @@ function beginOf(day: string, after = 0): number | null {
 
 /** A calendar day in the form of files and fields: `2026-11-22`. */
 export function dayOf(at: number): string {
+  askCalendar();
   const date = new Date(at);
   const two = (part: number): string => String(part).padStart(2, '0');
   return `${String(date.getFullYear()).padStart(4, '0')}-${two(date.getMonth() + 1)}-${two(date.getDate())}`;

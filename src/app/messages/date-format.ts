@@ -1,3 +1,5 @@
+import { askCalendar } from './today.js';
+
 /** One formatter for each form: making one is slow, and a list has thousands of days. */
 const formatters = new Map<string, Intl.DateTimeFormat>();
 
@@ -6,6 +8,7 @@ const formatters = new Map<string, Intl.DateTimeFormat>();
  * date at the end of a line reads as another one.
  */
 export function formatDate(locale: string, options: Intl.DateTimeFormatOptions, time: number): string {
+  askCalendar();
   // A formatter keeps the time zone in which it was made, and a device may travel.
   const key = [locale, new Date().getTimezoneOffset(), JSON.stringify(options)].join();
   const made = formatters.get(key) ?? new Intl.DateTimeFormat(locale, options);

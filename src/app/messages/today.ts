@@ -3,24 +3,35 @@ import { signal } from '@preact/signals';
 /** How often the page looks at the calendar, in milliseconds. */
 const LOOK = 60_000;
 
-/** The day on which the texts on the screen were made. */
-const today = signal(new Date().toDateString());
+/** The day and the time zone for which the texts on the screen were made. */
+const calendar = signal(now());
 
-/** Whether it is a time of this day. Where a component asks, it asks again when the day has changed. */
+function now(): string {
+  const date = new Date();
+  return `${date.toDateString()} ${date.getTimezoneOffset()}`;
+}
+
+/** Where a component asks, it asks again when the day or the time zone of the device has changed. */
+export function askCalendar(): void {
+  calendar.value;
+}
+
+/** Whether it is a time of this day. Where a component asks, it asks again as for {@link askCalendar}. */
 export function isToday(time: Date): boolean {
-  const now = new Date().toDateString();
-  // Asked for each time: a page that has just come out of sleep has not looked at the calendar yet.
-  return today.value !== '' && time.toDateString() === now;
+  askCalendar();
+  // Not from the signal: a page that has just come out of sleep has not looked at the calendar yet.
+  return time.toDateString() === new Date().toDateString();
 }
 
 /**
  * From now on the texts follow the calendar. A page may stay open overnight, also on a computer that sleeps: then
- * “verified 14:32” would seem to be of today.
+ * “verified 14:32” would seem to be of today. A computer may travel, too: two times on the screen must not be of two
+ * zones.
  * @returns a function that ends this.
  */
 export function followDay(): () => void {
   const look = (): void => {
-    today.value = new Date().toDateString();
+    calendar.value = now();
   };
   look();
   const looking = setInterval(look, LOOK);

@@ -1,6 +1,7 @@
 import { act, render, screen } from '@testing-library/preact';
-import { afterEach, expect, it, vi } from 'vitest';
-import { clockText, dayText } from '../../../src/app/messages/index.js';
+import { afterEach, expect, it, onTestFinished, vi } from 'vitest';
+import { dayOf } from '../../../src/app/flights/flight-list.js';
+import { clockText, dateText, dayText } from '../../../src/app/messages/index.js';
 import { followDay } from '../../../src/app/messages/today.js';
 
 afterEach(() => void vi.useRealTimers());
@@ -19,5 +20,37 @@ it.each(['a minute later', 'when the page is seen again'])('a time of yesterday 
     else document.dispatchEvent(new Event('visibilitychange'));
   });
   expect(screen.getByText(/^22 Nov 2026, 14:32 \| 22 Nov$/)).toBeTruthy();
+  end();
+});
+
+it('the times follow the time zone of the device, all of them at once', () => {
+  vi.useFakeTimers({ toFake: ['Date', 'setInterval', 'clearInterval'], now: AT + 60_000 });
+  onTestFinished(() => void vi.unstubAllEnvs());
+  vi.stubEnv('TZ', 'Europe/Berlin');
+  const at = Date.UTC(2026, 10, 22, 13, 32);
+  vi.setSystemTime(at);
+  const end = followDay();
+  const Times = () => <p>{`${clockText(at)} | ${dateText(at)} | ${dayOf(at)}`}</p>;
+  render(<Times />);
+  expect(screen.getByText('14:32 | 22 Nov 2026, 14:32 | 2026-11-22')).toBeTruthy();
+  vi.stubEnv('TZ', 'Europe/London');
+  act(() => void vi.advanceTimersByTime(60_000));
+  expect(screen.getByText('13:32 | 22 Nov 2026, 13:32 | 2026-11-22')).toBeTruthy();
+  end();
+});
+
+it.each([
+  ['dateText', dateText],
+  ['dayOf', dayOf],
+])('%s alone is drawn again when the time zone changes', (_, text) => {
+  vi.useFakeTimers({ toFake: ['Date', 'setInterval', 'clearInterval'], now: AT });
+  const end = followDay();
+  const draw = vi.fn(() => <p>{text(AT)}</p>);
+  const Drawn = () => draw();
+  render(<Drawn />);
+  vi.spyOn(Date.prototype, 'getTimezoneOffset').mockReturnValue(-777);
+  onTestFinished(() => void vi.restoreAllMocks());
+  act(() => void vi.advanceTimersByTime(60_000));
+  expect(draw).toHaveBeenCalledTimes(2);
   end();
 });
