@@ -279,3 +279,41 @@ it('on a phone the library shows one page at a time, with a way back, and nothin
   await app.page.goBack();
   await app.page.getByRole('link', { name: /^calm/ }).waitFor();
 });
+
+it('names that are one word without end make nothing wider than a small phone', async () => {
+  const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 } });
+  const { page } = app;
+  const word = 'W'.repeat(60);
+  await open(app, '#library');
+  await makeModel(app, word);
+  await makeSetting(app, word);
+  const { hash } = new URL(page.url());
+  const own = page.getByRole('article', { name: word });
+  for (const [field, text] of [
+    ['Note', word.repeat(3)],
+    ['Tags', `${word}, ${word.toLowerCase()}`],
+  ] as const) {
+    await own.getByRole('textbox', { name: field }).fill(text);
+    await own.getByRole('textbox', { name: field }).blur();
+  }
+  const fits = async (): Promise<void> => {
+    await app.expectNoSidewaysScrolling();
+    const over = page.locator('dialog').evaluateAll((all) => all.map((each) => each.scrollWidth - each.clientWidth));
+    expect(await over, 'a dialog scrolls to the side').not.toContainEqual(expect.toSatisfy((more) => more > 0));
+  };
+  await fits();
+  for (const [task, shown] of [
+    ['Share…', 'dialog .qr-code'],
+    ['Print…', '.print-view .leaf-title'],
+    ['Open', '.actions'],
+    // With the setting that is open.
+    ['Compare…', '.timeline-behind'],
+  ] as const) {
+    await open(app, hash);
+    await own.getByRole('button', { name: task }).click();
+    // The pages that are printed are measured out of sight first.
+    await page.locator(shown).filter({ visible: true }).first().waitFor();
+    await fits();
+    if (task === 'Share…') await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+  }
+});
