@@ -6,8 +6,8 @@ export const shortDt = {
   held: (memory: string | null, dt: string) =>
     memory === null ? `DT is ${whole(dt)}.` : `DT of ${memory} is ${whole(dt)}.`,
   ask: (back: string) => `Put back to ${whole(back)}?`,
-  putBack: (back: string) => `Put back to ${back}…`,
-  flyWith: (dt: string) => `Fly with ${dt}`,
+  putBack: (back: string) => `Put back to ${whole(back)}…`,
+  flyWith: (dt: string) => `Fly with ${whole(dt)}`,
   /** Something that was typed prevents every write. */
   blocked: 'Something that you typed cannot be written yet. Correct it before you put DT back.',
   settings: {

@@ -38,8 +38,8 @@ describe('with a short DT in the timer', () => {
       'on',
       'DT of M1 is 20\u00a0s. Put back to 2:45\u00a0min?',
     ]);
-    expect(buttons()).toEqual(['Stay connected', 'Fly with 20 s', 'Put back to 2:45 min…']);
-    await press('Put back to 2:45 min…');
+    expect(buttons()).toEqual(['Stay connected', 'Fly with 20\u00a0s', 'Put back to 2:45\u00a0min…']);
+    await press('Put back to 2:45\u00a0min…');
     expect(dt(), 'nothing is written before the pilot confirms the write').toBe(2000);
     expect(screen.getByRole('dialog', { name: 'Write to the timer' }).textContent).toContain('2:45 min');
     await finish(app);
@@ -56,7 +56,7 @@ describe('with a short DT in the timer', () => {
     await press('Stay connected');
     expect([status(app), screen.queryByRole('dialog')]).toEqual(['on', null]);
     await press('Disconnect');
-    await press('Fly with 20 s');
+    await press('Fly with 20\u00a0s');
     expect(status(app)).toBe('off');
     await press('Connect');
     await press('Disconnect');
@@ -73,7 +73,7 @@ describe('with a short DT in the timer', () => {
     const app = await drawn(await reloaded(first));
     await run(app.session.timer.connect());
     await press('Disconnect');
-    expect(buttons()).toContain('Put back to 4:00 min…');
+    expect(buttons()).toContain('Put back to 4:00\u00a0min…');
     app.models.preferences.setShortDt(30_000);
     expect(
       app.session.shortDt.held.value?.back,
@@ -113,8 +113,8 @@ describe('with a short DT in the timer', () => {
     );
     expect(buttons()).toEqual([
       'Stay connected',
-      'Fly with 10 s',
-      'Put back to 3:00 min…',
+      'Fly with 10\u00a0s',
+      'Put back to 3:00\u00a0min…',
       'Back to M1 and disconnect',
     ]);
     screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
@@ -127,7 +127,7 @@ describe('with a short DT in the timer', () => {
       'DT of M1 is 20\u00a0s. Put back to 3:00\u00a0min?',
     ]);
     expect(dialog().queryByRole('alert'), 'going back worked, so there is no warning').toBeNull();
-    await press('Fly with 20 s');
+    await press('Fly with 20\u00a0s');
     expect([status(app), first?.times[10]]).toEqual(['off', 2000]);
   });
 
@@ -154,8 +154,8 @@ describe('with a short DT in the timer', () => {
     await type('Function 2, S1', 'abc');
     await press('Disconnect');
     expect(dialog().getByText(/cannot be written yet/)).toBeTruthy();
-    expect(button('Put back to 3:00 min…').disabled).toBe(true);
-    await press('Fly with 20 s');
+    expect(button('Put back to 3:00\u00a0min…').disabled).toBe(true);
+    await press('Fly with 20\u00a0s');
     expect(status(app)).toBe('off');
   });
 
