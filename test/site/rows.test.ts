@@ -133,6 +133,32 @@ describe('a timer of another layout', () => {
   });
 });
 
+test('20 functions show all three servos on a tablet in the sun', async () => {
+  const app = await AppPage.open({
+    ...touch,
+    viewport: { width: 820, height: 1180 },
+    bench: { granted: true, identity: { functions: 20 } },
+    before: () => location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"'),
+  });
+  await app.connect();
+  const hidden = () =>
+    app.page.locator('.table-scroller').evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+  await expect.poll(hidden).toBe(0);
+});
+
+test('on a phone on its side, a table that scrolls reaches down to the edge', async () => {
+  const identity = { servos: 8 };
+  const app = await AppPage.open({
+    ...PHONE,
+    viewport: { width: 844, height: 390 },
+    bench: { granted: true, identity },
+  });
+  await app.connect();
+  const below = () =>
+    app.page.locator('.table-scroller').evaluate((table) => innerHeight - table.getBoundingClientRect().bottom);
+  await expect.poll(async () => Math.abs(await below())).toBeLessThan(2);
+});
+
 test('on a phone the pilot switches between times and intervals, and the motor stop is always shown', async () => {
   const app = await AppPage.open({ bench: { granted: true }, ...PHONE });
   await app.connect();
