@@ -1,0 +1,75 @@
+import { expect, test } from 'vitest';
+import { exampleMemories } from '../../src/simulator/index.js';
+import { AppPage } from './app-page.js';
+import { fillLibrary } from './library.js';
+import { PHONE } from './page.js';
+
+const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
+const NAME = 'Wettbewerbsflieger Großenkneten 07';
+const MEMORY = 'Morgenthermik bei schwachem Wind';
+
+/** A model whose timer held what the simulated one holds. */
+function modelOf(key: string, name: string) {
+  const verified = exampleMemories('Q').map(({ times, positions }, memory) => ({
+    program: { identity: IDENTITY, memory, times, positions, idleThrottle: 30 },
+    at: 0,
+    simulated: true,
+  }));
+  const model = {
+    id: key,
+    name,
+    timerClass: 'Q',
+    note: '',
+    servos: [],
+    memoryNames: [MEMORY],
+    photo: null,
+    archived: false,
+  };
+  return { key, order: 1, changedAt: 0, verified, model };
+}
+
+/** Sets the theme with the largest letters. Runs in the page, because only the page has the storage. */
+const IN_SUN = (): unknown => location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"');
+
+test('long names of models and memories leave room for what they name, on a small phone in the sun', async () => {
+  const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
+  await fillLibrary(app, { models: [modelOf('a', NAME), modelOf('b', `${NAME} neu`)], settings: [], flights: [] });
+  await app.page.reload();
+  await app.trySimulated('F1Q');
+  const line = app.page.locator('.model-line');
+  const cut = await line
+    .locator('button')
+    .evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.textContent));
+  expect(cut, 'the two names differ at their ends').toEqual([]);
+  await line.getByRole('button', { name: `${NAME} neu` }).click();
+  await app.page.locator('.strip-memory small').waitFor();
+  expect(
+    await app.page.locator('.strip-line').evaluate((strip) => (strip as HTMLElement).offsetHeight),
+    'the strip has one line',
+  ).toBeLessThan(60);
+
+  await app.goTo('Memories');
+  await app.button('Read and keep all…').click();
+  const dialog = app.page.getByRole('dialog');
+  await dialog.getByRole('button', { name: 'Read and keep' }).click();
+  await app.button('Close').click();
+  await app.button('Compare with M1: M2').click();
+  const grid = app.page.locator('.comparison-grid');
+  await grid.getByText(MEMORY).first().waitFor();
+  expect(await grid.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
+  await app.expectNoSidewaysScrolling();
+});
+
+test('on a desktop the question which model it is stands above long names, not squeezed beside them', async () => {
+  const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
+  await fillLibrary(app, {
+    models: [`${NAME} neu`, `${NAME} neu II`, 'Lancer 09'].map((name, at) => modelOf(`model-${at}`, name)),
+    settings: [],
+    flights: [],
+  });
+  await app.page.reload();
+  await app.trySimulated('F1Q');
+  const line = app.page.locator('.model-line');
+  await line.waitFor();
+  expect(await line.evaluate((each) => each.getBoundingClientRect().height)).toBeLessThan(120);
+});
