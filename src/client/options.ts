@@ -36,7 +36,10 @@ export interface JobOptions {
    * `stopped` says so: what has arrived matters more than the stop.
    */
   readonly signal?: AbortSignal | undefined;
-  /** Called with how far the job is, see {@link Progress}. An error that it throws does no harm. */
+  /**
+   * Called with how far a job in stages is, see {@link Progress}: a reading or a write. Single requests, `identify()`,
+   * `selectMemory()` and `setIdleThrottle()` do not call it. An error that it throws does no harm.
+   */
   readonly onProgress?: ((progress: Progress) => void) | undefined;
 }
 

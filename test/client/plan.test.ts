@@ -62,4 +62,13 @@ describe('the time of a job', () => {
     isDamaged = true;
     await expect(run(client.request({ name: 'GETMEMORY' }))).rejects.toMatchObject({ details: { sent: 20 } });
   });
+
+  it('is enough for the setting of the idle throttle', async () => {
+    let isDamaged = false;
+    const fault = (byte: number): number[] => [isDamaged && byte === 0x6c ? 1 : byte];
+    const { client, run } = bench({ fromTimer: { fault } }, { baudRate: 300 });
+    await run(client.identify());
+    isDamaged = true;
+    await expect(run(client.setIdleThrottle(77))).rejects.toMatchObject({ details: { sent: 20 } });
+  });
 });
