@@ -53,6 +53,28 @@ test('the picture beside the table moves down when a notice appears', async () =
   await expect.poll(edges).toBe(true);
 });
 
+test('in a low window notices scroll away with the page, but what is known of the timer stays', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, viewport: LOW });
+  await app.connect();
+  await app.type('DT time', '2:00');
+  await app.bench((bench) => bench.adapter.unplug());
+  await app.says('The adapter is unplugged.');
+  /** How far below the upper edge these begin. One below 0 has scrolled away. */
+  const places = () =>
+    app.page.evaluate(() => {
+      const place = (name: string) => Math.round(document.querySelector(name)?.getBoundingClientRect().top ?? -1) + 0;
+      return { strip: place('.strip'), links: place('.view-links'), notice: place('.top .notice') };
+    });
+  await app.page.evaluate(() => scrollTo(0, 0));
+  await expect.poll(places).toMatchObject({ notice: expect.toSatisfy((top: number) => top >= 0 && top < 50) });
+  await app.page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
+  await expect.poll(places).toEqual({ strip: 0, links: 49, notice: expect.toSatisfy((top: number) => top < -50) });
+  // The large figures open where the pilot is.
+  await app.page.locator('.strip-figures').click();
+  await app.page.getByRole('button', { name: 'Close' }).waitFor();
+  await expect.poll(places).toMatchObject({ strip: 0 });
+});
+
 test('nothing is wider than the smallest phone: five memories, and three ways to connect', async () => {
   const app = await AppPage.open({
     ...PHONE,

@@ -16,8 +16,9 @@ import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import { onDemand } from '../ui/on-demand.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
+import { useHeight } from '../ui/use-height.js';
 import { useLateComputed } from '../ui/use-late.js';
-import { NARROW, TIGHT, useQuery } from '../ui/use-query.js';
+import { LOW, NARROW, TIGHT, useQuery } from '../ui/use-query.js';
 import { KnownLine } from './known-line.js';
 import { StripModel } from './strip-model.js';
 import './status-strip.css';
@@ -47,6 +48,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences, s
   const open = useSignal(false);
   const panel = useId();
   const box = useRef<HTMLDivElement>(null);
+  useHeight(box, useQuery(LOW).value ? '--strip' : null, { usual: 48 });
   const identity = session.editor.identity.value;
   const isOpen = open.value && identity !== null;
   const close = useCallback((): void => {
