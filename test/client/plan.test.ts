@@ -54,21 +54,15 @@ describe('the time of a job', () => {
     await expect(run(client.identify())).rejects.toMatchObject({ code: 'unstable', details: { sent: 4 } });
   });
 
-  it('is enough for its requests once the timer is known', async () => {
+  it.each<[string, number, (client: TimerClient) => Promise<unknown>]>([
+    ['a request once the timer is known', 0x72, (client) => client.request({ name: 'GETMEMORY' })],
+    ['the setting of the idle throttle', 0x6c, (client) => client.setIdleThrottle(77)],
+  ])('is enough for %s', async (_, letter, job) => {
     let isDamaged = false;
-    const fault = (byte: number): number[] => [isDamaged && byte === 0x72 ? 1 : byte];
+    const fault = (byte: number): number[] => [isDamaged && byte === letter ? 1 : byte];
     const { client, run } = bench({ fromTimer: { fault } }, { baudRate: 300 });
     await run(client.identify());
     isDamaged = true;
-    await expect(run(client.request({ name: 'GETMEMORY' }))).rejects.toMatchObject({ details: { sent: 20 } });
-  });
-
-  it('is enough for the setting of the idle throttle', async () => {
-    let isDamaged = false;
-    const fault = (byte: number): number[] => [isDamaged && byte === 0x6c ? 1 : byte];
-    const { client, run } = bench({ fromTimer: { fault } }, { baudRate: 300 });
-    await run(client.identify());
-    isDamaged = true;
-    await expect(run(client.setIdleThrottle(77))).rejects.toMatchObject({ details: { sent: 20 } });
+    await expect(run(job(client))).rejects.toMatchObject({ details: { sent: 20 } });
   });
 });

@@ -2,13 +2,10 @@ import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { HELP_PAGES } from '../../src/app/help/help.js';
 import { AppPage } from './app-page.js';
-import { PHONE } from './page.js';
+import { IN_SUN, PHONE } from './page.js';
 
 /** A laptop at 200 %. */
 const LOW = { width: 640, height: 400 };
-
-/** Sets the theme with the largest letters. Runs in the page, because only the page has the storage. */
-const IN_SUN = (): unknown => location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"');
 
 test('the field with the focus, and the end of a range, are never covered by the bars at the edges', async () => {
   const app = await AppPage.open({ bench: { granted: true }, viewport: LOW });

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
 import { fillLibrary } from './library.js';
-import { PHONE } from './page.js';
+import { IN_SUN, PHONE } from './page.js';
 
 const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
 const NAME = 'Wettbewerbsflieger Großenkneten 07';
@@ -27,9 +27,6 @@ function modelOf(key: string, name: string) {
   };
   return { key, order: 1, changedAt: 0, verified, model };
 }
-
-/** Sets the theme with the largest letters. Runs in the page, because only the page has the storage. */
-const IN_SUN = (): unknown => location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"');
 
 test('long names of models and memories leave room for what they name, on a small phone in the sun', async () => {
   const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });

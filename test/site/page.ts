@@ -123,3 +123,7 @@ export async function newKeptPage(): Promise<Page> {
 
 /** A phone that is held in one hand. */
 export const PHONE: BrowserContextOptions = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+
+/** Sets the theme with the largest letters. Runs in the page, because only the page has the storage. */
+export const IN_SUN = (): unknown =>
+  location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"');

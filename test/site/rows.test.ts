@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
-import { PHONE } from './page.js';
+import { IN_SUN, PHONE } from './page.js';
 
 /** The visible part of the table between the strip and the bar at the lower edge, before scrolling. */
 async function rowsOf(app: AppPage): Promise<{ seen: string[]; least: number; scrolled: number }> {
@@ -138,7 +138,7 @@ test('20 functions show all three servos on a tablet in the sun', async () => {
     ...touch,
     viewport: { width: 820, height: 1180 },
     bench: { granted: true, identity: { functions: 20 } },
-    before: () => location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"'),
+    before: IN_SUN,
   });
   await app.connect();
   const hidden = () =>
