@@ -37,24 +37,46 @@ const CODES: Readonly<Record<string, StorageErrorCode>> = {
 /** How long the storage may take for one call, in milliseconds. */
 const STORAGE_LIMIT = 5000;
 
+/** How many earlier questions have been answered, while one waits for its turn. */
+type Signs = () => number;
+
+/**
+ * Calls back once nothing has happened for `ms` milliseconds: after each sign the time begins anew.
+ * @returns ends it.
+ */
+function afterSilence(ms: number, callback: () => void, signs: Signs): () => void {
+  let timer: ReturnType<typeof setTimeout>;
+  const wait = (): void => {
+    const before = signs();
+    timer = setTimeout(() => (signs() === before ? callback() : wait()), ms);
+  };
+  wait();
+  return () => clearTimeout(timer);
+}
+
 /**
  * The answer of the storage, if it comes in time: a browser may leave a question open for ever. A late answer is
  * ignored.
  * @param work a promise, or a function that gives one. An error that the function throws counts as a rejection.
  * @param ms how long to wait, in milliseconds.
+ * @param signs default: it does not wait for others.
  * @throws StorageError
  */
-export async function withinLimit<T>(work: Promise<T> | (() => Promise<T>), ms: number = STORAGE_LIMIT): Promise<T> {
-  let giveUp: ReturnType<typeof setTimeout> | undefined;
+export async function withinLimit<T>(
+  work: Promise<T> | (() => Promise<T>),
+  ms: number = STORAGE_LIMIT,
+  signs: Signs = () => 0,
+): Promise<T> {
+  let end = (): void => {};
   const limit = new Promise<never>((_, reject) => {
-    giveUp = setTimeout(() => reject(new StorageError('slow', `nothing within ${ms} ms`)), ms);
+    end = afterSilence(ms, () => reject(new StorageError('slow', `nothing within ${ms} ms`)), signs);
   });
   try {
     return await Promise.race([typeof work === 'function' ? work() : work, limit]);
   } catch (cause) {
     throw StorageError.of(cause);
   } finally {
-    clearTimeout(giveUp);
+    end();
   }
 }
 
@@ -82,6 +104,8 @@ export class StorageQuestions {
   readonly #shelf: string;
   #limit = STORAGE_LIMIT;
   #changes: Promise<unknown> = Promise.resolve();
+  /** How many changes have been answered, each in its turn. */
+  #answers = 0;
 
   constructor(watch: StorageWatch, shelf: string) {
     this.#watch = watch;
@@ -94,25 +118,31 @@ export class StorageQuestions {
    */
   async ask<T>(kind: StorageCall, work: () => Promise<T>, now = false): Promise<T> {
     const limit = this.#limit;
-    const say = setTimeout(() => this.#watch.failed(this.#shelf, kind, 'slow'), Math.min(limit, SAID_AFTER));
     // A late change must not undo a later one: changes go one by one, however long that takes.
-    const answer = kind === 'change' && !now ? this.#changes.then(work) : (async () => work())();
+    const waits = kind === 'change' && !now;
+    const answer = waits ? this.#changes.then(work) : (async () => work())();
+    // Thousands of changes take long on any disk. The storage is slow only when it answers none of them.
+    const signs = (): number => (waits ? this.#answers : 0);
+    const say = (): void => this.#watch.failed(this.#shelf, kind, 'slow');
+    const end = afterSilence(Math.min(limit, SAID_AFTER), say, signs);
     // Without the results: each would hold the one before, for as long as the page is open.
     if (kind === 'change') this.#changes = Promise.allSettled([this.#changes, answer]).then(() => {});
     answer.then(
       () => {
-        clearTimeout(say);
+        end();
+        if (waits) this.#answers++;
         this.#limit = STORAGE_LIMIT;
         this.#watch.answered(this.#shelf, kind);
       },
       (cause) => {
-        clearTimeout(say);
+        end();
+        if (waits) this.#answers++;
         this.#limit = STORAGE_LIMIT;
         this.#watch.failed(this.#shelf, kind, StorageError.of(cause).code);
       },
     );
     try {
-      return await withinLimit(answer, limit);
+      return await withinLimit(answer, limit, signs);
     } catch (error) {
       if (error instanceof StorageError && error.code === 'slow') this.#limit = SHORT_LIMIT;
       throw error;

@@ -121,6 +121,24 @@ it('after one without an answer, the next ones wait only briefly until one answe
   expect(third.said).toBe('open');
 });
 
+it('is not slow while it answers one of many changes after the other, and is when one is left without an answer', async () => {
+  const store = new MemoryStore();
+  const told: unknown[] = [];
+  const { flights } = limited(store, { answered: () => {}, failed: (_, __, code) => told.push(code) });
+  let begun = 0;
+  vi.spyOn(store.flights, 'remove').mockImplementation(
+    () => new Promise((resolve) => ++begun < 60 && setTimeout(resolve, 500)),
+  );
+  const many = Array.from({ length: 62 }, (_, at) => watched(flights.remove(String(at))));
+  await vi.advanceTimersByTimeAsync(29_500);
+  expect([many.filter(({ said }) => said === undefined).length, told]).toEqual([59, []]);
+  // The time of those that wait begins anew with each answer, so it may be over at different moments.
+  await vi.advanceTimersByTimeAsync(10_000);
+  expect(many.slice(59).map(({ said }) => said)).toEqual(['slow', 'slow', 'slow']);
+  expect(told).toEqual(['slow', 'slow', 'slow']);
+  expect(begun).toBe(60);
+});
+
 it('keeps nothing of what the changes gave back', async () => {
   setFlagsFromString('--expose-gc');
   const collect: () => void = runInNewContext('gc');

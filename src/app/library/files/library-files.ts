@@ -225,7 +225,7 @@ export class LibraryFiles {
   }
 
   /**
-   * In parts: each save must end in a limited time, however many records there are.
+   * In parts, so that the pilot sees how far it is.
    * @param tell called with the number of records done.
    * @returns whether the browser has saved all of them.
    */

@@ -227,7 +227,7 @@ describe('an import', () => {
     expect(app.session.library.settings.list.value).toEqual([]);
   });
 
-  it('of thousands is stored in parts, because each record has a time limit', async () => {
+  it('of thousands is stored in parts', async () => {
     const app = await library({});
     const { settings } = app.store;
     const { save } = settings;
