@@ -20,6 +20,8 @@ export interface AppOptions extends BrowserContextOptions {
   readonly before?: () => unknown;
   /** A first visit: the page's worker is not installed yet. Default false. */
   readonly isFirstVisit?: boolean;
+  /** Whether the page moves what has changed, as it does for most pilots: a fifth of its work. Default false. */
+  readonly isMoving?: boolean;
 }
 
 /** The table of the example and of the one reply that is known from a real timer. */
@@ -47,7 +49,9 @@ export class AppPage {
     this.page = page;
   }
 
-  static async open({ at = 'site', bench, before, isFirstVisit, ...options }: AppOptions = {}): Promise<AppPage> {
+  static async open(given: AppOptions = {}): Promise<AppPage> {
+    const { at = 'site', bench, before, isFirstVisit, isMoving, ...others } = given;
+    const options = { ...others, reducedMotion: isMoving ? 'no-preference' : 'reduce' } as const;
     const page = await (isFirstVisit ? newPage(options) : newVisit(options));
     const context = page.context();
     const scripts = [

@@ -10,7 +10,7 @@ const HELD = {
 
 for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
   test(`a pilot without a timer tries a simulated ${name}: reads, edits, writes, and sees it verified`, async () => {
-    const app = await AppPage.open();
+    const app = await AppPage.open({ isMoving: true });
     await app.trySimulated(name);
     await app.firmware.waitFor();
     const held = HELD[name];
@@ -52,7 +52,7 @@ for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
 }
 
 test('the reserved start time of an F1B is edited only on purpose', async () => {
-  const app = await AppPage.open();
+  const app = await AppPage.open({ isMoving: true });
   await app.trySimulated('F1B');
   await expect.poll(() => app.field('Start time').isEditable()).toBe(false);
   await app.button('Edit the reserved time').click();

@@ -66,7 +66,7 @@ test.each([
     faults.length = 0;
     const [first] = sizes;
     const [width, height] = first as Size;
-    const app = await AppPage.open({ bench: {}, reducedMotion: 'reduce', viewport: { width, height }, ...options });
+    const app = await AppPage.open({ bench: {}, viewport: { width, height }, ...options });
     // The largest letters.
     await showTheme(app, 'sun');
     const { page } = app;

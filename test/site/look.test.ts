@@ -199,8 +199,6 @@ test('a disabled control looks disabled, in each theme', async () => {
   await app.connect();
   await app.bench((bench) => bench.adapter.unplug());
   await app.says('The adapter is unplugged.');
-  // Without animations: halfway between two colours neither can be measured.
-  await app.page.emulateMedia({ reducedMotion: 'reduce' });
   for (const theme of THEMES) {
     await showTheme(app, theme);
     const looks = await app.page.evaluate(() => {

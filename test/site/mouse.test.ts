@@ -6,7 +6,7 @@ import { EDGE_ROUTES, ROUTES, textOf } from './mouse-routes.js';
 const TALL = { viewport: { width: 1280, height: 1200 } };
 
 async function opened(): Promise<AppPage> {
-  const app = await AppPage.open({ bench: {}, ...TALL });
+  const app = await AppPage.open({ bench: {}, isMoving: true, ...TALL });
   await app.connect();
   return app;
 }

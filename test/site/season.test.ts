@@ -61,6 +61,7 @@ class Device {
     const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
     const app = await AppPage.open({
       bench: {},
+      isMoving: true,
       before,
       acceptDownloads: true,
       viewport: { width: 1280, height: 800 },

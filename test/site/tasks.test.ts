@@ -128,7 +128,7 @@ describe.each(TASKS)('what it costs to %s', (name, task) => {
     ['desktop', { viewport: { width: 1280, height: 800 } }],
     ['phone', PHONE],
   ] as const)('on a %s is what the docs say, with no scrolling', async (device, options) => {
-    const app = await AppPage.open({ bench: { granted: true }, reducedMotion: 'reduce', ...options });
+    const app = await AppPage.open({ bench: { granted: true }, ...options });
     const byTouch = device === 'phone';
     await app.connect();
     const pilot = new Pilot(app, byTouch);

@@ -10,7 +10,7 @@ const keysFor = (app: AppPage, field: string): Locator =>
   app.page.getByRole('region', { name: `Keys for ${field}`, exact: true });
 
 test('by thumb alone: a whole program from a sheet, shifted, undone to the start, redone, written, verified', async () => {
-  const app = await AppPage.open({ bench: {}, ...PHONE });
+  const app = await AppPage.open({ bench: {}, isMoving: true, ...PHONE });
   expect(await app.page.evaluate(() => matchMedia('(hover: none) and (pointer: coarse)').matches)).toBe(true);
   await app.button('Connect').tap();
   await app.hasRead();
