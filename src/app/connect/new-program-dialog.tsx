@@ -19,7 +19,7 @@ const FIRST: NewProgram = { timerClass: 'Q', ...USUAL_LAYOUT, from: 'usual' };
 export function NewProgramDialog({ open, onMake, onClose }: NewProgramDialogProps) {
   const { newProgram: words } = messages.value;
   return (
-    <Modal open={open} title={words.title} titleId="new-program-title" held={false} onEscape={onClose}>
+    <Modal open={open} title={words.title} onEscape={onClose}>
       <Choices onMake={onMake} onClose={onClose} />
     </Modal>
   );

@@ -30,7 +30,7 @@ export function FlightDialog({ session, log }: FlightDialogProps) {
     if (key !== null) void Promise.all([models.load(), flights.load()]);
   }, [key, models, flights]);
   return (
-    <Modal open={isHere} title={words.title} titleId="flight-title" held={false} onEscape={() => log.close()}>
+    <Modal open={isHere} title={words.title} onEscape={() => log.close()}>
       {key !== null && isHere && <Form key={key} id={key} session={session} log={log} />}
     </Modal>
   );

@@ -1,4 +1,3 @@
-import { useId } from 'preact/hooks';
 import { words } from '../messages/en-guide.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
@@ -41,13 +40,12 @@ interface WordsDialogProps {
 
 /** The same in short, over the table that it explains. */
 export function WordsDialog({ help, session, onMore }: WordsDialogProps) {
-  const titleId = useId();
   const isOpen = help.explaining.value;
   // While it is closed, a change of program must not draw it.
   const hasMotor = isOpen && session.editor.identity.value?.timerClass === 'Q';
   const close = (): void => help.explain(false);
   return (
-    <Modal open={isOpen} title={words.title} titleId={titleId} held={false} onEscape={close}>
+    <Modal open={isOpen} title={words.title} onEscape={close}>
       <dl class="field-words">
         {FIELDS.filter((field) => hasMotor || !MOTOR.has(field)).map((field) => (
           <div key={field}>

@@ -1,4 +1,3 @@
-import { useId } from 'preact/hooks';
 import { dayText } from '../messages/index.js';
 import { libraryMessages } from '../messages/library.js';
 import type { Library, LibraryClash } from '../session/library.js';
@@ -7,12 +6,11 @@ import './clash-dialog.css';
 
 /** Two tabs have saved different things in the same place at nearly the same time. The pilot chooses one. */
 export function ClashDialog({ library }: { readonly library: Library }) {
-  const id = useId();
   const { clash: words } = libraryMessages.value;
   const clash = library.clash.value;
   const settle = (choice: 'mine' | 'theirs'): void => void (clash && library[clash.kind].settle(choice));
   return (
-    <Modal open={clash !== null} title={words.title} titleId={id} held onEscape={() => {}}>
+    <Modal open={clash !== null} title={words.title} held onEscape={() => {}}>
       {clash && (
         <>
           <p>{words.lead(nameOf(clash))}</p>

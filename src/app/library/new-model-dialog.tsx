@@ -1,5 +1,4 @@
 import { useSignal } from '@preact/signals';
-import { useId } from 'preact/hooks';
 import { libraryMessages } from '../messages/library.js';
 import { emptyModel, newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
@@ -19,9 +18,8 @@ interface NewModelDialogProps {
 /** Asks for the name and the class of a new model. */
 export function NewModelDialog({ open, session, ...props }: NewModelDialogProps) {
   const { newModel: words } = libraryMessages.value;
-  const id = useId();
   return (
-    <Modal open={open} title={words.title} titleId={id} held={false} onEscape={props.onClose}>
+    <Modal open={open} title={words.title} onEscape={props.onClose}>
       <Form session={session} {...props} />
     </Modal>
   );

@@ -26,9 +26,8 @@ interface NewSettingDialogProps {
 /** Makes a setting without a timer, from usual times or from nothing. */
 export function NewSettingDialog({ open, ...props }: NewSettingDialogProps) {
   const { newSetting: words } = libraryMessages.value;
-  const id = useId();
   return (
-    <Modal open={open} title={words.title} titleId={id} held={false} onEscape={props.onClose}>
+    <Modal open={open} title={words.title} onEscape={props.onClose}>
       <Form {...props} />
     </Modal>
   );

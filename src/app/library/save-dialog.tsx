@@ -23,8 +23,6 @@ export function SaveDialog({ session, saveSetting }: SaveDialogProps) {
     <Modal
       open={current !== null}
       title={isElsewhere ? words.elsewhere.title : words.title}
-      titleId="save-setting-title"
-      held={false}
       onEscape={() => saveSetting.dismiss()}
     >
       {current?.step === 'name' && <NameForm {...{ session, saveSetting }} />}

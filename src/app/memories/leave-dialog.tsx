@@ -15,7 +15,6 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
     <Modal
       open={question !== null}
       title={messages.value.nextFlight.leaving.title}
-      titleId="leave-title"
       head={<UncertainNote session={session} />}
       held={question?.goingBack === true}
       onEscape={() => void leaving.escape()}

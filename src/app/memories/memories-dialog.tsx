@@ -27,7 +27,6 @@ export function MemoriesDialog({ session, jobs }: { readonly session: Session; r
     <Modal
       open={current !== null}
       title={current ? plans[current.plan.kind].title : ''}
-      titleId="memories-title"
       head={<UncertainNote session={session} />}
       held={jobs.held}
       onEscape={() => jobs.escape()}

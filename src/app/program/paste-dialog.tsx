@@ -29,14 +29,7 @@ interface PasteDialogProps {
 export function PasteDialog({ session, pasting: { value }, onClose }: PasteDialogProps) {
   const { pasting: words } = messages.value.edits;
   return (
-    <Modal
-      open={value !== null}
-      title={words.title}
-      titleId="paste-title"
-      head={<UncertainNote session={session} />}
-      held={false}
-      onEscape={onClose}
-    >
+    <Modal open={value !== null} title={words.title} head={<UncertainNote session={session} />} onEscape={onClose}>
       {value && <Preview editor={session.editor} pasting={value} close={onClose} />}
     </Modal>
   );

@@ -15,13 +15,7 @@ export function ModelDialog({ recognition }: { readonly recognition: Recognition
   const { dialog } = modelMessages.value.recognition;
   const isAsked = recognition.tells.value && recognition.found.value?.kind !== 'same';
   return (
-    <Modal
-      open={recognition.choosing.value}
-      title={dialog.title}
-      titleId="model-dialog-title"
-      held={false}
-      onEscape={() => recognition.leave()}
-    >
+    <Modal open={recognition.choosing.value} title={dialog.title} onEscape={() => recognition.leave()}>
       <Choice recognition={recognition} />
       <NewModel recognition={recognition} />
       <div class="buttons">

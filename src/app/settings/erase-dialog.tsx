@@ -14,7 +14,6 @@ export function EraseDialog({ session, erase }: { readonly session: Session; rea
     <Modal
       open={current !== null}
       title={words.title}
-      titleId="erase-title"
       head={<UncertainNote session={session} />}
       held={current?.step === 'running'}
       onEscape={() => erase.dismiss()}

@@ -21,7 +21,6 @@ interface PaletteProps {
 /** A list of all commands with their keys, opened by Ctrl+K or Cmd+K. Nothing of it is made while it is closed. */
 export function Palette({ commands }: PaletteProps) {
   const open = useSignal(false);
-  const titleId = useId();
   useEffect(
     () =>
       takePageKey('commands', () => {
@@ -37,7 +36,7 @@ export function Palette({ commands }: PaletteProps) {
   };
   const { palette } = messages.value;
   return (
-    <Modal open={open.value} title={palette.title} titleId={titleId} held={false} onEscape={close}>
+    <Modal open={open.value} title={palette.title} onEscape={close}>
       <Choice commands={commands} onClose={close} />
     </Modal>
   );

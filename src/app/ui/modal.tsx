@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { useLayoutEffect, useRef } from 'preact/hooks';
+import { useId, useLayoutEffect, useRef } from 'preact/hooks';
 import { onBackInHistory } from '../browser/back-key.js';
 import { useUnsaved } from './unsaved.js';
 import './modal.css';
@@ -9,11 +9,10 @@ interface ModalProps {
   readonly title: string;
   /** Stays in sight under the title, however long the rest is. */
   readonly head?: ComponentChildren;
-  readonly titleId: string;
   /** Escape was pressed. */
   readonly onEscape: () => void;
-  /** The browser has closed it; `held` says that it must stay open. */
-  readonly held: boolean;
+  /** Whether it must stay open when the browser closes it. Default: no. */
+  readonly held?: boolean;
   readonly children: ComponentChildren;
 }
 
@@ -23,7 +22,8 @@ export function Modal({ open, ...props }: ModalProps) {
   return open ? <OpenModal {...props} /> : null;
 }
 
-function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<ModalProps, 'open'>) {
+function OpenModal({ title, head, onEscape, held = false, children }: Omit<ModalProps, 'open'>) {
+  const titleId = useId();
   const dialog = useRef<HTMLDialogElement>(null);
   const heading = useRef<HTMLHeadingElement>(null);
   const latest = useRef({ held, onEscape });

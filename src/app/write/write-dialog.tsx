@@ -44,7 +44,6 @@ export function WriteDialog({ session, write, after }: WriteDialogProps) {
           {current?.step === 'review' && <KeyFigures shown={current.shown} />}
         </>
       }
-      titleId="write-title"
       held={write.held}
       onEscape={() => write.escape()}
     >

@@ -46,7 +46,7 @@ function following(...hashes: string[]) {
 function open(held: boolean) {
   const onEscape = vi.fn();
   const dialog = (isOpen: boolean) => (
-    <Modal open={isOpen} title="Question" titleId="question" held={held} onEscape={onEscape}>
+    <Modal open={isOpen} title="Question" held={held} onEscape={onEscape}>
       text
     </Modal>
   );

@@ -42,7 +42,7 @@ it('a dialog is not in the page while it is closed, and is not drawn with other 
 it('a dialog comes back when the browser closes it and its model has it still open', () => {
   const onEscape = vi.fn();
   const modal = (held: boolean) => (
-    <Modal open title="Question" titleId="question" held={held} onEscape={onEscape}>
+    <Modal open title="Question" held={held} onEscape={onEscape}>
       text
     </Modal>
   );
@@ -58,7 +58,7 @@ it('a dialog comes back when the browser closes it and its model has it still op
 it('a dialog is closed before it is removed, and does not take that for Escape', () => {
   const onEscape = vi.fn();
   const modal = (open: boolean) => (
-    <Modal open={open} title="Question" titleId="question" held={false} onEscape={onEscape}>
+    <Modal open={open} title="Question" onEscape={onEscape}>
       text
     </Modal>
   );

@@ -23,8 +23,6 @@ export function ImportDialog({ files, onTaken }: ImportDialogProps) {
     <Modal
       open={current !== null}
       title={current?.step === 'refused' ? words.refused.title(name) : words.import.title(name)}
-      titleId="import-title"
-      held={false}
       onEscape={() => files.dismiss()}
     >
       {current?.step === 'reading' && (

@@ -33,14 +33,7 @@ export function SharingDialog({ session, sharing, asked, page, onProgram, onLibr
         ? read.title
         : received.title;
   return (
-    <Modal
-      open={current !== null && isFree.value}
-      key={current?.step}
-      title={title}
-      titleId="sharing-title"
-      held={false}
-      onEscape={() => sharing.close()}
-    >
+    <Modal open={current !== null && isFree.value} key={current?.step} title={title} onEscape={() => sharing.close()}>
       {current?.step === 'offer' && <SettingOffer sharing={sharing} shared={current.shared} page={page} />}
       {current?.step === 'read' && <ReadCode sharing={sharing} />}
       {current?.step === 'received' && (

@@ -1,5 +1,4 @@
 import { useSignal } from '@preact/signals';
-import { useId } from 'preact/hooks';
 import { DUTIES, type Duty, LIMITS, type ServoUse } from '../../../program/index.js';
 import { MAX_POSITION } from '../../../protocol/index.js';
 import { messages } from '../../messages/index.js';
@@ -21,10 +20,9 @@ interface ServoDialogProps {
 
 /** The pilot, with the model in front of him, says what each servo moves, over which steps, and in which direction. */
 export function ServoDialog({ open, onCancel, ...form }: ServoDialogProps) {
-  const id = useId();
   const { title } = messages.value.preview.naming;
   return (
-    <Modal open={open} title={title} titleId={id} onEscape={onCancel} held={false}>
+    <Modal open={open} title={title} onEscape={onCancel}>
       <ServoForm onCancel={onCancel} {...form} />
     </Modal>
   );
