@@ -80,7 +80,7 @@ export class Pilot {
   /** Waits until nothing is being written any more; what became of it is closed, where the dialog says it. */
   async writeEnds(): Promise<string> {
     const dialog = this.page.getByRole('dialog');
-    const close = dialog.getByRole('button', { name: en.write.close, exact: true });
+    const close = dialog.getByRole('button', { name: en.close, exact: true });
     await close.or(this.page.locator('body:not(:has(dialog[open]))')).first().waitFor();
     return (await close.isVisible()) ? await this.result() : '';
   }
@@ -101,7 +101,7 @@ export class Pilot {
   async result(): Promise<string> {
     const result = this.page.getByRole('dialog').getByRole('alert');
     const text = await result.innerText();
-    await this.button(en.write.close).click();
+    await this.button(en.close).click();
     // While it is open, what is typed elsewhere goes nowhere.
     await this.page.getByRole('dialog').waitFor({ state: 'hidden' });
     return text;

@@ -67,7 +67,7 @@ export function Jump({ bench }: { readonly bench: Bench }) {
                 asked.value = false;
               }}
             >
-              {words.cancel}
+              {messages.value.cancel}
             </button>
           </>
         ) : (

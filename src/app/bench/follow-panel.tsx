@@ -41,7 +41,7 @@ export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
               {words.followUnkept}
             </button>
             <button type="button" onClick={() => follow.cancelUnkept()}>
-              {words.cancel}
+              {messages.value.cancel}
             </button>
           </div>
         </div>

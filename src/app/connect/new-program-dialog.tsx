@@ -3,6 +3,7 @@ import type { TimerProgram } from '../../program/index.js';
 import { CLASSES, LAYOUTS, type NewProgram, newProgram, USUAL_LAYOUT } from '../editing/new-program.js';
 import { messages } from '../messages/index.js';
 import { CountChoice } from '../ui/count-choice.js';
+import { FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import './new-program-dialog.css';
@@ -76,14 +77,7 @@ function Choices({ onMake, onClose }: Omit<NewProgramDialogProps, 'open'>) {
         ))}
       </fieldset>
       <p class="hint">{words.caution}</p>
-      <div class="buttons">
-        <button type="button" class="quiet" onClick={onClose}>
-          {words.cancel}
-        </button>
-        <button type="submit" class="primary">
-          {words.make}
-        </button>
-      </div>
+      <FormButtons label={words.make} onCancel={onClose} />
     </form>
   );
 }

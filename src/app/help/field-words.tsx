@@ -1,4 +1,5 @@
 import { words } from '../messages/en-guide.js';
+import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import type { Help } from './help.js';
@@ -69,7 +70,7 @@ export function WordsDialog({ help, session, onMore }: WordsDialogProps) {
           {words.more}
         </button>
         <button type="button" class="primary" onClick={close}>
-          {words.close}
+          {messages.value.close}
         </button>
       </div>
     </Modal>

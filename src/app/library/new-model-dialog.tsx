@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import { libraryMessages } from '../messages/library.js';
 import { emptyModel, newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
+import { FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { ClassChoice } from './class-choice.js';
 import { NameField } from './name-field.js';
@@ -42,14 +43,7 @@ function Form({ session, onClose, onMade }: Omit<NewModelDialogProps, 'open'>) {
     >
       <NameField label={fields.name} value={name.value} onChange={(text) => (name.value = text)} />
       <ClassChoice value={timerClass.value} onChange={(letter) => (timerClass.value = letter)} />
-      <div class="buttons">
-        <button type="button" class="quiet" onClick={onClose}>
-          {words.cancel}
-        </button>
-        <button type="submit" class="primary">
-          {words.make}
-        </button>
-      </div>
+      <FormButtons label={words.make} onCancel={onClose} />
     </form>
   );
 }

@@ -7,6 +7,7 @@ import { newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { CountChoice } from '../ui/count-choice.js';
+import { FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import { NameField } from './name-field.js';
@@ -112,14 +113,7 @@ function Form({ session, model, onClose, onMade }: Omit<NewSettingDialogProps, '
         onChoose={(choice) => (from.value = choice)}
       />
       <p class="hint">{words.caution}</p>
-      <div class="buttons">
-        <button type="button" class="quiet" onClick={onClose}>
-          {words.cancel}
-        </button>
-        <button type="submit" class="primary">
-          {newSetting.make}
-        </button>
-      </div>
+      <FormButtons label={newSetting.make} onCancel={onClose} />
     </form>
   );
 }

@@ -4,6 +4,7 @@ import { changesSince } from '../editing/content.js';
 import { changeText } from '../messages/index.js';
 import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
+import { CancelButton, FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { NameField } from './name-field.js';
 import type { SaveSetting } from './save-setting.js';
@@ -95,14 +96,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
           {words.notSavable}
         </p>
       )}
-      <div class="buttons">
-        <button type="button" class="quiet" onClick={() => saveSetting.dismiss()}>
-          {words.cancel}
-        </button>
-        <button type="submit" class="primary" disabled={!opened.savable.value}>
-          {words.save}
-        </button>
-      </div>
+      <FormButtons label={words.save} disabled={!opened.savable.value} onCancel={() => saveSetting.dismiss()} />
     </form>
   );
 }
@@ -122,8 +116,7 @@ function suggested({ library, editor, modelAtHand }: Session): string | null {
 const MOST_TOLD = 6;
 
 function Elsewhere({ session, saveSetting, theirs }: SaveDialogProps & { readonly theirs: Setting }) {
-  const { save } = libraryMessages.value;
-  const { elsewhere: words } = save;
+  const { elsewhere: words } = libraryMessages.value.save;
   const working = session.editor.working.value;
   if (!working) return null;
   const changes = changesSince(theirs.program, working);
@@ -142,9 +135,7 @@ function Elsewhere({ session, saveSetting, theirs }: SaveDialogProps & { readonl
         </>
       )}
       <div class="buttons">
-        <button type="button" class="quiet" onClick={() => saveSetting.dismiss()}>
-          {save.cancel}
-        </button>
+        <CancelButton onClick={() => saveSetting.dismiss()} />
         <button type="button" onClick={() => saveSetting.take()}>
           {words.take}
         </button>

@@ -4,6 +4,7 @@ import { keyFigures } from '../messages/key-figures.js';
 import { openValues } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
+import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { CrossingCheck } from '../write/crossing-check.js';
@@ -53,7 +54,7 @@ interface ReviewProps {
 }
 
 function Review({ session, jobs, current: { plan, changes, crossing } }: ReviewProps) {
-  const { memories: words, write } = messages.value;
+  const { memories: words } = messages.value;
   const movesServos = changes.some(({ changes: all }) => all.some(({ field }) => field.kind === 'position'));
   return (
     <>
@@ -69,9 +70,7 @@ function Review({ session, jobs, current: { plan, changes, crossing } }: ReviewP
       {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
       <div class="buttons">
         {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
-        <button type="button" class="quiet" onClick={() => jobs.dismiss()}>
-          {write.cancel}
-        </button>
+        <CancelButton onClick={() => jobs.dismiss()} />
         <button type="button" class="primary" disabled={!jobs.ready.value} onClick={() => void jobs.start()}>
           {words.start[plan.kind]}
         </button>

@@ -69,6 +69,5 @@ export const bench = {
   jumpHint: 'Jumps to the function after an early DT. Its exact effect is not documented: servos may move.',
   jump: 'Jump…',
   jumpSure: 'Send the jump now',
-  cancel: 'Cancel',
   notConnected: 'Connect to a timer to move its servos.',
 };

@@ -137,7 +137,6 @@ export const edits = {
     more: (count: number) => `And ${count} more.`,
     apply: 'Paste',
     applyRest: 'Paste the rest',
-    cancel: 'Cancel',
   },
   presets: {
     title: 'DT presets',

@@ -66,8 +66,6 @@ export const files = {
       deviceNewer: (what: string) => `Newer here: ${what}`,
     },
     take: (count: number) => `Import ${count}`,
-    cancel: 'Cancel',
-    close: 'Close',
     shut: 'The browser cannot read the library now. An import could replace newer settings with older ones.',
     importing: (name: string, done: number, of: number) => `Importing ${apart(name)}: ${done} of ${of}`,
     done: (what: string, name: string) => `Imported from ${apart(name)}: ${what}.`,
@@ -76,7 +74,6 @@ export const files = {
     undone: 'The import was undone.',
     partlyUndone: 'The import was undone. What has changed since then stays.',
     undoUnkept: 'This browser could not store that. When you load the page again, the import may be back.',
-    dismiss: 'Dismiss',
   },
   refused: {
     title: (name: string) => `${name} cannot be imported`,

@@ -46,7 +46,6 @@ export const firstSteps = {
 /** The values of a program, with unit and range. */
 export const words = {
   title: 'What the values are',
-  close: 'Close',
   more: 'More about each',
   range: (range: string) => `Range: ${range}.`,
   fields: {

@@ -172,7 +172,6 @@ export const library = {
     modelName: 'Name of the model',
     note: 'Note',
     save: 'Save',
-    cancel: 'Cancel',
     notSavable: 'A field has no value that a timer can hold. Correct it first.',
     state: (name: string, changes: number, unreadable: number) =>
       changes + unreadable === 0
@@ -206,7 +205,6 @@ export const library = {
   newModel: {
     title: 'New model',
     make: 'Make the model',
-    cancel: 'Cancel',
   },
   newSetting: {
     title: 'New setting',

@@ -143,7 +143,6 @@ export const line = {
   copy: 'Copy',
   copied: 'Copied.',
   copyByHand: 'The browser does not let this page copy. Copy the text from here.',
-  close: 'Close',
   save: 'Save',
   fileName: (kind: string) => `sidus-line-${kind}.txt`,
   unidentified: 'unknown',

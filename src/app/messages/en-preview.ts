@@ -43,7 +43,6 @@ export const preview = {
     otherSense: { false: 'up is more', true: 'down is more' },
     rudderSense: { false: 'right is more', true: 'left is more' },
     guessAgain: 'Guess again',
-    cancel: 'Cancel',
     save: 'Save',
   },
 };

@@ -13,7 +13,6 @@ export const share = {
     qr: (name: string) => `QR code of “${name}”`,
     cut: 'The end of the note does not fit in the QR code. The link holds the whole note.',
     tooLong: 'This setting is too long for a QR code. Send the link.',
-    close: 'Close',
   },
   received: {
     title: 'A setting from a link',
@@ -30,7 +29,6 @@ export const share = {
     keep: 'Keep in the library',
     open: 'Open in the editor',
     openOver: 'Load into the table',
-    close: 'Close',
     discard: 'Do not keep',
     /** What happens to unwritten edits. @param over whether the setting replaces what the connected timer holds. */
     unwritten: (over: boolean) =>
@@ -71,7 +69,6 @@ export const share = {
     reading: 'Looking at the picture',
     paste: 'Or paste a link',
     show: 'Show',
-    close: 'Close',
     faults: {
       denied:
         'The browser does not let this page use the camera. Allow it in the settings of the browser, or choose a picture.',

@@ -84,5 +84,4 @@ export const newProgram = {
   beginnings: { usual: 'Usual times, all servos in the middle', nothing: 'Nothing: all times and positions 0' },
   caution: 'The positions of your model are not known here. Set each of them before you write.',
   make: 'Make the program',
-  cancel: 'Cancel',
 };

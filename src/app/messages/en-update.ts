@@ -14,7 +14,6 @@ export const update = {
   },
   news: 'What is new',
   version: (version: string) => `Version ${version}`,
-  close: 'Close',
 };
 
 /** The version of this page. */

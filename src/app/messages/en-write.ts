@@ -47,9 +47,7 @@ export const write = {
     again: 'Write again…',
   },
   start: (count: number) => (count === 0 ? 'Read back and compare' : `Write ${plural(count, 'change', 'changes')}`),
-  cancel: 'Cancel',
   stop: 'Stop',
-  close: 'Close',
   stages: {
     read: 'Reading',
     write: 'Writing',

@@ -160,6 +160,8 @@ export const en = {
   /** While a job goes on over a bad line. */
   disturbed: (repeats: number, seconds: number) =>
     `Line disturbed: ${plural(repeats, 'request', 'requests')} repeated, ends in ${seconds}\u00a0s at the latest`,
+  cancel: 'Cancel',
+  close: 'Close',
   dismiss: 'Dismiss',
   connection,
   timer,

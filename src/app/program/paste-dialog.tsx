@@ -5,6 +5,7 @@ import type { GridRange } from '../editing/grid.js';
 import { pasted, previewPaste } from '../editing/paste.js';
 import { changeText, gridLabel, messages, pasteProblemText, spokenTime } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 import './paste-dialog.css';
@@ -95,9 +96,7 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
         </div>
       )}
       <div class="buttons">
-        <button type="button" class="quiet" onClick={close}>
-          {words.cancel}
-        </button>
+        <CancelButton onClick={close} />
         <button type="button" class="primary" disabled={preview.values.length === 0} onClick={apply}>
           {problems.length > 0 ? words.applyRest : words.apply}
         </button>

@@ -1,9 +1,10 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { LIMITS, type Model } from '../../program/index.js';
-import { dayText, messages } from '../messages/index.js';
+import { dayText } from '../messages/index.js';
 import { modelMessages } from '../messages/which-model.js';
 import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
+import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import './model-dialog.css';
 
@@ -24,9 +25,7 @@ export function ModelDialog({ recognition }: { readonly recognition: Recognition
             {modelMessages.value.recognition.notNow}
           </button>
         ) : (
-          <button type="button" class="quiet" onClick={() => recognition.leave()}>
-            {messages.value.write.cancel}
-          </button>
+          <CancelButton onClick={() => recognition.leave()} />
         )}
       </div>
     </Modal>

@@ -1,6 +1,7 @@
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { SHELVES } from '../storage/index.js';
+import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { ClosingButtons } from '../write/dialog-steps.js';
 import { UncertainNote } from '../write/uncertain-band.js';
@@ -42,7 +43,7 @@ interface ReviewProps {
 }
 
 function Review({ erase, counts, uncertain }: ReviewProps) {
-  const { erase: words, write } = messages.value;
+  const { erase: words } = messages.value;
   return (
     <>
       <p>{words.lead}</p>
@@ -58,9 +59,7 @@ function Review({ erase, counts, uncertain }: ReviewProps) {
         </div>
       )}
       <div class="buttons">
-        <button type="button" class="quiet" onClick={() => erase.dismiss()}>
-          {write.cancel}
-        </button>
+        <CancelButton onClick={() => erase.dismiss()} />
         <button type="button" class="danger" onClick={() => void erase.start()}>
           {words.start}
         </button>

@@ -13,7 +13,7 @@ export function NewsDialog({ update }: { readonly update: UpdateOffer }) {
       <ReleaseList releases={update.releases.value} />
       <div class="buttons">
         <button type="button" onClick={close}>
-          {words.close}
+          {messages.value.close}
         </button>
         {take && (
           <button type="button" class="primary" onClick={take}>

@@ -41,7 +41,7 @@ function ByHand({ text, onClose }: { text: string; onClose: () => void }) {
       <textarea ref={area} readOnly aria-label={line.copyByHand} rows={12} value={text} />
       <div class="buttons">
         <button type="button" class="primary" onClick={() => dialog.current?.close()}>
-          {line.close}
+          {messages.value.close}
         </button>
       </div>
     </dialog>

@@ -73,7 +73,7 @@ export function ClosingButtons({ onClose, again = null }: ClosingButtonsProps) {
   return (
     <div class="buttons">
       <button type="button" class={again ? 'quiet' : 'primary'} onClick={onClose}>
-        {messages.value.write.close}
+        {messages.value.close}
       </button>
       {again && (
         <button type="button" class="primary" disabled={again.disabled} onClick={again.onClick}>

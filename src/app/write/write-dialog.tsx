@@ -9,6 +9,7 @@ import { modelMessages } from '../messages/which-model.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Check } from '../ui/check.js';
+import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { CrossingCheck } from './crossing-check.js';
@@ -145,9 +146,7 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
       {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
       <div class="buttons">
         <SafetyCheck safety={session.safety} />
-        <button type="button" class="quiet" onClick={() => write.dismiss()}>
-          {words.cancel}
-        </button>
+        <CancelButton onClick={() => write.dismiss()} />
         <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
           {words.start(changes.length)}
         </button>

@@ -1,4 +1,5 @@
 import { filesMessages } from '../../messages/files.js';
+import { messages } from '../../messages/index.js';
 import type { FileWord, LibraryFiles } from './library-files.js';
 
 const BAD: ReadonlySet<FileWord['kind']> = new Set(['not-written', 'too-large', 'failed']);
@@ -19,7 +20,7 @@ export function FileNotice({ files }: { readonly files: LibraryFiles }) {
       )}
       {said.kind !== 'saving' && said.kind !== 'importing' && (
         <button type="button" class="quiet" onClick={() => files.dismissWord()}>
-          {words.dismiss}
+          {messages.value.dismiss}
         </button>
       )}
     </div>

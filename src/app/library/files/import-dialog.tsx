@@ -1,7 +1,7 @@
 import type { Flight } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
 import { filesMessages } from '../../messages/files.js';
-import { dateText, dayText } from '../../messages/index.js';
+import { dateText, dayText, messages } from '../../messages/index.js';
 import { Modal } from '../../ui/modal.js';
 import { SegmentChoice } from '../../ui/segment-choice.js';
 import { countOf, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
@@ -28,7 +28,7 @@ export function ImportDialog({ files, onTaken }: ImportDialogProps) {
       {current?.step === 'reading' && (
         <>
           <p role="status">{words.import.reading}</p>
-          <CloseButton files={files} text={words.import.cancel} />
+          <CloseButton files={files} text={messages.value.cancel} />
         </>
       )}
       {current?.step === 'refused' && <Refused files={files} why={current.why} />}
@@ -49,13 +49,13 @@ function CloseButton({ files, text }: { readonly files: LibraryFiles; readonly t
 
 /** Why a file was refused, and where in it the fault stands. */
 function Refused({ files, why }: { readonly files: LibraryFiles; readonly why: FileRefusal }) {
-  const { refused: words, import: more } = filesMessages.value;
+  const { refused: words } = filesMessages.value;
   return (
     <>
       <p role="alert">{why instanceof CodecError ? reasonOf(why) : words.files[why]}</p>
       {why instanceof CodecError && <PlaceInFile why={why} />}
       <p>{words.nothing}</p>
-      <CloseButton files={files} text={more.close} />
+      <CloseButton files={files} text={messages.value.close} />
     </>
   );
 }
@@ -130,7 +130,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
       )}
       <div class="buttons">
         <button type="button" class={isNothing ? '' : 'quiet'} onClick={() => files.dismiss()}>
-          {isNothing ? words.import.close : words.import.cancel}
+          {isNothing ? messages.value.close : messages.value.cancel}
         </button>
         {!isNothing && (
           <button

@@ -3,6 +3,7 @@ import { useId, useMemo } from 'preact/hooks';
 import type { SharedSetting } from '../../../program/index.js';
 import { canSend, send } from '../../browser/share-sheet.js';
 import { share } from '../../messages/en-share.js';
+import { messages } from '../../messages/index.js';
 import { linkOf, qrLinkOf } from '../../session/setting-link.js';
 import { CopyButton } from '../../ui/copy-button.js';
 import { QrCode } from '../../ui/qr-code.js';
@@ -64,7 +65,7 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
       )}
       <div class="buttons">
         <button type="button" onClick={() => sharing.close()}>
-          {words.close}
+          {messages.value.close}
         </button>
       </div>
     </>

@@ -3,6 +3,7 @@ import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
 import { LINK_MARK } from '../../../program/index.js';
 import { hasCamera } from '../../browser/camera.js';
 import { share } from '../../messages/en-share.js';
+import { messages } from '../../messages/index.js';
 import { Scanner, type ScanState } from './scanner.js';
 import type { Sharing } from './sharing.js';
 import './read-code.css';
@@ -53,7 +54,7 @@ export function ReadCode({ sharing }: { readonly sharing: Sharing }) {
       <Paste onLink={(link) => sharing.take(link)} />
       <div class="buttons">
         <button type="button" onClick={() => sharing.close()}>
-          {words.close}
+          {messages.value.close}
         </button>
       </div>
     </>

@@ -27,7 +27,7 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
   const received = useMemo(() => new Received(session, link), [session, link]);
   useEffect(() => void session.library.load(), [session]);
   const { shared, damage } = received;
-  const { damaged, received: words } = share;
+  const { damaged } = share;
   if (!shared) {
     return (
       <>
@@ -38,7 +38,7 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
         </div>
         <div class="buttons">
           <button type="button" class="primary" onClick={() => sharing.close()}>
-            {words.close}
+            {messages.value.close}
           </button>
         </div>
       </>
@@ -141,7 +141,7 @@ function Ways({ session, sharing, received, shared, onProgram, onLibrary }: Ways
       )}
       <div class="buttons">
         <button type="button" class="quiet" onClick={() => sharing.close()}>
-          {kept ? words.close : words.discard}
+          {kept ? messages.value.close : words.discard}
         </button>
         <button type="button" disabled={obstacle !== null} onClick={() => void open()}>
           {connection.value ? words.openOver : words.open}

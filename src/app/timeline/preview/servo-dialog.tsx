@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import { DUTIES, type Duty, LIMITS, type ServoUse } from '../../../program/index.js';
 import { MAX_POSITION } from '../../../protocol/index.js';
 import { messages } from '../../messages/index.js';
+import { FormButtons } from '../../ui/form-buttons.js';
 import { Modal } from '../../ui/modal.js';
 import { servoClass } from '../servo-class.js';
 import { SURFACES } from './surfaces.js';
@@ -50,19 +51,13 @@ function ServoForm({ uses, isNamed, onSave, onCancel }: Omit<ServoDialogProps, '
           }}
         />
       ))}
-      <div class="buttons">
+      <FormButtons label={naming.save} onCancel={onCancel}>
         {isNamed && (
           <button type="button" class="quiet" onClick={() => onSave(null)}>
             {naming.guessAgain}
           </button>
         )}
-        <button type="button" class="quiet" onClick={onCancel}>
-          {naming.cancel}
-        </button>
-        <button type="submit" class="primary">
-          {naming.save}
-        </button>
-      </div>
+      </FormButtons>
     </form>
   );
 }
