@@ -3,6 +3,7 @@ import { DEFAULT_SETTINGS, RATES } from '../../serial/index.js';
 import { messages, portName } from '../messages/index.js';
 import type { Link } from '../session/link.js';
 import type { Session } from '../session/session.js';
+import { Choice } from '../ui/choice.js';
 import './port-list.css';
 
 interface PortListProps {
@@ -69,7 +70,6 @@ export function SerialSettingsForm({ link }: { readonly link: Link }) {
   const set = (part: Partial<SerialSettings>): void => {
     link.setSettings({ ...settings, ...part });
   };
-  const rate = String(settings.baudRate);
   return (
     <details>
       <summary>{words.settings}</summary>
@@ -77,27 +77,24 @@ export function SerialSettingsForm({ link }: { readonly link: Link }) {
       <div class="settings-grid">
         <Choice
           label={words.rate}
-          value={rate}
-          options={[
-            ['find', words.findRate],
-            ...[...RATES].sort((a, b) => a - b).map((baud): [string, string] => [String(baud), words.baud(baud)]),
-          ]}
-          onChoose={(value) => set({ baudRate: value === 'find' ? 'find' : Number(value) })}
+          choices={['find', ...[...RATES].sort((a, b) => a - b)] as const}
+          nameOf={(rate) => (rate === 'find' ? words.findRate : words.baud(rate))}
+          chosen={settings.baudRate}
+          onChoose={(baudRate) => set({ baudRate })}
         />
         <Choice
           label={words.parity}
-          value={settings.parity}
-          options={(['none', 'even', 'odd'] as const).map((parity) => [parity, words.parities[parity]])}
-          onChoose={(parity) => set({ parity: parity as SerialSettings['parity'] })}
+          choices={['none', 'even', 'odd'] as const}
+          nameOf={(parity) => words.parities[parity]}
+          chosen={settings.parity}
+          onChoose={(parity) => set({ parity })}
         />
         <Choice
           label={words.stopBits}
-          value={String(settings.stopBits)}
-          options={[
-            ['1', '1'],
-            ['2', '2'],
-          ]}
-          onChoose={(value) => set({ stopBits: value === '2' ? 2 : 1 })}
+          choices={[1, 2] as const}
+          nameOf={String}
+          chosen={settings.stopBits}
+          onChoose={(stopBits) => set({ stopBits })}
         />
         <Signal label={words.dtr} value={settings.dtr} onChoose={(dtr) => set({ dtr })} />
         <Signal label={words.rts} value={settings.rts} onChoose={(rts) => set({ rts })} />
@@ -122,31 +119,10 @@ function Signal({ label, value, onChoose }: SignalProps) {
   return (
     <Choice
       label={label}
-      value={value === null ? 'leave' : value ? 'on' : 'off'}
-      options={(['leave', 'on', 'off'] as const).map((state) => [state, signals[state]])}
+      choices={['leave', 'on', 'off'] as const}
+      nameOf={(state) => signals[state]}
+      chosen={value === null ? 'leave' : value ? 'on' : 'off'}
       onChoose={(state) => onChoose(state === 'leave' ? null : state === 'on')}
     />
-  );
-}
-
-interface ChoiceProps {
-  readonly label: string;
-  readonly value: string;
-  readonly options: readonly (readonly [value: string, text: string])[];
-  readonly onChoose: (value: string) => void;
-}
-
-function Choice({ label, value, options, onChoose }: ChoiceProps) {
-  return (
-    <label class="choice">
-      <span>{label}</span>
-      <select value={value} onChange={(event) => onChoose(event.currentTarget.value)}>
-        {options.map(([option, text]) => (
-          <option key={option} value={option}>
-            {text}
-          </option>
-        ))}
-      </select>
-    </label>
   );
 }

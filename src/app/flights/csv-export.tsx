@@ -4,6 +4,7 @@ import { saveFile } from '../browser/save-file.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { flightMessages } from '../messages/flights.js';
 import type { FlightRecord } from '../storage/index.js';
+import { Choice } from '../ui/choice.js';
 import { dayOf } from './flight-list.js';
 import { flightsCsv, SEPARATORS, type Separator } from './flights-csv.js';
 import './csv-export.css';
@@ -15,9 +16,7 @@ const CHOICE = 'csv-separator';
 export function CsvExport({ records }: { readonly records: readonly FlightRecord[] }) {
   const { csv: words } = flightMessages.value;
   const separator = useSignal<Separator>(loadSetting(CHOICE, v.picklist(SEPARATORS)) ?? ';');
-  const choose = (text: string): void => {
-    const chosen = SEPARATORS.find((each) => each === text);
-    if (!chosen) return;
+  const choose = (chosen: Separator): void => {
     separator.value = chosen;
     saveSetting(CHOICE, chosen);
   };
@@ -28,16 +27,13 @@ export function CsvExport({ records }: { readonly records: readonly FlightRecord
   };
   return (
     <div class="csv-export">
-      <label>
-        <span>{words.separator}</span>
-        <select value={separator.value} onChange={({ currentTarget }) => choose(currentTarget.value)}>
-          {SEPARATORS.map((each) => (
-            <option key={each} value={each}>
-              {words.separators[each]}
-            </option>
-          ))}
-        </select>
-      </label>
+      <Choice
+        label={words.separator}
+        choices={SEPARATORS}
+        nameOf={(each) => words.separators[each]}
+        chosen={separator.value}
+        onChoose={choose}
+      />
       <button type="button" disabled={records.length === 0} onClick={save}>
         {words.save}
       </button>

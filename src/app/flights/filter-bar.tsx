@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { flightMessages } from '../messages/flights.js';
 import type { Session } from '../session/session.js';
+import { Select } from '../ui/choice.js';
 import { type ModelFilter, PERIODS } from './flight-filter.js';
 import { modelsOf, placesOf } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
@@ -68,19 +69,12 @@ export function FilterBar({ session, log }: FilterBarProps) {
         </select>
       </Choice>
       <Choice label={words.period}>
-        <select
-          value={filter.period}
-          onChange={({ currentTarget }) => {
-            const period = PERIODS.find((each) => each === currentTarget.value);
-            if (period) log.narrow({ period });
-          }}
-        >
-          {PERIODS.map((period) => (
-            <option key={period} value={period}>
-              {words.periods[period]}
-            </option>
-          ))}
-        </select>
+        <Select
+          choices={PERIODS}
+          nameOf={(period) => words.periods[period]}
+          chosen={filter.period}
+          onChoose={(period) => log.narrow({ period })}
+        />
       </Choice>
       {filter.period === 'own' &&
         (['from', 'until'] as const).map((end) => (

@@ -4,6 +4,7 @@ import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/flights.js';
 import { dtText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { Select } from '../ui/choice.js';
 import { Modal } from '../ui/modal.js';
 import { TimesTable } from '../ui/slot-table.js';
 import { FlightForm } from './flight-form.js';
@@ -252,18 +253,16 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
         </datalist>
         <label class="flight-field">
           {words.model}
-          <select
-            value={flight.model ?? ''}
-            onChange={({ currentTarget }) => form.setModel(models.get(currentTarget.value)?.model ?? null)}
-          >
-            <option value="">{row.noModel}</option>
-            {flight.model !== null && !known && <option value={flight.model}>{flight.modelName}</option>}
-            {listed.map(({ key, model }) => (
-              <option key={key} value={key}>
-                {model.name}
-              </option>
-            ))}
-          </select>
+          <Select
+            choices={[
+              null,
+              ...(flight.model !== null && !known ? [flight.model] : []),
+              ...listed.map(({ key }) => key),
+            ]}
+            nameOf={(key) => (key === null ? row.noModel : (models.get(key)?.model.name ?? flight.modelName))}
+            chosen={flight.model}
+            onChoose={(key) => form.setModel(models.get(key)?.model ?? null)}
+          />
         </label>
       </div>
     </details>

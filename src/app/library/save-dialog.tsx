@@ -4,6 +4,7 @@ import { changesSince } from '../editing/content.js';
 import { changeText } from '../messages/index.js';
 import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
+import { Choice } from '../ui/choice.js';
 import { CancelButton, FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { NameField } from './name-field.js';
@@ -39,7 +40,6 @@ const NONE = '';
 function NameForm({ session, saveSetting }: SaveDialogProps) {
   const { save: words } = libraryMessages.value;
   const { library, opened } = session;
-  const models = library.models.list.value;
   const open = opened.shown.peek();
   const name = useSignal(open?.setting?.name ?? '');
   const note = useSignal('');
@@ -60,18 +60,13 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
         value={name.value}
         onChange={(text) => (name.value = text)}
       />
-      <label class="library-field">
-        <span>{words.model}</span>
-        <select value={model.value} onChange={(event) => (model.value = event.currentTarget.value)}>
-          {models.map(({ key, model: each }) => (
-            <option key={key} value={key}>
-              {each.name}
-            </option>
-          ))}
-          <option value={NEW}>{words.newModel}</option>
-          <option value={NONE}>{words.noModel}</option>
-        </select>
-      </label>
+      <Choice
+        label={words.model}
+        choices={[...library.models.list.value.map(({ key }) => key), NEW, NONE]}
+        nameOf={(key) => (key === NEW ? words.newModel : (library.models.get(key)?.model.name ?? words.noModel))}
+        chosen={model.value}
+        onChoose={(key) => (model.value = key)}
+      />
       {model.value === NEW && (
         <NameField
           label={words.modelName}

@@ -8,6 +8,7 @@ import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
 import { BackSign } from '../ui/back-sign.js';
+import { Choice } from '../ui/choice.js';
 import { KeyFigures } from '../ui/key-figures.js';
 import { addressOf, addressPath, NO_MODEL } from './place.js';
 import type { Places } from './places.js';
@@ -98,24 +99,16 @@ export function SettingPage(props: SettingPageProps) {
         asKept={(text) => tagsText(asTags(plainName(text)))}
         onSave={(text) => change({ tags: asTags(text) })}
       />
-      <label class="library-field">
-        <span>{words.setting.move}</span>
-        <select
-          value={model?.key ?? ''}
-          onChange={(event) => {
-            const to = event.currentTarget.value || null;
-            change({ model: to });
-            onGo(addressPath(to, record.key));
-          }}
-        >
-          <option value="">{words.setting.noModel}</option>
-          {library.models.list.value.map(({ key, model: each }) => (
-            <option key={key} value={key}>
-              {each.name}
-            </option>
-          ))}
-        </select>
-      </label>
+      <Choice
+        label={words.setting.move}
+        choices={[null, ...library.models.list.value.map(({ key }) => key)]}
+        nameOf={(key) => library.models.get(key)?.model.name ?? words.setting.noModel}
+        chosen={model?.key ?? null}
+        onChoose={(to) => {
+          change({ model: to });
+          onGo(addressPath(to, record.key));
+        }}
+      />
       <p class="hint setting-origin">
         {words.setting.origin(words.setting.from[setting.from], clockText(setting.at))}
         {'. '}

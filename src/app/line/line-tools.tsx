@@ -2,6 +2,7 @@ import { useRef } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { Select } from '../ui/choice.js';
 import { CopyButton } from '../ui/copy-button.js';
 import { CopyReport } from './copy-report.js';
 import type { LineFilter, LineView } from './line-view.js';
@@ -52,13 +53,12 @@ function LineChoice({ view }: { readonly view: LineView }) {
     <div class="line-choice">
       <label>
         <span>{line.filter}</span>
-        <select value={view.filter.value} onChange={(event) => view.setFilter(event.currentTarget.value as LineFilter)}>
-          {Object.entries(line.filters).map(([filter, name]) => (
-            <option key={filter} value={filter}>
-              {name}
-            </option>
-          ))}
-        </select>
+        <Select
+          choices={Object.keys(line.filters) as LineFilter[]}
+          nameOf={(filter) => line.filters[filter]}
+          chosen={view.filter.value}
+          onChoose={(filter) => view.setFilter(filter)}
+        />
       </label>
       <label class="search">
         <span>{line.search}</span>

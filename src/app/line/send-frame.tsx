@@ -1,12 +1,10 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { COMMAND_NAMES, COMMANDS, type CommandName, type Frame } from '../../protocol/index.js';
+import { COMMAND_NAMES, COMMANDS, type Frame } from '../../protocol/index.js';
 import { describeFrame, frameName, hexOf, letterOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
+import { Select } from '../ui/choice.js';
 import type { FrameForm } from './frame-form.js';
 import './send-frame.css';
-
-/** The choice for a letter that is no command. */
-const OTHER = 'other';
 
 /** Sends a frame of the pilot's own, to find out what a timer does. */
 export function SendFrame({ form, connected }: { readonly form: FrameForm; readonly connected: boolean }) {
@@ -36,19 +34,14 @@ function Form({ form }: { form: FrameForm }) {
       <div class="send-fields">
         <label>
           <span>{send.command}</span>
-          <select
-            value={form.command.value ?? OTHER}
-            onChange={({ currentTarget: { value } }) =>
-              form.edit({ command: value === OTHER ? null : (value as CommandName) })
+          <Select
+            choices={[...COMMAND_NAMES, null]}
+            nameOf={(name) =>
+              name ? send.choice(line.names[name], name, letterOf(COMMANDS[name].request)) : send.other
             }
-          >
-            {COMMAND_NAMES.map((name) => (
-              <option key={name} value={name}>
-                {send.choice(line.names[name], name, letterOf(COMMANDS[name].request))}
-              </option>
-            ))}
-            <option value={OTHER}>{send.other}</option>
-          </select>
+            chosen={form.command.value}
+            onChoose={(command) => form.edit({ command })}
+          />
         </label>
         {form.command.value === null && (
           <HexField

@@ -4,6 +4,7 @@ import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { ProgramPair } from '../side-by-side/program-pair.js';
 import { BackHead } from '../ui/back-head.js';
+import { Select } from '../ui/choice.js';
 import type { Compared, Memories } from './memories.js';
 import { lastRead } from './memory-cards.js';
 import './memory-comparison.css';
@@ -80,19 +81,15 @@ interface ChoiceProps {
 }
 
 function Choice({ label, count, chosen, other, onChoose }: ChoiceProps) {
-  const { memoryName } = messages.value;
   return (
     <label>
       {label}
-      <select value={String(chosen)} onChange={(event) => onChoose(Number(event.currentTarget.value))}>
-        {Array.from({ length: count }, (_, memory) => memory)
-          .filter((memory) => memory !== other)
-          .map((memory) => (
-            <option key={memory} value={String(memory)}>
-              {memoryName(memory)}
-            </option>
-          ))}
-      </select>
+      <Select
+        choices={Array.from({ length: count }, (_, memory) => memory).filter((memory) => memory !== other)}
+        nameOf={messages.value.memoryName}
+        chosen={chosen}
+        onChoose={onChoose}
+      />
     </label>
   );
 }

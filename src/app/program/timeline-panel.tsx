@@ -7,6 +7,7 @@ import type { Standing } from '../session/standing.js';
 import type { OnEdit } from '../timeline/drag.js';
 import type { Player } from '../timeline/preview/player.js';
 import { BehindSwatch, Timeline, type TimelineProps } from '../timeline/timeline.js';
+import { Select } from '../ui/choice.js';
 import { useLate } from '../ui/use-late.js';
 import { PreviewPanel } from './preview-panel.js';
 import { HELD, NOTHING, type ProgramPicture } from './program-picture.js';
@@ -113,22 +114,23 @@ function CompareWith({ session, program, isDrawn, chosen, onChoose }: CompareWit
   const fitting = session.backups.list.value
     .filter((backup) => sameLayout(backup.program.identity, program.identity))
     .slice(0, CHOICES);
+  const nameOf = (key: string): string => {
+    const backup = fitting.find((each) => each.key === key);
+    if (!backup) return key === HELD ? timeline.compareHeld[session.standing.value.sure] : timeline.compareNothing;
+    const { savedAt, reason, simulated, program } = backup;
+    const memory = program.memory === null ? recovery.unknownMemory : memoryName(program.memory);
+    return `${memory} · ${words.origin(dateText(savedAt), words.reasons[reason], simulated)}`;
+  };
   return (
     <label class="timeline-choice">
       {isDrawn && <BehindSwatch />}
       {timeline.compareWith}
-      <select
-        value={isMade && chosen === HELD ? NOTHING : chosen}
-        onChange={(event) => onChoose(event.currentTarget.value)}
-      >
-        {!isMade && <option value={HELD}>{timeline.compareHeld[session.standing.value.sure]}</option>}
-        <option value={NOTHING}>{timeline.compareNothing}</option>
-        {fitting.map(({ key, savedAt, reason, simulated, program: { memory } }) => (
-          <option key={key} value={key}>
-            {`${memory === null ? recovery.unknownMemory : memoryName(memory)} · ${words.origin(dateText(savedAt), words.reasons[reason], simulated)}`}
-          </option>
-        ))}
-      </select>
+      <Select
+        choices={[...(isMade ? [] : [HELD]), NOTHING, ...fitting.map(({ key }) => key)]}
+        nameOf={nameOf}
+        chosen={isMade && chosen === HELD ? NOTHING : chosen}
+        onChoose={onChoose}
+      />
     </label>
   );
 }

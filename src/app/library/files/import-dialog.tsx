@@ -2,6 +2,7 @@ import type { Flight } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
 import { filesMessages } from '../../messages/files.js';
 import { dateText, dayText, messages } from '../../messages/index.js';
+import { Select } from '../../ui/choice.js';
 import { Modal } from '../../ui/modal.js';
 import { SegmentChoice } from '../../ui/segment-choice.js';
 import { countOf, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
@@ -177,21 +178,13 @@ function GroupRow({ files, group, way }: GroupRowProps) {
         {lines.map(([what, line]) => what !== '' && <span key={line(what)}>{line(what)}</span>)}
       </div>
       {takenOf(group, 'both').length > 0 && (
-        <select
-          aria-label={words.group.way(name)}
-          value={ways.includes(way) ? way : 'newer'}
-          onChange={(event) => {
-            const { value } = event.currentTarget;
-            const chosen = WAYS.find((each) => each === value);
-            if (chosen) files.choose(chosen, group);
-          }}
-        >
-          {ways.map((each) => (
-            <option key={each} value={each}>
-              {each === 'newer' && !differs ? words.bring : words.ways[each]}
-            </option>
-          ))}
-        </select>
+        <Select
+          name={words.group.way(name)}
+          choices={ways}
+          nameOf={(each) => (each === 'newer' && !differs ? words.bring : words.ways[each])}
+          chosen={ways.includes(way) ? way : 'newer'}
+          onChoose={(each) => files.choose(each, group)}
+        />
       )}
     </li>
   );

@@ -2,10 +2,11 @@ import { effect, useSignal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
 import type { TimerProgram } from '../../../program/index.js';
 import { messages, momentText } from '../../messages/index.js';
+import { Select } from '../../ui/choice.js';
 import { eventsBetween, flightEnd, marksOf } from '../flight.js';
 import { stretchedScale } from '../scale.js';
 import { Icon } from '../tools.js';
-import { type Player, SPEEDS, type Speed } from './player.js';
+import { type Player, SPEEDS } from './player.js';
 import { TickSound } from './tick-sound.js';
 import './player-controls.css';
 
@@ -53,22 +54,14 @@ function PlayButton({ player }: { readonly player: Player }) {
 function SpeedChoice({ player }: { readonly player: Player }) {
   const { preview } = messages.value;
   return (
-    <select
-      aria-label={preview.speed}
-      value={player.speed.value}
-      onChange={(event) => player.setSpeed(speedOf(event.currentTarget.value))}
-    >
-      {SPEEDS.map((speed) => (
-        <option key={speed} value={speed}>
-          {preview.times(speed)}
-        </option>
-      ))}
-    </select>
+    <Select
+      name={preview.speed}
+      choices={SPEEDS}
+      nameOf={preview.times}
+      chosen={player.speed.value}
+      onChoose={(speed) => player.setSpeed(speed)}
+    />
   );
-}
-
-function speedOf(text: string): Speed {
-  return SPEEDS.find((speed) => String(speed) === text) ?? SPEEDS[0];
 }
 
 /** A tick for each event while the flight is played, a deeper one for DT. Silent until the pilot switches it on. */

@@ -1,7 +1,8 @@
 import { useSignal } from '@preact/signals';
-import { DUTIES, type Duty, LIMITS, type ServoUse } from '../../../program/index.js';
+import { DUTIES, LIMITS, type ServoUse } from '../../../program/index.js';
 import { MAX_POSITION } from '../../../protocol/index.js';
 import { messages } from '../../messages/index.js';
+import { Select } from '../../ui/choice.js';
 import { FormButtons } from '../../ui/form-buttons.js';
 import { Modal } from '../../ui/modal.js';
 import { servoClass } from '../servo-class.js';
@@ -86,17 +87,13 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
   return (
     <fieldset class={`servo-row ${servoClass(servo)}`}>
       <legend>{name}</legend>
-      <select
-        aria-label={words.duty(name)}
-        value={use.duty}
-        onChange={(event) => onChange({ duty: dutyOf(event.currentTarget.value) })}
-      >
-        {DUTIES.map((duty) => (
-          <option key={duty} value={duty}>
-            {duties[duty]}
-          </option>
-        ))}
-      </select>
+      <Select
+        name={words.duty(name)}
+        choices={DUTIES}
+        nameOf={(duty) => duties[duty]}
+        chosen={use.duty}
+        onChoose={(duty) => onChange({ duty })}
+      />
       {use.duty === 'other' && (
         <input
           type="text"
@@ -114,25 +111,17 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
             <span aria-hidden="true">{words.to}</span>
             <End label={words.high(name)} value={use.high} onChange={(high) => onChange({ high })} />
           </span>
-          <select
-            aria-label={words.sense(name)}
-            value={String(use.reversed)}
-            onChange={(event) => onChange({ reversed: event.currentTarget.value === 'true' })}
-          >
-            {([false, true] as const).map((reversed) => (
-              <option key={String(reversed)} value={String(reversed)}>
-                {use.duty === 'rudder' ? words.rudderSense[`${reversed}`] : words.otherSense[`${reversed}`]}
-              </option>
-            ))}
-          </select>
+          <Select
+            name={words.sense(name)}
+            choices={[false, true]}
+            nameOf={(reversed) => (use.duty === 'rudder' ? words.rudderSense : words.otherSense)[`${reversed}`]}
+            chosen={use.reversed}
+            onChoose={(reversed) => onChange({ reversed })}
+          />
         </>
       )}
     </fieldset>
   );
-}
-
-function dutyOf(text: string): Duty {
-  return DUTIES.find((duty) => duty === text) ?? 'none';
 }
 
 interface EndProps {
