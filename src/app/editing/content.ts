@@ -3,13 +3,12 @@ import {
   differences,
   fieldKey,
   fieldsOf,
-  manualRange,
   type ProgramField,
   type TimerProgram,
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { type EditValues, type FieldValue, withValues } from './edit.js';
+import { type EditValues, type FieldValue, stepSize, withValues } from './edit.js';
 import {
   type Ambiguous,
   type Figure,
@@ -65,7 +64,7 @@ export function formatValue(identity: Identity, field: ProgramField, value: numb
 /** A time as a large figure, with as many decimals as the step in which it is set. */
 export function figureOfTime(identity: Identity, slot: number, value: number): Figure {
   const isDt = slot === identity.functions;
-  return formatFigure(value, isDt ? 100 : (manualRange(identity, slot)?.step ?? 1));
+  return formatFigure(value, isDt ? 100 : stepSize(identity, { kind: 'time', slot }));
 }
 
 /** The texts that are not values, in the order of the fields. */

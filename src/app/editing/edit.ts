@@ -2,12 +2,13 @@ import {
   type FindingCode,
   fieldKey,
   fieldsOf,
+  manualRange,
   type ProgramField,
   type TimerProgram,
   valueAt,
   withValue,
 } from '../../program/index.js';
-import { MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
+import { type Identity, MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
 import type { SettingOf } from './content.js';
 import type { CellField } from './grid.js';
 import type { StepName } from './history.js';
@@ -89,6 +90,11 @@ export const NONE_UNREADABLE: ReadonlySet<string> = new Set();
 const MAX_THROTTLE = 255;
 /** The largest value of each kind that the wire carries. */
 export const MAX_VALUE = { time: MAX_TIME, position: MAX_POSITION, idleThrottle: MAX_THROTTLE };
+
+/** The step of a value: for a time as in the manual, else a hundredth of a second; 1 for all others. */
+export function stepSize(identity: Identity, field: ProgramField): number {
+  return (field.kind === 'time' && manualRange(identity, field.slot)?.step) || 1;
+}
 
 /** Why the wire cannot carry a value in this field; null when it can. */
 export function refusalOf(field: CellField, value: number): Refusal | null {

@@ -1,5 +1,5 @@
-import { fieldKey, manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import { type Identity, MAX_POSITION } from '../../protocol/index.js';
+import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { MAX_POSITION } from '../../protocol/index.js';
 import {
   type CellValue,
   checked,
@@ -11,6 +11,7 @@ import {
   type Refusal,
   refusal,
   refusalOf,
+  stepSize,
   type TextOption,
   type Unread,
 } from './edit.js';
@@ -105,11 +106,6 @@ export function stepValue(
   const key = fieldKey(field);
   const values = nextStep(program, field, direction, options);
   return { name: { code: 'step', params: { field: key } }, group: groupOf('step', key), values };
-}
-
-/** The step of a value: for a time as in the manual, else a hundredth of a second; 1 for all others. */
-export function stepSize(identity: Identity, field: ProgramField): number {
-  return (field.kind === 'time' && manualRange(identity, field.slot)?.step) || 1;
 }
 
 /** @returns an empty list when there is no step to take. */

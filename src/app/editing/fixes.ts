@@ -1,5 +1,5 @@
-import { type Finding, manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import { type FieldValue, MAX_VALUE } from './edit.js';
+import { type Finding, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { type FieldValue, MAX_VALUE, stepSize } from './edit.js';
 
 /** The findings about times that do not rise. */
 const OF_ORDER: ReadonlySet<Finding['code']> = new Set(['time-falls', 'time-repeats', 'position-never-reached']);
@@ -13,7 +13,7 @@ const OF_ORDER: ReadonlySet<Finding['code']> = new Set(['time-falls', 'time-repe
 export function fixFor({ code, field, params }: Finding, program: TimerProgram): FieldValue | null {
   const value = field && valueAt(program, field);
   if (!field || value === null || (OF_ORDER.has(code) && isDt(program, field))) return null;
-  const better = betterValue(code, value, params, stepOf(program, field));
+  const better = betterValue(code, value, params, stepSize(program.identity, field));
   const fits = better !== null && better !== value && better >= 0 && better <= MAX_VALUE[field.kind];
   return fits ? { field, value: better } : null;
 }
@@ -49,8 +49,4 @@ function betterValue(
 
 function isDt({ identity }: TimerProgram, field: ProgramField): boolean {
   return field.kind === 'time' && field.slot === identity.functions;
-}
-
-function stepOf(program: TimerProgram, field: ProgramField): number {
-  return (field.kind === 'time' && manualRange(program.identity, field.slot)?.step) || 1;
 }

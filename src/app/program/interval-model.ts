@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
-import type { Edit } from '../editing/edit.js';
+import { type Edit, stepSize } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
-import { type StepOptions, setInterval, stepInterval, stepSize } from '../editing/edits.js';
+import { type StepOptions, setInterval, stepInterval } from '../editing/edits.js';
 import { gridKey, intervalAt } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
 import { type Ambiguous, type Figure, formatInterval, readInterval } from '../editing/units.js';

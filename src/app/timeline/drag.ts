@@ -1,6 +1,6 @@
-import { fieldKey, manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import { type Identity, MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
-import { type Edit, setValues } from '../editing/edit.js';
+import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
+import { type Edit, setValues, stepSize } from '../editing/edit.js';
 import { groupOf, type StepName } from '../editing/history.js';
 
 /** `moving`: the handle is held. `done`: it was released. `back`: it was released where it began, or put back. */
@@ -14,16 +14,6 @@ export interface Limits {
   readonly max: number;
 }
 
-/** The step of a time of this class, in hundredths of a second; 1 where the manual gives none. */
-export function timeStep(identity: Identity, slot: number): number {
-  return manualRange(identity, slot)?.step ?? 1;
-}
-
-/** The step of a field: for a time in hundredths of a second, for a position 1. */
-export function stepOf(identity: Identity, field: ProgramField): number {
-  return field.kind === 'time' ? timeStep(identity, field.slot) : 1;
-}
-
 /**
  * The range in which a field can move. A time stays between its neighbours, at least one step from each; a neighbour
  * that it has reached or passed already does not hold it. The motor stop lies between launch and DT.
@@ -33,7 +23,7 @@ export function limitsOf(program: TimerProgram, field: ProgramField, free = fals
   if (field.kind !== 'time') return { min: 0, max: MAX_POSITION };
   const { identity, times } = program;
   const { slot } = field;
-  const step = timeStep(identity, slot);
+  const step = stepSize(identity, field);
   const largest = Math.floor(MAX_TIME / step) * step;
   if (free) return { min: 0, max: largest };
   const time = times[slot] as number;
@@ -47,7 +37,7 @@ export function limitsOf(program: TimerProgram, field: ProgramField, free = fals
 
 /** The nearest value to which a field can move: a whole step within its limits. */
 export function snapped(program: TimerProgram, field: ProgramField, value: number, free = false): number {
-  const step = stepOf(program.identity, field);
+  const step = stepSize(program.identity, field);
   return within(Math.round(value / step) * step, limitsOf(program, field, free));
 }
 
@@ -55,7 +45,7 @@ export function snapped(program: TimerProgram, field: ProgramField, value: numbe
  * The value some steps up or down. From between two steps, the first step goes to the nearest one in that direction.
  */
 export function stepped(program: TimerProgram, field: ProgramField, steps: number, free = false): number {
-  const step = stepOf(program.identity, field);
+  const step = stepSize(program.identity, field);
   const value = valueAt(program, field) ?? 0;
   const start = steps > 0 ? Math.floor(value / step) : Math.ceil(value / step);
   return within((start + steps) * step, limitsOf(program, field, free));

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { limitsOf, snapped, stepped, timeStep } from '../../../src/app/timeline/drag.js';
+import { stepSize } from '../../../src/app/editing/edit.js';
+import { limitsOf, snapped, stepped } from '../../../src/app/timeline/drag.js';
 import { eventsBetween, flightEnd, reachedAt, stagesOf } from '../../../src/app/timeline/flight.js';
 import { layoutOf, marksIn, measuresOf, scaleOf } from '../../../src/app/timeline/geometry.js';
 import { spread } from '../../../src/app/timeline/layout.js';
@@ -264,7 +265,7 @@ describe('moving a time', () => {
     ['E', 1, 1],
     ['E', 4, 1],
   ])('goes on %s, slot %i, by %i', (timerClass, slot, step) => {
-    expect(timeStep(programOf(timerClass, [1000, 200, 400, 600, 18000]).identity, slot)).toBe(step);
+    expect(stepSize(programOf(timerClass, [1000, 200, 400, 600, 18000]).identity, at(slot))).toBe(step);
   });
 
   it('stays one step away from its neighbours', () => {
@@ -302,7 +303,7 @@ describe('moving a time', () => {
         (times, slot, to, free) => {
           const program = programOf('Q', times);
           const value = snapped(program, at(slot), to, free);
-          const step = timeStep(program.identity, slot);
+          const step = stepSize(program.identity, at(slot));
           const kept = value === times[slot];
           expect([value >= 0, value <= 65535, kept || value % step === 0]).toEqual([true, true, true]);
         },

@@ -1,5 +1,6 @@
 import { type ProgramField, valueAt } from '../../../program/index.js';
-import { DragEdit, limitsOf, type OnEdit, snapped, stepOf } from '../drag.js';
+import { stepSize } from '../../editing/edit.js';
+import { DragEdit, limitsOf, type OnEdit, snapped } from '../drag.js';
 import type { Layout } from '../layout.js';
 import type { TimelineModel } from '../view-model.js';
 import { finenessAt, refined } from './fineness.js';
@@ -50,7 +51,7 @@ export class MoveHandle implements Gesture {
     this.#at += way;
     if (fineness > 0) {
       const plain = this.#valueAt(layout, this.#at) - before;
-      this.#at = this.#placeOf(layout, before + refined(plain, way, stepOf(program.identity, field), fineness));
+      this.#at = this.#placeOf(layout, before + refined(plain, way, stepSize(program.identity, field), fineness));
     }
     if (field.kind === 'time' && fineness === 0) return this.#followPointer(layout, point.x, free);
     this.#edit.move(snapped(program, field, this.#valueAt(layout, this.#at), free));
