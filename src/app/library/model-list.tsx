@@ -125,7 +125,7 @@ interface ModelRowProps {
   readonly isKept: boolean;
 }
 
-const ModelRow = memo(ModelRowContent, ['record', 'count', 'isChosen', 'isKept']);
+const ModelRow = memo(ModelRowContent);
 
 function ModelRowContent({ record, count, isChosen, isKept }: ModelRowProps) {
   const words = libraryMessages.value;

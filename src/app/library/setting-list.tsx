@@ -63,7 +63,7 @@ interface SettingRowProps {
   readonly isKept: boolean;
 }
 
-const SettingRow = memo(SettingRowContent, ['record', 'address', 'model', 'isChosen', 'isOpen', 'isKept']);
+const SettingRow = memo(SettingRowContent);
 
 function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }: SettingRowProps) {
   const words = libraryMessages.value;
