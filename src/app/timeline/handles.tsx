@@ -7,7 +7,7 @@ import { limitsOf, type OnEdit } from './drag.js';
 import { timeOf } from './flight.js';
 import { FLAG, type Flag, type Geometry } from './geometry.js';
 import type { HandleKeys } from './key-control.js';
-import { pixels } from './layout.js';
+import { rounded } from './scale.js';
 import { servoClass } from './servo-class.js';
 import type { TimelineModel } from './view-model.js';
 import './handles.css';
@@ -128,7 +128,7 @@ function Handle({ geometry, model, keys, selected, now, onEdit, onSelect, field,
   const isSelected = selected !== null && fieldKey(selected) === key;
   // Outside of the view it can still get the focus, which brings it into view.
   const inView = layout.shows(layout.x(timeOf(program, field)));
-  const place = `translate(${pixels(x)} ${pixels(y)})`;
+  const place = `translate(${rounded(x)} ${rounded(y)})`;
   const classes = `handle ${field.kind} ${isSelected ? 'selected' : ''} ${inView ? '' : 'away'}`;
   const value = valueAt(program, field) ?? 0;
   const { min, max } = limitsOf(program, field);

@@ -3,8 +3,9 @@ import { figureText, messages } from '../messages/index.js';
 import { marksOf, reachedAt } from './flight.js';
 import { FLAG, type Geometry, type Marks as MarksOf } from './geometry.js';
 import { Kept } from './kept.js';
-import { type Layout, pixels } from './layout.js';
+import type { Layout } from './layout.js';
 import { LaneNames, Lines, Overlay } from './lines.js';
+import { rounded } from './scale.js';
 import { servoClass } from './servo-class.js';
 import { shortTime } from './ticks.js';
 import './layers.css';
@@ -96,7 +97,7 @@ function TimeAxis({ program, layout, measures, ticks, stages, chosen }: Geometry
         const classes = `${marks.has(time) ? 'mark' : ''} ${time === dt ? 'dt' : ''} ${time === chosen ? 'selected' : ''}`;
         return (
           // Moved times keep their element: adding and removing elements makes the browser restyle the whole page.
-          <g key={time === dt ? 'dt' : i} class={classes} transform={`translate(${pixels(x)} 0)`}>
+          <g key={time === dt ? 'dt' : i} class={classes} transform={`translate(${rounded(x)} 0)`}>
             <path d={`M0 ${bottom}V${bottom + 5}`} />
             <text y={measures.axis} class={at}>
               {time === 0 ? messages.value.timeline.zero : shortTime(time)}
@@ -134,9 +135,9 @@ function Marks({ flags, layout, chosen }: MarksProps) {
   return (
     <g class="marks">
       {flags.map(({ slot, isDt, at, x, radius, labelled, roomy }) => {
-        const lead = labelled ? `M${pixels(x)} ${FLAG + radius}L${pixels(at)} ${top - 3}V${top}` : '';
+        const lead = labelled ? `M${rounded(x)} ${FLAG + radius}L${rounded(at)} ${top - 3}V${top}` : '';
         const classes = `${isDt ? 'dt' : ''} ${slot === chosen ? 'selected' : ''} ${roomy ? '' : 'many'}`;
-        return <path key={slot} class={classes} d={`${lead}M${pixels(at)} ${top}V${bottom}`} />;
+        return <path key={slot} class={classes} d={`${lead}M${rounded(at)} ${top}V${bottom}`} />;
       })}
     </g>
   );
@@ -161,7 +162,7 @@ function MotorRun({ program, motorStop, layout, measures }: Geometry) {
     <g class="motor">
       <rect class="run" x={start} y={top} width={width} height={bottom - top} />
       <rect class="bar" x={start} y={motor - MOTOR_BAR / 2} width={width} height={MOTOR_BAR} rx={MOTOR_BAR / 2} />
-      <path d={`M${pixels(end)} ${top}V${motor}`} />
+      <path d={`M${rounded(end)} ${top}V${motor}`} />
       {isNamed && (
         <text class={isBefore ? 'before' : ''} x={isBefore ? end - 12 : end + 12} y={motor} dy="0.35em">
           {messages.value.program.motorStop} {figureText(program.identity, { kind: 'time', slot: 0 }, motorStop)}

@@ -1,7 +1,7 @@
 import type { TimerProgram } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
 import type { Stage } from './flight.js';
-import type { Scale } from './scale.js';
+import { rounded, type Scale } from './scale.js';
 
 /** The visible part of the time axis, in places of its scale. */
 export interface TimeView {
@@ -105,14 +105,14 @@ export function lineOf(
   layout: Layout,
 ): LinePaths {
   const row = positions[servo] ?? [];
-  const height = (slot: number): number => pixels(layout.y(servo, row[slot] ?? 0));
-  let line = `M${pixels(layout.x(0))} ${height(0)}`;
+  const height = (slot: number): number => rounded(layout.y(servo, row[slot] ?? 0));
+  let line = `M${rounded(layout.x(0))} ${height(0)}`;
   let back = '';
   for (const { slot, from, until, passing } of stages) {
     const last = Math.max(layout.x(layout.scale.end), layout.box.right);
-    const end = pixels(until === null ? last : layout.x(until));
+    const end = rounded(until === null ? last : layout.x(until));
     if (passing === 'back') {
-      back += `M${pixels(layout.x(from))} ${height(slot)}H${end}`;
+      back += `M${rounded(layout.x(from))} ${height(slot)}H${end}`;
       line += `M${end} ${height(slot)}`;
     } else line += `H${end}`;
     if (until !== null) line += `V${height(slot + 1)}`;
@@ -155,9 +155,4 @@ export function spread(numbers: readonly number[], gap: number, min: number, max
     limit = start - each;
   }
   return result;
-}
-
-/** A coordinate in pixels, short enough for the text of a picture. */
-export function pixels(place: number): number {
-  return Math.round(place * 10) / 10;
 }

@@ -9,6 +9,11 @@ export function drawable(time: number): number {
   return Number.isNaN(time) ? 0 : Math.min(LAST_DRAWN, Math.max(0, time));
 }
 
+/** A coordinate, short enough for the text of a picture. */
+export function rounded(place: number): number {
+  return Math.round(place * 10) / 10;
+}
+
 /** Shorter gaps are drawn nearly in proportion, longer ones more and more compressed. In hundredths of a second. */
 const BEND = 50;
 /** At most this share of the picture is divided evenly between the gaps. The rest follows the times. */

@@ -1,6 +1,6 @@
 import type { TimerProgram } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
-import { RUN_OUT, stretchedScale } from './scale.js';
+import { RUN_OUT, rounded, stretchedScale } from './scale.js';
 import { servoClass } from './servo-class.js';
 import './small-lanes.css';
 
@@ -26,7 +26,7 @@ export function SmallLanes({ program, names }: SmallLanesProps) {
   const { identity, times, positions } = program;
   const dt = times[identity.functions] ?? 0;
   const scale = stretchedScale(times.slice(1), SPACING);
-  const x = (time: number): number => round(scale.place(time) * WIDTH);
+  const x = (time: number): number => rounded(scale.place(time) * WIDTH);
   const end = x(dt + RUN_OUT);
   const motor = identity.timerClass === 'Q' ? (times[0] ?? 0) : 0;
   const height = LANE * positions.length;
@@ -35,7 +35,7 @@ export function SmallLanes({ program, names }: SmallLanesProps) {
       <svg viewBox={`0 0 ${WIDTH} ${height}`} preserveAspectRatio="none" aria-hidden="true">
         {positions.map((row, servo) => {
           const y = (position: number): number =>
-            round(LANE * (servo + 1) - EDGE - ((LANE - 2 * EDGE) * Math.min(MAX_POSITION, position)) / MAX_POSITION);
+            rounded(LANE * (servo + 1) - EDGE - ((LANE - 2 * EDGE) * Math.min(MAX_POSITION, position)) / MAX_POSITION);
           // A function that comes before the one above it is drawn where that one ends.
           let last = 0;
           const path = row.map((position, slot) => {
@@ -61,8 +61,4 @@ export function SmallLanes({ program, names }: SmallLanesProps) {
       )}
     </div>
   );
-}
-
-function round(place: number): number {
-  return Math.round(place * 10) / 10;
 }
