@@ -2,6 +2,7 @@ import { type ProgramField, valueAt } from '../../program/index.js';
 import { slotCount } from '../../protocol/index.js';
 import { figureText, messages, slotLabel } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { Icon } from '../ui/icon.js';
 import { SlotHead } from '../ui/slot-head.js';
 import type { Bench } from './bench.js';
 import './bench-grid.css';
@@ -84,9 +85,7 @@ function Steps({ bench, count }: { readonly bench: Bench; readonly count: number
         return (
           // Not disabled: it would lose the focus while the servos move.
           <button type="button" key={name} aria-disabled={!can} onClick={can ? () => void bench.moveTo(to) : undefined}>
-            <svg class="icon" width="20" height="20" aria-hidden="true">
-              <path d={path} />
-            </svg>
+            <Icon path={path} />
             <span>{name}</span>
           </button>
         );

@@ -7,6 +7,7 @@ import { media } from '../browser/doors.js';
 import { plainSeconds } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
 import type { Standing } from '../session/standing.js';
+import { Icon } from '../ui/icon.js';
 import { pressListeners } from '../ui/press-listeners.js';
 import { useRelease } from '../ui/use-release.js';
 import { type EditedValue, Hand, type HeldField } from './hand.js';
@@ -123,9 +124,11 @@ function Sheet({ identity, standing, held }: SheetProps) {
               input.blur();
             }}
           >
-            <svg class="icon" width="24" height="24" aria-hidden="true">
-              <path d="M4 8V4H8M16 4H20V8M20 16V20H16M8 20H4V16M12 4H12M12 20H12M4 12H4M20 12H20" />
-            </svg>
+            <Icon
+              path="M4 8V4H8M16 4H20V8M20 16V20H16M8 20H4V16M12 4H12M12 20H12M4 12H4M20 12H20"
+              width={24}
+              height={24}
+            />
           </button>
         )}
         {value.canPutBack.value && (
@@ -168,9 +171,7 @@ function Sheet({ identity, standing, held }: SheetProps) {
         {isTime ? digits(words.digits.point) : goTo(goals.below, words.below)}
         {digits('1', '2', '3')}
         <button type="button" tabIndex={-1} aria-label={words.erase} onClick={() => eraseLast(input)}>
-          <svg class="icon" width="24" height="20" aria-hidden="true">
-            <path d="M8 3H21V17H8L2 10ZM11 7L17 13M17 7L11 13" />
-          </svg>
+          <Icon path="M8 3H21V17H8L2 10ZM11 7L17 13M17 7L11 13" width={24} />
         </button>
         {goTo(goals.before, words.before)}
         {digits('0')}

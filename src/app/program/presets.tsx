@@ -6,6 +6,7 @@ import type { Editor } from '../editing/editor.js';
 import { type Ambiguous, formatTime, readTime } from '../editing/units.js';
 import { messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
+import { Icon } from '../ui/icon.js';
 import { useLateComputed } from '../ui/use-late.js';
 import { TimeQuestion } from './time-question.js';
 import './presets.css';
@@ -62,13 +63,7 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
           aria-expanded={changing.value}
           onClick={() => (changing.value = !changing.value)}
         >
-          {changing.value ? (
-            words.done
-          ) : (
-            <svg class="icon" width="20" height="20" aria-hidden="true">
-              <path d="M3 17L4 13L13.5 3.5L16.5 6.5L7 16ZM11.5 5.5L14.5 8.5" />
-            </svg>
-          )}
+          {changing.value ? words.done : <Icon path="M3 17L4 13L13.5 3.5L16.5 6.5L7 16ZM11.5 5.5L14.5 8.5" />}
         </button>
       </fieldset>
       {changing.value && <PresetSettings editor={editor} preferences={preferences} />}

@@ -1,4 +1,5 @@
 import { messages } from '../messages/index.js';
+import { Icon } from '../ui/icon.js';
 import type { TimelineModel } from './view-model.js';
 import './tools.css';
 
@@ -40,14 +41,5 @@ export function TrueScale({ model }: { model: TimelineModel }) {
       />
       {messages.value.timeline.trueScale}
     </label>
-  );
-}
-
-/** A simple line drawing for a button. */
-export function Icon({ path }: { path: string }) {
-  return (
-    <svg class="icon" width="20" height="20" aria-hidden="true">
-      <path d={path} />
-    </svg>
   );
 }
