@@ -7,6 +7,7 @@ import { describe, expect, inject, onTestFinished, test } from 'vitest';
 import { formatLibraryFile, type Library, parseLibraryFile } from '../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
+import { importFile } from './library.js';
 import { newPage } from './page.js';
 import { isWellMade } from './well-made.js';
 
@@ -121,11 +122,8 @@ test('a season goes into one file, the device is emptied, and the file brings al
   await Promise.all([page.waitForEvent('load'), app.button('Delete everything').click()]);
   await page.evaluate(() => location.assign('#library'));
   await app.text('No model yet').waitFor();
-  await page.locator('input[type=file][accept*=".sidus"]').setInputFiles({
-    name: 'back.sidus.json',
-    mimeType: 'application/json',
-    buffer: Buffer.from(formatLibraryFile(before, { writtenAt: Date.now(), writtenBy: 'a test' })),
-  });
+  const text = formatLibraryFile(before, { writtenAt: Date.now(), writtenBy: 'a test' });
+  await importFile(app, 'back.sidus.json', text);
   await takeAll(app);
   await page.reload();
   await page.getByRole('link', { name: /^Lancer 07/ }).click();

@@ -18,3 +18,9 @@ export async function fillLibrary({ page }: AppPage, records: Records): Promise<
     database.close();
   }, records);
 }
+
+/** Chooses a file to import in the library, as a pilot does. */
+export async function importFile(app: AppPage, name: string, text: string): Promise<void> {
+  const [chooser] = await Promise.all([app.page.waitForEvent('filechooser'), app.button('Import…').click()]);
+  await chooser.setFiles({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
+}

@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
+import { importFile } from './library.js';
 
 test('after one visit a whole day on the field needs no network, from Connect to a setting for a friend', async () => {
   const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
@@ -52,11 +53,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
 
   // A friend sends the same setting with his changes, as a file and as a link.
   await page.evaluate(() => location.assign('#library'));
-  await page.locator('input[type=file][accept*=".sidus"]').setInputFiles({
-    name: 'friend.sidus.json',
-    mimeType: 'application/json',
-    buffer: Buffer.from(file.replaceAll('"windy"', '"windy, by a friend"')),
-  });
+  await importFile(app, 'friend.sidus.json', file.replaceAll('"windy"', '"windy, by a friend"'));
   await page.getByRole('heading', { name: 'Import friend.sidus.json' }).waitFor();
   await page.getByRole('dialog').getByText('Keep both', { exact: true }).first().click();
   await app.button(/^Import \d+$/).click();

@@ -4,6 +4,7 @@ import { expect, test } from 'vitest';
 import { type LibraryFile, parseLibraryFile } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
+import { importFile } from './library.js';
 
 /*
  * A pilot's season, only through the screen: three models, twelve settings, thirty flights. Then the device is lost,
@@ -177,11 +178,7 @@ class Device {
     const { page } = this.app;
     await page.evaluate(() => location.assign('#library'));
     await this.app.text('No model yet').waitFor();
-    await page.locator('input[type=file][accept*=".sidus"]').setInputFiles({
-      name: 'from the lost one.sidus.json',
-      mimeType: 'application/json',
-      buffer: Buffer.from(text),
-    });
+    await importFile(this.app, 'from the lost one.sidus.json', text);
     await this.app.text('In it: 3 models, 12 settings, 30 flights.').waitFor();
     await this.app.button('Import 45').click();
     await this.app.text(/^Imported from .*: 3 models, 12 settings, 30 flights\.$/).waitFor();

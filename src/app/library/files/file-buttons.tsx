@@ -1,6 +1,5 @@
-import { useRef } from 'preact/hooks';
 import { filesMessages } from '../../messages/files.js';
-import { ACCEPTED, ALL_NAME, type LibraryFiles } from './library-files.js';
+import { ALL_NAME, type LibraryFiles } from './library-files.js';
 import type { FilePart } from './library-text.js';
 import './file-buttons.css';
 
@@ -32,24 +31,11 @@ export function ExportButton({ files, part, title }: ExportButtonProps) {
 /** The file of the whole library, and the reminder that an export is due. */
 export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) {
   const words = filesMessages.value;
-  const field = useRef<HTMLInputElement>(null);
   return (
     <>
-      <button type="button" onClick={() => field.current?.click()}>
+      <button type="button" onClick={() => files.ask()}>
         {words.import.button}
       </button>
-      <input
-        ref={field}
-        type="file"
-        hidden
-        accept={ACCEPTED}
-        aria-label={words.import.button}
-        onChange={({ currentTarget }) => {
-          void files.open([...(currentTarget.files ?? [])]);
-          // So that the same file can be chosen again.
-          currentTarget.value = '';
-        }}
-      />
       <ExportButton files={files} part={ALL} title={ALL_NAME} />
       <ExportReminder files={files} />
     </>

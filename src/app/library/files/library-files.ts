@@ -44,7 +44,7 @@ export type FileWord =
 /** The name of a file with everything, before its date. */
 export const ALL_NAME = 'Sidus library';
 /** The files that the pilot can choose. */
-export const ACCEPTED = '.sidus,.json,application/json';
+const ACCEPTED = '.sidus,.json,application/json';
 /** The type of a library file, and its endings. */
 const TYPE = { 'application/json': ['.sidus.json', '.sidus'] };
 /** How many records are saved at once. */
