@@ -6,6 +6,7 @@ import { dtText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Select } from '../ui/choice.js';
 import { Modal } from '../ui/modal.js';
+import { Problem } from '../ui/problem.js';
 import { TimesTable } from '../ui/slot-table.js';
 import { FlightForm } from './flight-form.js';
 import { placesOf, ROUND_MAXIMUM, timeOfDay } from './flight-list.js';
@@ -230,11 +231,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
             onChange={({ currentTarget }) => form.setWhen(currentTarget.value)}
           />
         </label>
-        {form.problems.value.has('at') && (
-          <p class="bad-text" role="alert">
-            {words.unreadable['not-a-date']}
-          </p>
-        )}
+        <Problem text={form.problems.value.has('at') && words.unreadable['not-a-date']} />
         <label class="flight-field">
           {words.place}
           <input

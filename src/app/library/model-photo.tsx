@@ -3,6 +3,7 @@ import { useEffect, useId, useRef } from 'preact/hooks';
 import type { Model } from '../../program/index.js';
 import type { PictureFault } from '../browser/picture.js';
 import { libraryMessages } from '../messages/library.js';
+import { Problem } from '../ui/problem.js';
 import { drawPhoto, scaledPhoto } from './photo.js';
 import './model-photo.css';
 
@@ -68,11 +69,7 @@ export function ModelPhoto({ model, onChange }: ModelPhotoProps) {
           </button>
         )}
       </div>
-      {fault.value !== null && (
-        <p class="bad-text" role="alert">
-          {words.photoFaults[fault.value]}
-        </p>
-      )}
+      <Problem text={fault.value !== null && words.photoFaults[fault.value]} />
     </div>
   );
 }

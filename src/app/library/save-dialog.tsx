@@ -7,6 +7,7 @@ import type { Session } from '../session/session.js';
 import { Choice } from '../ui/choice.js';
 import { CancelButton, FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
+import { Problem } from '../ui/problem.js';
 import { NameField } from './name-field.js';
 import type { SaveSetting } from './save-setting.js';
 import './library-form.css';
@@ -86,11 +87,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
           }}
         />
       </label>
-      {!opened.savable.value && (
-        <p class="bad-text" role="alert">
-          {words.notSavable}
-        </p>
-      )}
+      <Problem text={!opened.savable.value && words.notSavable} />
       <FormButtons label={words.save} disabled={!opened.savable.value} onCancel={() => saveSetting.dismiss()} />
     </form>
   );

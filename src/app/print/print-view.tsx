@@ -3,6 +3,7 @@ import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { print as words } from '../messages/en-print.js';
 import { dateText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { Problem } from '../ui/problem.js';
 import type { SetLeaf } from './galley.js';
 import { LeafPage, useLeaves } from './leaf-page.js';
 import { leavesOn, type Paper } from './paper.js';
@@ -54,11 +55,7 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
             {words.print(pages.length)}
           </button>
         </div>
-        {failed.value && (
-          <p class="bad-text" role="alert">
-            {words.failed}
-          </p>
-        )}
+        <Problem text={failed.value && words.failed} />
         <PrintPicker print={print} />
       </div>
       {pages.length === 0 ? <p>{words.nothing}</p> : <Preview {...{ pages, paper, printed }} />}

@@ -6,6 +6,7 @@ import { media } from '../browser/doors.js';
 import { formatInterval } from '../editing/units.js';
 import { messages } from '../messages/index.js';
 import { Check } from '../ui/check.js';
+import { Problem } from '../ui/problem.js';
 import { type RowTools, SHIFTS } from './row-tools.js';
 import './row-menu.css';
 
@@ -164,11 +165,7 @@ function ShiftFields({ tools }: { readonly tools: RowTools }) {
         </button>
         <button type="submit">{shift.later}</button>
       </div>
-      {problem && (
-        <p class="bad-text" role="alert">
-          {problem}
-        </p>
-      )}
+      <Problem text={problem} />
     </>
   );
 }

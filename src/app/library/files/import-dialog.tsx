@@ -4,6 +4,7 @@ import { filesMessages } from '../../messages/files.js';
 import { dateText, dayText, messages } from '../../messages/index.js';
 import { Select } from '../../ui/choice.js';
 import { Modal } from '../../ui/modal.js';
+import { Problem } from '../../ui/problem.js';
 import { SegmentChoice } from '../../ui/segment-choice.js';
 import { countOf, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
 import type { FileRefusal, ImportStep, LibraryFiles } from './library-files.js';
@@ -124,11 +125,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
         ))}
       </ul>
       {isNothing && groups.length > 0 && <p role="status">{words.import.nothing}</p>}
-      {shut && !isNothing && (
-        <p class="bad-text" role="alert">
-          {words.import.shut}
-        </p>
-      )}
+      <Problem text={shut && !isNothing && words.import.shut} />
       <div class="buttons">
         <button type="button" class={isNothing ? '' : 'quiet'} onClick={() => files.dismiss()}>
           {isNothing ? messages.value.close : messages.value.cancel}

@@ -6,6 +6,7 @@ import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
 import { linkOf, qrLinkOf } from '../../session/setting-link.js';
 import { CopyButton } from '../../ui/copy-button.js';
+import { Problem } from '../../ui/problem.js';
 import { QrCode } from '../../ui/qr-code.js';
 import type { Sharing } from './sharing.js';
 import './offer.css';
@@ -58,11 +59,7 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
           )}
         </div>
       </div>
-      {failed.value && (
-        <p class="bad-text" role="alert">
-          {words.sendFailed}
-        </p>
-      )}
+      <Problem text={failed.value && words.sendFailed} />
       <div class="buttons">
         <button type="button" onClick={() => sharing.close()}>
           {messages.value.close}

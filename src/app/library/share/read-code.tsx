@@ -4,6 +4,7 @@ import { LINK_MARK } from '../../../program/index.js';
 import { hasCamera } from '../../browser/camera.js';
 import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
+import { Problem } from '../../ui/problem.js';
 import { Scanner, type ScanState } from './scanner.js';
 import type { Sharing } from './sharing.js';
 import './read-code.css';
@@ -83,11 +84,7 @@ function Finder({ stream, scanner }: { readonly stream: MediaStream; readonly sc
 function Said({ state }: { readonly state: ScanState }) {
   const { read: words } = share;
   if (state.kind === 'fault' || state.kind === 'other') {
-    return (
-      <p class="bad-text" role="alert">
-        {state.kind === 'fault' ? words.faults[state.fault] : words.other(shortened(state.text))}
-      </p>
-    );
+    return <Problem text={state.kind === 'fault' ? words.faults[state.fault] : words.other(shortened(state.text))} />;
   }
   const said = { idle: '', starting: words.starting, looking: words.looking, picture: words.reading }[state.kind];
   return <p role="status">{said}</p>;
@@ -131,11 +128,7 @@ function Paste({ onLink }: { readonly onLink: (link: string) => void }) {
           {words.show}
         </button>
       </div>
-      {isWrong.value && (
-        <p class="bad-text" role="alert">
-          {words.notLink}
-        </p>
-      )}
+      <Problem text={isWrong.value && words.notLink} />
     </form>
   );
 }

@@ -7,6 +7,7 @@ import { dateText, messages, timerName } from '../../messages/index.js';
 import type { Session } from '../../session/session.js';
 import { SmallLanes } from '../../timeline/small-lanes.js';
 import { KeyFigures } from '../../ui/key-figures.js';
+import { Problem } from '../../ui/problem.js';
 import { TimesTable } from '../../ui/slot-table.js';
 import { NO_MODEL } from '../place.js';
 import { NEW_MODEL, Received } from './received.js';
@@ -134,11 +135,7 @@ function Ways({ session, sharing, received, shared, onProgram, onLibrary }: Ways
       )}
       {obstacle !== null && <p class="hint">{words.obstacles[obstacle]}</p>}
       {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten(connection.value !== null)}</p>}
-      {failed.value && (
-        <p class="bad-text" role="alert">
-          {words.notOpened}
-        </p>
-      )}
+      <Problem text={failed.value && words.notOpened} />
       <div class="buttons">
         <button type="button" class="quiet" onClick={() => sharing.close()}>
           {kept ? messages.value.close : words.discard}
