@@ -36,11 +36,16 @@ export class PortReader {
     this.#reading ??= this.#read().then(() => onEnd(undefined), onEnd);
   }
 
-  /** Stops, and releases the stream. */
+  /** Stops, and releases the stream. What comes later is for the next reader. */
   async stop(): Promise<void> {
     this.#stopped = true;
-    // A failed stream refuses to be cancelled. Its lock is released all the same.
-    await this.#reader?.cancel().catch(() => {});
+    const reader = this.#reader;
+    try {
+      reader?.releaseLock();
+    } catch {
+      // An older browser keeps the lock while a read waits. A SerialPort has a new stream after that.
+      await reader?.cancel().catch(() => {});
+    }
     await this.#reading;
   }
 

@@ -337,7 +337,8 @@ export class TimerClient {
 
   /**
    * Releases the streams: the request in progress comes to its end, waiting calls reject with `closed`, both locks are
-   * released. The port itself stays open.
+   * released. The port itself stays open, for another client, too. In older versions of Chrome and Edge its `readable`
+   * ends; a SerialPort has a new one then.
    */
   async close(): Promise<void> {
     await this.#exchange.close();

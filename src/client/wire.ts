@@ -199,7 +199,7 @@ export class Wire {
     });
   }
 
-  /** Releases the port: cancels reading, releases the locks. The port itself stays open. */
+  /** Releases the port: stops reading, releases the locks. The port itself stays open. */
   async close(): Promise<void> {
     this.#lose(new TimerError('closed', 'this client was closed'));
     const stopped = this.#reader.stop();

@@ -269,6 +269,52 @@ describe('a port that ends', () => {
     expect([lost, port.readable.locked, port.writable.locked]).toEqual([[], false, false]);
   });
 
+  it('stays open when it was released: another client goes on with the same streams', async () => {
+    const { wire, ask, clock, port, say, timing } = setUp();
+    await clock.run(ask());
+    await clock.run(wire.close());
+    const options = { timing, clock, onLine: undefined, onLost: undefined };
+    const next = new Wire(port, new Quirks({}), options);
+    const asked = next.ask({ request: ASKED, identity });
+    say(ANSWER);
+    expect(await clock.run(asked)).toMatchObject({ kind: 'answer', answer: { memory: 2 } });
+    await clock.run(next.close());
+  });
+
+  it('is released by ending its stream where a browser keeps the lock while a read waits', async () => {
+    const { port, clock, timing } = setUp();
+    let locked = false;
+    const { readable } = port;
+    const older: BytePort = {
+      ...port,
+      readable: {
+        get locked() {
+          return readable.locked;
+        },
+        getReader() {
+          const reader = readable.getReader();
+          return {
+            async read() {
+              locked = true;
+              const result = await reader.read();
+              locked = false;
+              return result;
+            },
+            cancel: () => reader.cancel(),
+            releaseLock() {
+              if (locked) throw new TypeError('a read waits');
+              reader.releaseLock();
+            },
+          };
+        },
+      },
+    };
+    const wire = new Wire(older, new Quirks({}), { timing, clock, onLine: undefined, onLost: undefined });
+    await clock.run(wire.ask({ request: ASKED, identity }));
+    await clock.run(wire.close());
+    expect([port.readable.locked, port.writable.locked]).toEqual([false, false]);
+  });
+
   it('can be released before it was used', async () => {
     const { wire, clock, lost } = setUp();
     await clock.run(wire.close());
