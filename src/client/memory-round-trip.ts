@@ -83,9 +83,12 @@ export class MemoryRoundTrip {
    * @throws TimerError `memory-left` when it cannot be made current; whatever the work throws.
    */
   async run(work: () => Promise<void>): Promise<void> {
+    const { schedule } = this.#job.exchange;
     let failure: { readonly error: unknown } | undefined;
     try {
-      await this.#job.exchange.schedule.keepTimeFor(SELECT, work);
+      await schedule.keepTimeFor(SELECT, work);
+      // Without a way back.
+      if (this.#at === this.original) schedule.finish();
     } catch (error) {
       failure = { error };
       // Somebody else has selected another memory.

@@ -108,6 +108,13 @@ export class Schedule {
     this.#report();
   }
 
+  /** Notes that nothing else of the plan is needed. */
+  finish(): void {
+    this.#at = this.#job.parts.length;
+    this.#left = [];
+    this.#report();
+  }
+
   /** Notes that a request goes out again. */
   repeated(): void {
     this.#repeats++;

@@ -391,6 +391,20 @@ describe('the progress of several memories', () => {
     }
   });
 
+  it.each([
+    ['reading all, the current one last', 3, undefined],
+    ['reading only the current one', 2, [2]],
+  ])('comes to its end where no way back is needed: %s', async (_, current, memories) => {
+    const { client, timer, run } = bench();
+    timer.core.memory = current;
+    const told: Progress[] = [];
+    const onProgress = (progress: Progress): void => void told.push(progress);
+    await run(client.readMemories({ memories, onProgress }));
+    expect(told.at(-1)).toMatchObject({ stage: 'read', memory: current, fraction: 1 });
+    await run(client.writeMemories([edited(memoryOf(timer, current), [[10, 40000]])], { onProgress }));
+    expect(told.at(-1)).toMatchObject({ stage: 'verify', memory: current, fraction: 1 });
+  });
+
   it('moves its end by the time that the caller takes for a backup', async () => {
     const { client, timer, run, clock } = bench();
     const told: Progress[] = [];
