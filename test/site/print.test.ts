@@ -15,7 +15,7 @@ const wide = (name: string, functions: number, servos: number, note = ''): Share
     'Q',
     Array.from({ length: functions + 1 }, (_, slot) => (slot === functions ? 36_000 : 50 + slot * 38)),
     Array.from({ length: servos }, (_, servo) =>
-      Array.from({ length: functions + 1 }, (_, slot) => (servo * 7 + slot) % 131),
+      Array.from({ length: functions + 1 }, (_, slot) => (servo * 7 + slot * 11) % 131),
     ),
   ),
 });
@@ -35,6 +35,22 @@ function outside(app: AppPage): Promise<string[]> {
           body && top >= body.top - 1 && bottom <= body.bottom + 1 && left >= body.left - 1 && right <= body.right + 1;
         return isIn || width === 0 ? [] : [`${leaf.className}: ${part.outerHTML.slice(0, 90)}`];
       });
+    }),
+  );
+}
+
+/** The positions in the timelines whose first figure is struck through by their own line. */
+function struckThrough(app: AppPage): Promise<string[]> {
+  return app.page.locator('.print-preview .lane-position').evaluateAll((all) =>
+    all.flatMap((each) => {
+      const text = each as SVGTextElement;
+      const line = text.parentElement?.querySelector<SVGPathElement>('.lane-line');
+      const size = Number.parseFloat(getComputedStyle(text).fontSize);
+      const { x, y } = text.getStartPositionOfChar(0);
+      const isStruck = [0, 0.36, 0.72].some((height) =>
+        line?.isPointInStroke(new DOMPoint(x + 0.3 * size, y - height * size)),
+      );
+      return isStruck ? [text.textContent] : [];
     }),
   );
 }
@@ -85,6 +101,7 @@ test('sheets of several settings: every row on a page, as many pages as shown, o
     await expect.poll(printed, { message: paper }).toEqual([size]);
     await app.page.emulateMedia({ media: 'print' });
     expect(await outside(app), paper).toEqual([]);
+    expect(await struckThrough(app), paper).toEqual([]);
     // Each slot and the motor stop, once in each table of some servos.
     const tables = 2;
     await expect

@@ -28,6 +28,8 @@ const RIGHT = 10;
 const NUMBER_GAP = 12;
 const TIME_GAP = 36;
 const POSITION_ROOM = 17;
+/** What a position needs above its line, with the letters of large paper. */
+const POSITION_HEIGHT = 13;
 /** A longer name is drawn narrower, so that it stays beside its lane. */
 const NAME_FITS = 11;
 
@@ -175,8 +177,9 @@ function Positions({ row, stages, lane, layout }: PositionsProps) {
         const x = layout.x(from);
         if ((moves ? layout.x(moves.from) : layout.box.right) - x < POSITION_ROOM) return null;
         const y = layout.y(lane, position);
+        const isAbove = y - upper > POSITION_HEIGHT;
         return (
-          <text key={slot} class="lane-position" x={x + 3} y={y - upper > 11 ? y - 3 : y + 9}>
+          <text key={slot} class="lane-position" x={x + 3} y={y} dy={isAbove ? '-0.3em' : '1em'}>
             {position}
           </text>
         );
