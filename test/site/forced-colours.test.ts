@@ -20,6 +20,21 @@ test('where colours are forced on the page, what is chosen and ticked can be see
   const presets = await grounds(app.page.locator('.presets button'));
   expect(presets.filter((ground) => ground === chosen)).toHaveLength(1);
 
+  const text = (found: Locator): Promise<string[]> =>
+    found.evaluateAll((all) => all.map((each) => getComputedStyle(each).color));
+  expect(new Set(await text(app.page.locator('.lane-buttons button'))), 'the names of all lanes').toEqual(
+    new Set([ink]),
+  );
+  const lines = (found: Locator): Promise<string[]> =>
+    found.evaluateAll((all) => all.map((each) => getComputedStyle(each).outlineStyle));
+  await app.type('Function 2, S1', '7');
+  // The last one is marked in another way.
+  await app.type('Function 3, S1', '8');
+  await expect.poll(() => lines(app.page.locator('.program-table .value.changed'))).toContain('dotted');
+
+  await app.page.goto(new URL('#bench', app.page.url()).href);
+  await expect.poll(() => grounds(app.page.locator('.switch-track'), '::before')).toEqual([ink]);
+
   await app.page.goto(new URL('#settings', app.page.url()).href);
   const expert = app.page.getByRole('checkbox', { name: /^Expert/ });
   await expert.check();
