@@ -161,9 +161,14 @@ describe('the start is part of the page as it is sent:', () => {
   });
 
   test('without scripts one sentence stands there instead', async () => {
-    const page = await newPage({ javaScriptEnabled: false });
+    const page = await newPage({ javaScriptEnabled: false, colorScheme: 'dark' });
     await page.goto(inject('site'));
-    expect(await page.locator('noscript').isVisible()).toBe(true);
+    expect(await page.locator('noscript p').isVisible()).toBe(true);
+    const colours = await page.locator('body').evaluate((body) => {
+      const { color, backgroundColor } = getComputedStyle(body);
+      return [color, backgroundColor];
+    });
+    expect(colours, 'light on dark').toEqual(['rgb(238, 242, 246)', 'rgb(13, 17, 21)']);
     await expect.poll(() => page.getByRole('button').count()).toBe(0);
   });
 });
