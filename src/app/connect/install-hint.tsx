@@ -15,16 +15,14 @@ export function InstallHint({ installation }: { readonly installation: Installat
   return (
     <div class="notice">
       <NoticeText said={{ title: words.title, advice: words.ways[hint] }} />
-      <div class="buttons">
-        <button type="button" class="quiet" onClick={() => installation.endHint()}>
-          {words.notNow}
+      {install && (
+        <button type="button" onClick={install}>
+          {start.install}
         </button>
-        {install && (
-          <button type="button" onClick={install}>
-            {start.install}
-          </button>
-        )}
-      </div>
+      )}
+      <button type="button" class="quiet" onClick={() => installation.endHint()}>
+        {words.notNow}
+      </button>
     </div>
   );
 }

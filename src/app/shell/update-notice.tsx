@@ -20,18 +20,16 @@ export function UpdateNotice({ update, busy }: UpdateNoticeProps) {
         <strong>{taken ? words.waits(update.version.value) : words.ready(update.version.value)}</strong>{' '}
         {waitsFor && words.later[waitsFor]}
       </p>
-      <div class="buttons">
-        {update.releases.value.length > 0 && (
-          <button type="button" class="quiet" onClick={() => update.read(true)}>
-            {words.news}
-          </button>
-        )}
-        {take && (
-          <button type="button" onClick={take}>
-            {words.take}
-          </button>
-        )}
-      </div>
+      {take && (
+        <button type="button" onClick={take}>
+          {words.take}
+        </button>
+      )}
+      {update.releases.value.length > 0 && (
+        <button type="button" class="quiet" onClick={() => update.read(true)}>
+          {words.news}
+        </button>
+      )}
     </div>
   );
 }
