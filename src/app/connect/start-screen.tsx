@@ -97,8 +97,10 @@ function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) 
           {start.install}
         </button>
       )}
-      <a href="#help">{start.help}</a>
-      <a href="#settings">{start.settings}</a>
+      <span>
+        <a href="#help">{start.help}</a>
+        <a href="#settings">{start.settings}</a>
+      </span>
     </p>
   );
 }
