@@ -93,9 +93,7 @@ export class OnScreen {
       this.make({ ...program, memory: null }, { backupOf: model });
       return;
     }
-    const idleThrottle = program.idleThrottle ?? working.idleThrottle;
-    const wanted = { ...working, times: program.times, positions: program.positions, idleThrottle };
-    editor.apply({ ...replaceAll({ code: 'restore', params: {} }, wanted), backupOf: model });
+    editor.apply({ ...replaceAll({ code: 'restore', params: {} }, program), backupOf: model });
   }
 
   /** Clears the screen. The pilot's changes are kept. */

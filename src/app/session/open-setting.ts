@@ -108,17 +108,8 @@ export class OpenSetting {
     const { editor, connection, onScreen } = this.#session;
     const of = { id: setting.id, saved: setting.program };
     if (connection.value) {
-      const { working } = editor;
-      if (!working.value) return false;
       const name = { code: 'load-setting', params: { name: setting.name } } as const;
-      const { times, positions, idleThrottle } = setting.program;
-      const wanted = {
-        ...working.value,
-        times,
-        positions,
-        idleThrottle: idleThrottle ?? working.value.idleThrottle,
-      };
-      return editor.apply({ ...replaceAll(name, wanted), of }) === null;
+      return editor.apply({ ...replaceAll(name, setting.program), of }) === null;
     }
     if (editor.of.value?.id === setting.id && editor.madeAt.value !== null) return true;
     const kept = await this.#drafts.ofSetting(setting.id);
