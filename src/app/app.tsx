@@ -18,7 +18,7 @@ import './app.css';
 
 /** The whole page: gives each part the models that it needs. */
 export function App({ models }: { readonly models: AppModels }) {
-  const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
+  const { session, views, write, memories, leaving, bench, follow, erase, theme, platform } = models;
   const { preferences, density, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } =
     models;
   const { help } = models;
@@ -109,7 +109,7 @@ export function App({ models }: { readonly models: AppModels }) {
       />
       {!isStart && <ViewLinks views={views} />}
       <ViewFrame views={views} busy={session.runner.busy.value} whole={hasProgram && shown === 'program'}>
-        <RecoveryPanel session={session} write={write} finishWrite={finishWrite} />
+        <RecoveryPanel session={session} write={write} />
         {view[shown]()}
       </ViewFrame>
       <parts.dialogs.Part models={models} />

@@ -28,7 +28,6 @@ import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
 import { Views } from './shell/views.js';
 import { limited } from './storage/index.js';
-import { FinishWrite } from './write/finish-write.js';
 import { WriteFlow } from './write/write-flow.js';
 
 /** The models that the views read and call. */
@@ -39,7 +38,6 @@ export interface AppModels {
   readonly aside: SetAside;
   readonly erase: Erase;
   readonly write: WriteFlow;
-  readonly finishWrite: FinishWrite;
   readonly memories: Memories;
   readonly leaving: Leaving;
   readonly bench: Bench;
@@ -130,7 +128,6 @@ export function createModels({
     sharing: new Sharing(),
     density: new Density(),
     preferences: new Preferences(session.editor),
-    finishWrite: new FinishWrite(session, write),
     update: new UpdateOffer(session),
     portHolder: new PortHolder(session, channel),
     installation: new Installation(

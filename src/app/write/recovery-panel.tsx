@@ -2,7 +2,7 @@ import { type TimerProgram, valueAt } from '../../program/index.js';
 import { dateText, messages } from '../messages/index.js';
 import type { InterruptedJobs, Offer } from '../session/interrupted-jobs.js';
 import type { Session } from '../session/session.js';
-import type { FinishWrite } from './finish-write.js';
+import { finishWrite, takeGoal } from './finish-write.js';
 import { ValueTable } from './value-table.js';
 import type { WriteFlow } from './write-flow.js';
 import './recovery-panel.css';
@@ -10,17 +10,16 @@ import './recovery-panel.css';
 interface RecoveryPanelProps {
   readonly session: Session;
   readonly write: WriteFlow;
-  readonly finishWrite: FinishWrite;
 }
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
-export function RecoveryPanel({ session, write, finishWrite }: RecoveryPanelProps) {
+export function RecoveryPanel({ session, write }: RecoveryPanelProps) {
   const offer = session.recovery.offer.value;
   // It waits while something else is open.
   if (!offer || write.current.value) return null;
   return (
     <section class="recovery notice bad" aria-labelledby="recovery-title">
-      {offer.kind === 'write' && <InterruptedWrite session={session} finishWrite={finishWrite} offer={offer} />}
+      {offer.kind === 'write' && <InterruptedWrite session={session} write={write} offer={offer} />}
       {offer.kind === 'elsewhere' && <WriteElsewhere session={session} offer={offer} />}
       {offer.kind === 'memories' && <MemoryLeft session={session} offer={offer} />}
     </section>
@@ -29,13 +28,11 @@ export function RecoveryPanel({ session, write, finishWrite }: RecoveryPanelProp
 
 type OfferOf<Kind extends Offer['kind']> = Extract<Offer, { kind: Kind }>;
 
-interface InterruptedWriteProps {
-  readonly session: Session;
-  readonly finishWrite: FinishWrite;
+interface InterruptedWriteProps extends RecoveryPanelProps {
   readonly offer: OfferOf<'write'>;
 }
 
-function InterruptedWrite({ session, finishWrite, offer: { record, part, read } }: InterruptedWriteProps) {
+function InterruptedWrite({ session, write, offer: { record, part, read } }: InterruptedWriteProps) {
   const { recovery: words } = messages.value;
   const busy = !session.runner.ready.value;
   const isForeign = part.extent === 'foreign';
@@ -66,17 +63,22 @@ function InterruptedWrite({ session, finishWrite, offer: { record, part, read } 
             <button type="button" onClick={() => session.recovery.setAside()}>
               {words.otherTimer}
             </button>
-            <button type="button" disabled={busy} onClick={() => void finishWrite.show()}>
+            <button type="button" disabled={busy} onClick={() => void takeGoal(session)}>
               {words.sameTimer}
             </button>
           </>
         ) : (
           <>
-            <button type="button" class="primary" disabled={busy} onClick={() => void finishWrite.finish()}>
+            <button
+              type="button"
+              class="primary"
+              disabled={busy}
+              onClick={() => void finishWrite(session, write, 'goal')}
+            >
               {words.finish}
             </button>
             {part.extent === 'part' && (
-              <button type="button" disabled={busy} onClick={() => void finishWrite.goBack()}>
+              <button type="button" disabled={busy} onClick={() => void finishWrite(session, write, 'before')}>
                 {words.goBack}
               </button>
             )}

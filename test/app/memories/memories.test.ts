@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Plan } from '../../../src/app/memories/plan.js';
+import { takeGoal } from '../../../src/app/write/finish-write.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from '../bench/bench.js';
 
@@ -445,7 +446,7 @@ describe('a plug that is pulled in the middle', () => {
     await idle();
     await run(made.session.reader.selectMemory(1));
     await run(made.session.reader.selectMemory(3));
-    await run(made.finishWrite.show());
+    await run(takeGoal(made.session));
     expect([made.editor.textOf(S1), made.editor.working.value?.idleThrottle]).toEqual(['51', 30]);
   });
 

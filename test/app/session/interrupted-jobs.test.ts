@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { finishWrite, takeGoal } from '../../../src/app/write/finish-write.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
 
@@ -93,7 +94,7 @@ describe('a write of which a part arrived', () => {
 
   it('can be finished by a write of what is missing', async () => {
     const bench = await interrupted('SETTIMERS');
-    await run(bench.finishWrite.finish());
+    await run(finishWrite(bench.session, bench.write, 'goal'));
     expect(bench.editor.changes.value.map(({ field }) => field)).toEqual([S1, S3]);
     await finishDialog(bench);
     expect(held(bench)).toEqual(GOAL);
@@ -105,7 +106,7 @@ describe('a write of which a part arrived', () => {
 
   it('can be put back to what was there before', async () => {
     const bench = await interrupted('SETTIMERS');
-    await run(bench.finishWrite.goBack());
+    await run(finishWrite(bench.session, bench.write, 'before'));
     expect(bench.editor.changes.value).toEqual([{ field: DT, from: 24000, to: 18000 }]);
     await finishDialog(bench);
     expect(held(bench)).toEqual(BEFORE);
@@ -160,7 +161,7 @@ describe('another way in which a write can end', () => {
     const bench = await interrupted('GETSWVER');
     expect(sets(bench)).toEqual([]);
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'nothing', written: [], foreign: [] } });
-    await run(bench.finishWrite.finish());
+    await run(finishWrite(bench.session, bench.write, 'goal'));
     await finishDialog(bench);
     expect(held(bench)).toEqual(GOAL);
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 0]);
@@ -216,7 +217,7 @@ describe('another way in which a write can end', () => {
 
   it('shows the goal as edits when the pilot says that it is the same timer, and writes nothing', async () => {
     const bench = await interrupted('SETTIMERS', strange);
-    await run(bench.finishWrite.show());
+    await run(takeGoal(bench.session));
     expect([offer(bench), bench.store.unfinished.records.size, bench.write.current.value]).toEqual([null, 0, null]);
     expect(bench.editor.changes.value.map(({ field, to }) => [field, to])).toEqual([
       [S1, 7],
@@ -263,7 +264,7 @@ describe('another way in which a write can end', () => {
 });
 
 describe('after a reload in the middle of a write', () => {
-  it.each(['finish', 'goBack'] as const)('the timer is read and the write offered: %s', async (way) => {
+  it.each(['goal', 'before'] as const)('the timer is read and the write offered: %s', async (end) => {
     const { bench: before } = await writing('SETTIMERS');
     await idle(100);
     expect(before.write.current.value?.step).toBe('running');
@@ -272,9 +273,9 @@ describe('after a reload in the middle of a write', () => {
     await run(after.session.timer.connect());
     expect(offer(after)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
     expect(notice(after)).toBeUndefined();
-    await run(after.finishWrite[way]());
+    await run(finishWrite(after.session, after.write, end));
     await finishDialog(after);
-    expect(held(after)).toEqual(way === 'finish' ? GOAL : BEFORE);
+    expect(held(after)).toEqual(end === 'goal' ? GOAL : BEFORE);
     expect(after.store.unfinished.records.size).toBe(0);
     expect(after.session.backups.list.value.map(({ program }) => program.times[10])).toEqual([24000, 18000]);
   });
@@ -324,7 +325,7 @@ describe('before the first byte of a write', () => {
     bench.timer.core.press();
     await idle();
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
-    await run(bench.finishWrite.goBack());
+    await run(finishWrite(bench.session, bench.write, 'before'));
     bench.session.safety.confirm();
     const back = bench.write.start();
     await idle();

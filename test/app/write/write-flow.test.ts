@@ -1,4 +1,5 @@
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { finishWrite } from '../../../src/app/write/finish-write.js';
 import type { ValueReport, WriteReport } from '../../../src/client/index.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
@@ -404,7 +405,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     bench.adapter.replug();
     await idle();
     expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent: 'part' } });
-    await run(bench.finishWrite.finish());
+    await run(finishWrite(bench.session, bench.write, 'goal'));
     expect([bench.session.servoMoves.needed, bench.session.servoMoves.allowed.value]).toEqual([true, false]);
     bench.session.servoMoves.allow(true);
     bench.session.safety.confirm();
