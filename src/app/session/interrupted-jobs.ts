@@ -3,7 +3,7 @@ import { type PartOfWrite, partWritten, type TimerProgram } from '../../program/
 import type { Identity } from '../../protocol/index.js';
 import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
 import type { Backups } from './backups.js';
-import { isSimulated, type Knowledge } from './knowledge.js';
+import { isSimulated, type Knowledge, memoryKey } from './knowledge.js';
 import { kindKey, programKey } from './record-keys.js';
 import type { UnfinishedRecords } from './unfinished.js';
 
@@ -122,14 +122,12 @@ export class InterruptedJobs {
     }
     const kind = `${kindKey(read.identity, simulated)}/`;
     const key = programKey(read, simulated);
-    const writes = this.#knowledge.writes.value
-      .map((record) => ({ record, of: programKey(record.before, isSimulated(record)) }))
-      .filter(({ record, of }) => of.startsWith(kind) && !this.#knowledge.isOfOther(record.key));
-    const here = writes.find(({ of }) => of === key)?.record;
-    if (here) {
-      return { kind: 'write', record: here, part: partWritten(here.before, here.goal, read), read };
-    }
-    const elsewhere = writes.find(({ record }) => record.goal.memory !== null)?.record;
+    const writes = this.#knowledge.writes.value.filter(
+      (record) => memoryKey(record).startsWith(kind) && !this.#knowledge.isOfOther(record.key),
+    );
+    const here = writes.find((record) => memoryKey(record) === key);
+    if (here) return { kind: 'write', record: here, part: partWritten(here.before, here.goal, read), read };
+    const elsewhere = writes.find((record) => record.goal.memory !== null);
     return elsewhere ? { kind: 'elsewhere', record: elsewhere, memory: elsewhere.goal.memory as number } : null;
   }
 

@@ -2,7 +2,7 @@ import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { differences, partWritten, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { UnfinishedWrite } from '../storage/index.js';
-import type { Known, Uncertain } from './known.js';
+import type { Known } from './known.js';
 import { programKey } from './record-keys.js';
 import type { UnfinishedRecords } from './unfinished.js';
 
@@ -33,10 +33,13 @@ export interface FreshReading {
  * that crashes in between leaves its record, which means the same.
  */
 export class Knowledge {
-  /** All memories with uncertain content, of every timer that this browser knows; the latest first. */
-  readonly uncertain: ReadonlySignal<readonly Uncertain[]>;
-  /** The records of interrupted writes, also of those that a reading has explained, as long as they can be finished. */
+  /**
+   * The records of interrupted writes, of every timer that this browser knows, the latest first: also of those that a
+   * reading has explained, as long as they can be finished.
+   */
   readonly writes: ReadonlySignal<readonly UnfinishedWrite[]>;
+  /** Those among them that no reading has explained. The content of their memories is uncertain. */
+  readonly uncertain: ReadonlySignal<readonly UnfinishedWrite[]>;
   readonly #records: UnfinishedRecords;
   readonly #timer: ReadonlySignal<TimerAtHand | null>;
   readonly #tab: () => number;
@@ -56,12 +59,11 @@ export class Knowledge {
     this.#timer = timer;
     this.#tab = tab;
     this.writes = computed(() =>
-      records.list.value
-        .filter((record) => record.kind === 'write')
+      records.writes.value
         .filter(({ key }) => !this.#underWay.value.has(key))
         .sort((a, b) => b.startedAt - a.startedAt),
     );
-    this.uncertain = computed(() => this.writes.value.filter(({ seenAt }) => seenAt === null).map(uncertainOf));
+    this.uncertain = computed(() => this.writes.value.filter(({ seenAt }) => seenAt === null));
   }
 
   /**
@@ -72,11 +74,8 @@ export class Knowledge {
     const timer = this.#timer.value;
     if (!timer) return { state: 'unread' };
     const key = programKey({ identity: timer.identity, memory }, timer.simulated);
-    const cut = this.uncertain.value.find((each) => keyOf(each) === key && !this.isOfOther(each.key));
-    if (cut) {
-      const { since, before, readAt, goal } = cut;
-      return { state: 'uncertain', since, before, readAt, goal };
-    }
+    const cut = this.uncertain.value.find((record) => memoryKey(record) === key && !this.isOfOther(record.key));
+    if (cut) return { state: 'uncertain', ...cut };
     return this.#readings.value.get(key) ?? { state: 'unread' };
   }
 
@@ -237,14 +236,13 @@ export class Knowledge {
   /** Cuts off changes whose result no reading has shown: their memories are uncertain from now on. */
   #cut(which: (isAcknowledged: boolean) => boolean): void {
     const under = this.#underWay.peek();
-    const records = this.#records.list.peek().filter((record) => record.kind === 'write');
     batch(() => {
-      for (const record of records) {
+      for (const record of this.#records.writes.peek()) {
         const isAcknowledged = under.get(record.key);
         if (isAcknowledged === undefined || !which(isAcknowledged)) continue;
         this.#leave(record.key);
         const readings = new Map(this.#readings.value);
-        readings.delete(programKey(record.before, isSimulated(record)));
+        readings.delete(memoryKey(record));
         this.#readings.value = readings;
         void this.#records.save({ ...record, tab: null });
       }
@@ -268,13 +266,12 @@ export class Knowledge {
 
   #underWayIn(memory: number | null): string[] {
     const under = this.#underWay.peek();
-    const records = this.#records.list.peek().filter((record) => record.kind === 'write');
+    const records = this.#records.writes.peek();
     return records.filter(({ key, before }) => under.has(key) && before.memory === memory).map(({ key }) => key);
   }
 
   #recordsOf(program: string): UnfinishedWrite[] {
-    const records = this.#records.list.peek().filter((record) => record.kind === 'write');
-    return records.filter((record) => programKey(record.before, isSimulated(record)) === program);
+    return this.#records.writes.peek().filter((record) => memoryKey(record) === program);
   }
 }
 
@@ -289,12 +286,7 @@ export function isSimulated({ key }: { readonly key: string }): boolean {
   return key.startsWith('simulated/');
 }
 
-function uncertainOf(record: UnfinishedWrite): Uncertain {
-  const { key, startedAt: since, before, readAt, goal } = record;
-  const { identity, memory } = before;
-  return { key, identity, memory, simulated: isSimulated(record), since, before, readAt, goal };
-}
-
-function keyOf({ before, simulated }: Uncertain): string {
-  return programKey(before, simulated);
+/** The key of the memory into which a write went: see `programKey`. */
+export function memoryKey(record: UnfinishedWrite): string {
+  return programKey(record.before, isSimulated(record));
 }

@@ -1,5 +1,5 @@
 import { type Change, differences, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import type { Identity } from '../../protocol/index.js';
+import type { UnfinishedWrite } from '../storage/index.js';
 
 /** What is known about the content of one memory of the connected timer. Times are milliseconds since 1970. */
 export type Known =
@@ -11,27 +11,7 @@ export type Known =
    * A write was interrupted, and no reading has shown its result since:
    * each field holds either its old or its wanted value.
    */
-  | {
-      readonly state: 'uncertain';
-      readonly since: number;
-      readonly before: TimerProgram;
-      readonly readAt: number | null;
-      readonly goal: TimerProgram;
-    };
-
-/** A memory of some timer whose content is uncertain. */
-export interface Uncertain {
-  /** The key of its record. */
-  readonly key: string;
-  readonly identity: Identity;
-  /** Counted from 0; null for a timer that does not say which memory is current. */
-  readonly memory: number | null;
-  readonly simulated: boolean;
-  readonly since: number;
-  readonly before: TimerProgram;
-  readonly readAt: number | null;
-  readonly goal: TimerProgram;
-}
+  | ({ readonly state: 'uncertain' } & Pick<UnfinishedWrite, 'before' | 'readAt' | 'goal'>);
 
 /**
  * The possible values of a field, each once: none when nothing is known, one after a reading, up to two after an
@@ -44,7 +24,7 @@ export function possibleValues(known: Known, field: ProgramField): readonly numb
 }
 
 /** The fields that may have either of two values, DT and motor stop first. */
-export function openValues({ before, goal }: Pick<Uncertain, 'before' | 'goal'>): readonly Change[] {
+export function openValues({ before, goal }: Pick<UnfinishedWrite, 'before' | 'goal'>): readonly Change[] {
   const { timerClass, functions } = before.identity;
   const rank = ({ field }: Change): number => {
     if (field.kind !== 'time') return 2;

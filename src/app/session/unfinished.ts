@@ -1,6 +1,6 @@
-import { type ReadonlySignal, signal } from '@preact/signals';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { TabNumber } from '../browser/tab-number.js';
-import type { Keeper, Unfinished } from '../storage/index.js';
+import type { Keeper, Unfinished, UnfinishedWrite } from '../storage/index.js';
 
 /**
  * The records of jobs that change a timer, from before their first byte until somebody has seen their end. They are in
@@ -8,8 +8,12 @@ import type { Keeper, Unfinished } from '../storage/index.js';
  * in progress are left out.
  */
 export class UnfinishedRecords {
-  readonly list: ReadonlySignal<readonly Unfinished[]>;
   readonly #list = signal<readonly Unfinished[]>([], { name: 'unfinished' });
+  readonly list: ReadonlySignal<readonly Unfinished[]> = this.#list;
+  /** Those of writes. */
+  readonly writes: ReadonlySignal<readonly UnfinishedWrite[]> = computed(() =>
+    this.list.value.filter((record) => record.kind === 'write'),
+  );
   readonly #keeper: Keeper<Unfinished>;
   readonly #tab: TabNumber;
   /** As the storage had them at the last look. */
@@ -23,7 +27,6 @@ export class UnfinishedRecords {
   constructor(keeper: Keeper<Unfinished>, tab: TabNumber) {
     this.#keeper = keeper;
     this.#tab = tab;
-    this.list = this.#list;
   }
 
   /** Reads the storage again: other tabs write there, too. */

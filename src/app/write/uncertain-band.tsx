@@ -3,9 +3,11 @@ import type { ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { dateText, fieldLabel, messages, timerName, valueText } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
-import { openValues, type Uncertain } from '../session/known.js';
+import { isSimulated } from '../session/knowledge.js';
+import { openValues } from '../session/known.js';
 import { kindKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
+import type { UnfinishedWrite } from '../storage/index.js';
 import './uncertain-band.css';
 
 /** How many values are named when neither DT nor the motor stop is among them. */
@@ -37,10 +39,8 @@ export function UncertainBand({ session, onLook }: UncertainBandProps) {
  */
 export function UncertainNote({ session }: { readonly session: Session }) {
   const shown = session.editor.identity.value;
-  const isShown = (one: Uncertain): boolean =>
-    !session.connection.value &&
-    shown !== null &&
-    kindKey(shown, session.simulated.value) === kindKey(one.identity, one.simulated);
+  const isShown = (one: UnfinishedWrite): boolean =>
+    !session.connection.value && shown !== null && isOfKind(one, shown, session.simulated.value);
   const here = session.knowledge.uncertain.value.filter((one) => isHere(session, one) || isShown(one));
   if (here.length === 0) return null;
   return (
@@ -53,20 +53,19 @@ export function UncertainNote({ session }: { readonly session: Session }) {
 }
 
 interface UncertainMemoryProps extends UncertainBandProps {
-  readonly one: Uncertain;
+  readonly one: UnfinishedWrite;
 }
 
 function UncertainMemory({ session, one, onLook }: UncertainMemoryProps) {
   const { knowledge: words } = messages.value;
   const asking = useSignal(false);
-  const connected = session.connection.value?.identity;
-  const isSame = connected !== undefined && sameKind(session, connected, one);
-  const named = words[isSame ? 'otherTimer' : 'timer'];
-  const timer = isHere(session, one) ? null : named(timerName(one.identity), one.identity.firmware, one.simulated);
+  const { identity } = one.before;
+  const named = words[isLikeConnected(session, one) ? 'otherTimer' : 'timer'];
+  const timer = isHere(session, one) ? null : named(timerName(identity), identity.firmware, isSimulated(one));
   return (
     <div class="uncertain-one">
       <p>
-        <strong>{uncertainText(one, timer)}</strong> <span class="since">{words.since(dateText(one.since))}</span>
+        <strong>{uncertainText(one, timer)}</strong> <span class="since">{words.since(dateText(one.startedAt))}</span>
       </p>
       {asking.value && <p>{words.forgetSure}</p>}
       <div class="buttons">
@@ -95,7 +94,7 @@ function UncertainMemory({ session, one, onLook }: UncertainMemoryProps) {
 /** The button that makes it certain, where that is possible from here. */
 function WayToRead({ session, one, onLook }: UncertainMemoryProps) {
   const { knowledge: words, memoryName } = messages.value;
-  const { memory } = one;
+  const { memory } = one.before;
   const busy = session.runner.busy.value;
   if (isHere(session, one)) {
     const isCurrent = memory === null || session.editor.working.value?.memory === memory;
@@ -105,7 +104,7 @@ function WayToRead({ session, one, onLook }: UncertainMemoryProps) {
       </button>
     );
   }
-  if (session.link.state.value.status !== 'off' || session.link.unavailable || one.simulated) return null;
+  if (session.link.state.value.status !== 'off' || session.link.unavailable || isSimulated(one)) return null;
   return (
     <button type="button" disabled={session.engaged.value} onClick={() => void session.timer.connect()}>
       {words.connect}
@@ -114,30 +113,34 @@ function WayToRead({ session, one, onLook }: UncertainMemoryProps) {
 }
 
 /** Whether the connected timer may be that timer: it is of the same kind, and the pilot has not said otherwise. */
-function isHere(session: Session, one: Uncertain): boolean {
-  const connected = session.connection.value?.identity;
-  return connected !== undefined && sameKind(session, connected, one) && !session.knowledge.isOfOther(one.key);
+function isHere(session: Session, one: UnfinishedWrite): boolean {
+  return isLikeConnected(session, one) && !session.knowledge.isOfOther(one.key);
 }
 
-function sameKind(session: Session, connected: Identity, one: Uncertain): boolean {
-  return kindKey(connected, session.link.simulated.value) === kindKey(one.identity, one.simulated);
+function isLikeConnected({ connection, link }: Session, one: UnfinishedWrite): boolean {
+  return connection.value !== null && isOfKind(one, connection.value.identity, link.simulated.value);
+}
+
+function isOfKind(one: UnfinishedWrite, identity: Identity, simulated: boolean): boolean {
+  return kindKey(one.before.identity, isSimulated(one)) === kindKey(identity, simulated);
 }
 
 /**
  * “It is not known what M1 holds: DT is 3:00 or 6:00. Do not fly before it is read.”
  * @param timer null for the connected one.
  */
-function uncertainText(one: Uncertain, timer: string | null): string {
+function uncertainText(one: UnfinishedWrite, timer: string | null): string {
   const { knowledge: words, memoryName } = messages.value;
+  const { identity, memory } = one.before;
   const open = openValues(one);
-  const isKey = ({ field }: { field: ProgramField }): boolean => keyName(one.identity, field) !== null;
+  const isKey = ({ field }: { field: ProgramField }): boolean => keyName(identity, field) !== null;
   const keyed = open.filter(isKey);
   const named = keyed.length > 0 ? keyed : open.slice(0, NAMED);
   const values = named.map(({ field, from, to }) => {
-    const name = keyName(one.identity, field) ?? fieldLabel(one.identity, field);
-    return words.either(name, valueText(one.identity, field, from), valueText(one.identity, field, to));
+    const name = keyName(identity, field) ?? fieldLabel(identity, field);
+    return words.either(name, valueText(identity, field, from), valueText(identity, field, to));
   });
-  const memory = one.memory === null ? words.thisMemory : memoryName(one.memory);
-  const where = timer === null ? memory : words.memoryOf(memory, timer);
+  const name = memory === null ? words.thisMemory : memoryName(memory);
+  const where = timer === null ? name : words.memoryOf(name, timer);
   return `${words.uncertain(where, words.list(values, open.length - named.length))} ${words.noFly}`;
 }

@@ -332,7 +332,7 @@ describe('a copy that fails early says so', () => {
     made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.adapter.unplug();
     await job(made, COPY);
     expect(ends(made)).toEqual([[3, 'unknown']]);
-    expect(made.session.knowledge.uncertain.value).toMatchObject([{ memory: 3 }]);
+    expect(made.session.knowledge.uncertain.value).toMatchObject([{ before: { memory: 3 } }]);
   });
 
   it('when another memory becomes current: it may have taken values, also if it was verified before', async () => {
