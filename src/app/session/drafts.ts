@@ -52,7 +52,7 @@ export class Drafts {
     for (const draft of edited) if (!found && (await this.#tab.take(draft.tab))) found = draft;
     await this.#tab.takeAny();
     for (const draft of edited) if (!found && (await this.#tab.isFree(draft.tab))) found = draft;
-    const draft = found && wanted() ? this.#found(found) : undefined;
+    const draft = found && wanted() ? this.take(found) : undefined;
     this.#hasBegun = true;
     this.#begin();
     this.#early?.();
@@ -83,7 +83,7 @@ export class Drafts {
     // It must not cover work that this tab has begun in the meantime.
     if (this.#open.size > 0 || edited.some(({ tab }) => tab === this.#tab.value)) return undefined;
     for (const draft of edited) {
-      if (await this.#tab.isFree(draft.tab)) return wanted() ? this.#found(draft) : undefined;
+      if (await this.#tab.isFree(draft.tab)) return wanted() ? this.take(draft) : undefined;
     }
     return undefined;
   }
@@ -124,11 +124,6 @@ export class Drafts {
     return workKey(program, simulated, this.#tab.value);
   }
 
-  /** A draft comes to the screen: from now on it is the work of this tab. */
-  take(draft: Draft): Draft {
-    return this.#found(draft);
-  }
-
   /** A program that was made here leaves the screen, and is kept: see {@link Draft.shelved}. */
   shelve(madeAt: number): void {
     const draft = [...this.#open.values()].find((each) => each.madeAt === madeAt);
@@ -153,8 +148,11 @@ export class Drafts {
     await this.#saving;
   }
 
-  /** Takes over a draft that was found among all: its new place holds no other edits. */
-  #found(draft: Draft): Draft {
+  /**
+   * A draft that was found among all comes to the screen: from now on it is the work of this tab. Its new place holds
+   * no other edits.
+   */
+  take(draft: Draft): Draft {
     const own = this.#adopt(draft);
     this.#seen.add(own.key);
     return own;

@@ -109,11 +109,11 @@ export class Library {
   }
 
   /** Saves a new setting at the end of the list, or a changed one. @returns its record. */
-  async keepSetting(setting: Setting, changes: Partial<SettingRecord> = {}): Promise<SettingRecord> {
+  async keepSetting(setting: Setting): Promise<SettingRecord> {
     const before = this.settings.get(setting.id);
     const order = before?.order ?? nextOrder(this.settings.list.peek());
     const changedAt = changeTime(before);
-    const record = { key: setting.id, order, ...changes, setting: withPlainNames(setting), changedAt };
+    const record = { key: setting.id, order, setting: withPlainNames(setting), changedAt };
     await this.settings.save(record);
     return record;
   }

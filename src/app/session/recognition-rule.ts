@@ -95,11 +95,6 @@ export function recognise(
   return { kind: 'several', candidates: candidates.filter(({ key }) => named.some((keys) => keys.has(key))) };
 }
 
-/** Whether two contents of one memory are so near to each other that they may be of one timer. */
-export function isLike(a: TimerProgram, b: TimerProgram): boolean {
-  return isComparable(a, b) && distanceOf(a, b).all <= limitOf(a);
-}
-
 /** One memory beside those of all models: which of them are like it, and which are not. */
 function comparedWith(
   read: TimerProgram,
