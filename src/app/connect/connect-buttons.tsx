@@ -1,6 +1,5 @@
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { SIMULATED_CLASSES } from '../session/timer-access.js';
 
 interface ConnectButtonsProps {
   readonly session: Session;
@@ -16,8 +15,7 @@ interface ConnectButtonsProps {
 export function ConnectButtons({ session, large = false, part }: ConnectButtonsProps) {
   const { header, program } = messages.value;
   const notice = session.notices.current.value;
-  const timerClass = session.editor.working.value?.identity.timerClass;
-  const again = session.simulated.value && SIMULATED_CLASSES.find((simulated) => simulated === timerClass);
+  const again = session.timer.simulated;
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
   // A changed program has its own way to the timer.
   const leads = large || session.editor.changes.value.length === 0;
@@ -45,7 +43,7 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
           {header.choosePort}
         </button>
       )}
-      {part !== 'first' && timerClass && !session.connection.value && (
+      {part !== 'first' && session.editor.working.value && !session.connection.value && (
         <button
           type="button"
           class="quiet"

@@ -11,27 +11,24 @@ interface ConnectionHelpProps {
   readonly platform: Platform;
   /** The information of the port; null when none was chosen. */
   readonly info: PortInfo | null;
-  /** The address of the page. */
-  readonly address?: string;
 }
 
 /** What to do, step by step, folded up under the notice. */
-export function ConnectionHelp({ address = location.href, ...situation }: ConnectionHelpProps) {
-  const { code } = situation;
+export function ConnectionHelp({ code, platform, info }: ConnectionHelpProps) {
   useEffect(() => () => document.documentElement.removeAttribute('data-help'), []);
-  if (helpFor(code, { ...situation, address }).here.length === 0) return null;
+  if (helpFor(code, { platform, info, address: location.href }).here.length === 0) return null;
   return (
     <details key={code} class="help" onToggle={({ currentTarget }) => keepInSight(currentTarget)}>
       <summary>{messages.value.help.title}</summary>
-      <HelpSteps {...situation} address={address} />
+      <HelpSteps code={code} platform={platform} info={info} />
     </details>
   );
 }
 
 /** What to do, step by step: first for this system, then the others, folded up. */
-export function HelpSteps({ code, platform, info, address = location.href }: ConnectionHelpProps) {
+export function HelpSteps({ code, platform, info }: ConnectionHelpProps) {
   const { on, systems } = messages.value.help;
-  const { here, elsewhere } = helpFor(code, { platform, info, address });
+  const { here, elsewhere } = helpFor(code, { platform, info, address: location.href });
   return (
     <>
       <Steps steps={here} />

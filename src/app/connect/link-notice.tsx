@@ -1,10 +1,11 @@
 import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
+import { portInfoOf } from '../session/link.js';
 import type { Session } from '../session/session.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { ConnectionHelp } from './connection-help-view.js';
-import { ChooseAnother, portOf } from './link-stage.js';
+import { ChooseAnother } from './link-stage.js';
 import { waitingFor } from './waiting.js';
 import './link-notice.css';
 
@@ -31,7 +32,7 @@ export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
           <NoticeText said={said} />
         </div>
         {step !== null && <span class="hint">{link.stages.noAnswer(seconds)}</span>}
-        {help && <ConnectionHelp code={help} platform={platform} info={portOf(state)} />}
+        {help && <ConnectionHelp code={help} platform={platform} info={portInfoOf(state)} />}
         {canChoose && step !== 'switch' && <ChooseAnother session={session} />}
         <button type="button" onClick={onStop}>
           {link.stop}

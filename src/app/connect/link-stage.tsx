@@ -1,12 +1,12 @@
 import { useEffect, useRef } from 'preact/hooks';
-import type { LinkState } from '../../serial/index.js';
 import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
+import { portInfoOf } from '../session/link.js';
 import type { Session } from '../session/session.js';
 import { disturbedText } from '../ui/progress-line.js';
 import { ConnectionHelp } from './connection-help-view.js';
 import { StepList } from './step-list.js';
-import { WAIT_STEPS, type Waiting, waitingFor } from './waiting.js';
+import { NOTHING, WAIT_STEPS, type Waiting, waitingFor } from './waiting.js';
 import './link-stage.css';
 
 interface LinkStageProps {
@@ -26,10 +26,8 @@ export function LinkStage({ session, platform }: LinkStageProps) {
   const job = session.runner.job.value;
   const seconds = session.link.waited.value;
   const waiting = waitingFor(state, seconds) ?? {
+    ...NOTHING,
     said: job ? words.stages.reading : words.stages.opening,
-    step: null,
-    canChoose: false,
-    help: null,
   };
   const title = useRef<HTMLHeadingElement>(null);
   // The clicked button is gone. So the focus goes to what replaced it, and a screen reader goes on from there.
@@ -67,7 +65,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
           </button>
         )}
       </div>
-      {waiting.help && <ConnectionHelp code={waiting.help} platform={platform} info={portOf(state)} />}
+      {waiting.help && <ConnectionHelp code={waiting.help} platform={platform} info={portInfoOf(state)} />}
     </section>
   );
 }
@@ -96,10 +94,4 @@ export function ChooseAnother({ session }: { readonly session: Session }) {
       {messages.value.link.chooseAnother}
     </button>
   );
-}
-
-/** The information of the port on which the link looks for a timer. */
-export function portOf(state: LinkState) {
-  if ('info' in state) return state.info;
-  return 'port' in state ? state.port.getInfo() : null;
 }

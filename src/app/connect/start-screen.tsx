@@ -18,8 +18,6 @@ interface StartScreenProps {
   readonly session: Session;
   readonly installation: Installation;
   readonly platform: Platform;
-  /** The address of the page. */
-  readonly address?: string;
   /** Shown between Connect and what this device keeps. */
   readonly children?: ComponentChildren;
 }
@@ -28,7 +26,7 @@ interface StartScreenProps {
  * The start, before anything was read:
  * Connect with its three steps, what this device keeps, and what works without a timer.
  */
-export function StartScreen({ session, installation, platform, address = location.href, children }: StartScreenProps) {
+export function StartScreen({ session, installation, platform, children }: StartScreenProps) {
   const { start } = messages.value;
   const { unavailable } = session.link;
   if (hasStage(session)) return <LinkStage session={session} platform={platform} />;
@@ -49,7 +47,7 @@ export function StartScreen({ session, installation, platform, address = locatio
               <div class="buttons">
                 <ConnectButtons session={session} large />
               </div>
-              <BrowserWays platform={platform} address={address} />
+              <BrowserWays platform={platform} />
               <StepList steps={STEPS.map((key) => ({ key, text: start.steps[key] }))} />
             </>
           )}
@@ -70,12 +68,12 @@ export function StartScreen({ session, installation, platform, address = locatio
 const STEPS = ['adapter', 'wake', 'near'] as const;
 
 /** What this browser does differently from others that the pilot may know. */
-function BrowserWays({ platform, address }: Pick<StartScreenProps, 'platform'> & { readonly address: string }) {
+function BrowserWays({ platform }: Pick<StartScreenProps, 'platform'>) {
   const { firefox } = messages.value.start;
   if (platform.browser !== 'firefox') return null;
   return (
     <p class="hint">
-      {new URL(address).protocol === 'https:' && firefox.addOn} {firefox.port}
+      {location.protocol === 'https:' && firefox.addOn} {firefox.port}
     </p>
   );
 }

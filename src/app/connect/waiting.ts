@@ -23,7 +23,8 @@ export interface Waiting {
   readonly help: HelpCode | null;
 }
 
-const NOTHING = { step: null, canChoose: false, help: null };
+/** Nothing for the pilot to do. */
+export const NOTHING = { step: null, canChoose: false, help: null };
 
 /**
  * What to say while connecting; null once that has ended, well or not.

@@ -5,6 +5,7 @@ import {
   DEFAULT_SETTINGS,
   type KnownPort,
   type LinkState,
+  type PortInfo,
   type RememberedPort,
   type SerialPortLike,
   type SerialSettings,
@@ -15,7 +16,7 @@ import {
 import { answerOf } from '../browser/services.js';
 import type { Keeper, PortRecord } from '../storage/index.js';
 import { kindKey } from './record-keys.js';
-import { WaitClock } from './wait-clock.js';
+import { secondsAsked } from './wait-clock.js';
 
 /**
  * How long a browser may take to list the plugged-in ports, in milliseconds: after a click, the right to ask for a port
@@ -59,7 +60,7 @@ export class Link {
    */
   readonly waiting: ReadonlySignal<boolean> = computed(() => ['waiting', 'away'].includes(this.state.value.status));
   /** Whole seconds since the first question to a timer that has not answered; 0 while none is asked. */
-  readonly waited: ReadonlySignal<number> = new WaitClock(this.#state).seconds;
+  readonly waited: ReadonlySignal<number> = secondsAsked(this.#state);
   /** The plugged-in ports that the pilot has allowed before. */
   readonly ports: ReadonlySignal<readonly KnownPort[]> = this.#ports;
   /** The serial settings that the pilot has made; null: each port as it was last used. */
@@ -248,4 +249,10 @@ export class Link {
     this.#state.value = state;
     this.#options.onState(state, before);
   }
+}
+
+/** The information of the port with which the link deals; null for none. */
+export function portInfoOf(state: LinkState): PortInfo | null {
+  if ('info' in state) return state.info;
+  return 'port' in state ? state.port.getInfo() : null;
 }

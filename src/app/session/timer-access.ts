@@ -2,7 +2,7 @@ import { batch } from '@preact/signals';
 import type { AssumedQuirks } from '../../client/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import { type LinkState, portKey, type SerialPortLike, type Surroundings } from '../../serial/index.js';
-import type { Assumed } from './link.js';
+import { type Assumed, portInfoOf } from './link.js';
 import type { Reader } from './reader.js';
 import type { Session } from './session.js';
 
@@ -75,11 +75,16 @@ export class TimerAccess {
     });
   }
 
+  /** The simulated timer from which the program on the screen came; undefined when it came from another one. */
+  get simulated(): SimulatedClass | undefined {
+    const { simulated, editor } = this.#session;
+    const timerClass = simulated.value ? editor.identity.value?.timerClass : undefined;
+    return SIMULATED_CLASSES.find((each) => each === timerClass);
+  }
+
   /** Connects to a timer like the one from which the program on the screen came. A simulated timer is built again. */
   async comeBack(): Promise<void> {
-    const { onScreen, editor } = this.#session;
-    const timerClass = onScreen.simulated.value ? editor.identity.value?.timerClass : undefined;
-    const simulated = SIMULATED_CLASSES.find((each) => each === timerClass);
+    const { simulated } = this;
     await (simulated ? this.trySimulated(simulated) : this.connect());
   }
 
@@ -150,7 +155,7 @@ export class TimerAccess {
     nextFlight.forget();
     if (!state.error) return;
     const { code, bytes } = state.error;
-    const port = 'info' in before ? before.info : 'port' in before ? before.port.getInfo() : null;
+    const port = portInfoOf(before);
     notices.show({ kind: 'connection', code, port, portKey: port && portKey(port), bytes });
     void link.refresh();
   }

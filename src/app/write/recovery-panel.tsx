@@ -1,6 +1,7 @@
 import { type TimerProgram, valueAt } from '../../program/index.js';
 import { dateText, messages } from '../messages/index.js';
 import type { InterruptedJobs, Offer } from '../session/interrupted-jobs.js';
+import { memoryOf } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { finishWrite, takeGoal } from './finish-write.js';
 import { ValueTable } from './value-table.js';
@@ -46,7 +47,7 @@ function InterruptedWrite({ session, write, offer: { record, part, read } }: Int
     <>
       <h2 id="recovery-title">{words.title}</h2>
       <p>
-        {words.when(memoryText(record.goal.memory), dateText(record.startedAt))} {said}
+        {words.when(memoryOf(null, record.goal.memory), dateText(record.startedAt))} {said}
       </p>
       <details>
         <summary>{words.compare}</summary>
@@ -131,7 +132,7 @@ function MemoryLeft({ session, offer: { record, current } }: MemoryLeftProps) {
   return (
     <>
       <h2 id="recovery-title">{words.leftTitle}</h2>
-      <p>{words.left(memoryName(record.original), memoryText(current))}</p>
+      <p>{words.left(memoryName(record.original), memoryOf(null, current))}</p>
       <div class="buttons">
         <button
           type="button"
@@ -160,11 +161,6 @@ function NotNow({ recovery }: { readonly recovery: InterruptedJobs }) {
       </button>
     </>
   );
-}
-
-function memoryText(memory: number | null): string {
-  const { recovery, memoryName } = messages.value;
-  return memory === null ? recovery.unknownMemory : memoryName(memory);
 }
 
 /** Each value that the write was to change, or that nothing explains: before, wanted, held. */
