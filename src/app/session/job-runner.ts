@@ -1,10 +1,7 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { type Progress, TimerError, type TimerErrorCode } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { Knowledge } from './knowledge.js';
-import type { Link } from './link.js';
-import type { Notices } from './notices.js';
-import type { Safety } from './safety.js';
+import type { Session } from './session.js';
 
 /**
  * The kinds of jobs. `bench` moves servos or motor, `look` reads another memory, `memories` works on several, `frame`
@@ -52,12 +49,7 @@ export type JobEnd<T> =
 /** The work of a job, on the connection on which it began. */
 export type Work<T> = (connection: TimerConnection, options: JobContext) => Promise<T>;
 
-interface RunnerOptions {
-  readonly link: Link;
-  readonly safety: Safety;
-  readonly notices: Notices;
-  readonly knowledge: Knowledge;
-}
+type RunnerParts = Pick<Session, 'link' | 'connection' | 'safety' | 'notices' | 'knowledge'>;
 
 /** Jobs that change what a timer holds, or which memory is current. They must not be cut off. */
 const WRITING: ReadonlySet<JobKind> = new Set(['write', 'memories']);
@@ -82,20 +74,15 @@ export class JobRunner {
   });
   /** Whether a dialog shows what is about to be sent, or its result. Then the bench sends nothing. */
   readonly claimed: ReadonlySignal<boolean> = computed(() => this.#claims.value.size > 0);
-  readonly #link: Link;
-  readonly #safety: Safety;
-  readonly #notices: Notices;
-  readonly #knowledge: Knowledge;
+  readonly #parts: RunnerParts;
   #stop = new AbortController();
   #answer: ((goOn: boolean) => void) | null = null;
 
-  constructor({ link, safety, notices, knowledge }: RunnerOptions) {
-    this.#link = link;
-    this.#safety = safety;
-    this.#notices = notices;
-    this.#knowledge = knowledge;
+  constructor(parts: RunnerParts) {
+    this.#parts = parts;
+    const { link, connection } = parts;
     this.busy = computed(() => this.#job.value !== null || link.busy.value);
-    this.ready = computed(() => link.connection.value !== null && !this.busy.value);
+    this.ready = computed(() => connection.value !== null && !this.busy.value);
   }
 
   /**
@@ -111,26 +98,27 @@ export class JobRunner {
 
   /** Runs one job on the present connection and returns how it ended. The caller reports that. */
   async perform<T>(kind: JobKind, work: Work<T>, memory: number | null = null): Promise<JobEnd<T>> {
-    const connection = this.#link.connection.value;
+    const { link, notices, knowledge } = this.#parts;
+    const connection = this.#parts.connection.value;
     if (!connection || this.busy.value) return { good: false, error: null, lost: connection === null };
     const stop = new AbortController();
     this.#stop = stop;
     const { strays } = connection.client;
-    this.#notices.dismiss();
+    notices.dismiss();
     this.#job.value = { kind, memory, progress: null, stopping: false, asking: false };
     try {
       const value = await work(connection, this.#optionsOf(connection, stop.signal));
-      if (connection.client.strays > strays) this.#notices.sayIfSilent('strays');
+      if (connection.client.strays > strays) notices.sayIfSilent('strays');
       return { good: true, value };
     } catch (error) {
-      const lost = this.#link.connection.value !== connection;
+      const lost = this.#parts.connection.value !== connection;
       // The head must not show a timer that is gone: asks the one that answers for its identity, and reads it.
-      if (!lost && error instanceof TimerError && error.code === 'other-timer') this.#link.recheck();
+      if (!lost && error instanceof TimerError && error.code === 'other-timer') link.recheck();
       return { good: false, error, lost };
     } finally {
-      this.#knowledge.jobOver();
+      knowledge.jobOver();
       this.#job.value = null;
-      void this.#link.learn();
+      void link.learn();
     }
   }
 
@@ -141,7 +129,7 @@ export class JobRunner {
   report(end: JobEnd<unknown>): void {
     if (end.good || end.error === null) return;
     const isLeft = end.error instanceof TimerError && end.error.code === 'memory-left';
-    if (isLeft || !end.lost) this.#notices.report(end.error);
+    if (isLeft || !end.lost) this.#parts.notices.report(end.error);
   }
 
   /**
@@ -193,7 +181,8 @@ export class JobRunner {
   }
 
   #optionsOf(connection: TimerConnection, signal: AbortSignal): JobContext {
-    const wasSafe = this.#safety.confirmed.value;
+    const { connection: present, safety } = this.#parts;
+    const wasSafe = safety.confirmed.value;
     const { client } = connection;
     const { standstills } = client;
     return {
@@ -202,15 +191,15 @@ export class JobRunner {
         if (this.#stop.signal === signal) this.#change({ progress });
       },
       stillOn: () => {
-        if (this.#link.connection.value !== connection) {
+        if (present.value !== connection) {
           throw new TimerError('closed', 'the connection is another by now');
         }
         if (client.standstills > standstills) throw new TimerError('stood-still', 'the page stood still');
         if (signal.aborted) throw new TimerError('aborted', 'stopped on request');
-        if (wasSafe && !this.#safety.confirmed.value) throw new TimerError('aborted', 'it is no longer safe');
+        if (wasSafe && !safety.confirmed.value) throw new TimerError('aborted', 'it is no longer safe');
       },
       ask: async () => {
-        if (this.#link.connection.value !== connection) return false;
+        if (present.value !== connection) return false;
         this.#change({ asking: true });
         return await new Promise<boolean>((resolve) => {
           this.#answer = resolve;

@@ -1,25 +1,13 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
-import type { TimerConnection } from '../../serial/index.js';
 import type { Content } from '../editing/content.js';
 import { replaceAll } from '../editing/edit.js';
-import type { Editor } from '../editing/editor.js';
 import { isOfOneShape } from '../editing/shape.js';
 import type { Backup, Draft } from '../storage/index.js';
 import type { Drafts } from './drafts.js';
-import type { Knowledge } from './knowledge.js';
-import type { Notices } from './notices.js';
-import type { Origin } from './origin.js';
+import type { Session } from './session.js';
 
-interface OnScreenParts {
-  readonly editor: Editor;
-  readonly knowledge: Knowledge;
-  readonly notices: Notices;
-  readonly connection: ReadonlySignal<TimerConnection | null>;
-  /** Whether something is in progress, or waited for. */
-  readonly engaged: ReadonlySignal<boolean>;
-  readonly origin: Origin;
-}
+type OnScreenParts = Pick<Session, 'editor' | 'knowledge' | 'notices' | 'connection' | 'engaged' | 'origin'>;
 
 /** The program on the screen, and what comes there at the pilot's wish. For readings see `Reader`. */
 export class OnScreen {

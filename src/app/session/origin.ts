@@ -2,16 +2,9 @@ import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { Model } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { type Crossing, crossingOf } from './crossing.js';
-import type { Library } from './library.js';
-import type { OpenSetting } from './open-setting.js';
-import type { Recognition } from './recognition.js';
+import type { Session } from './session.js';
 
-interface OriginParts {
-  readonly editor: Editor;
-  readonly library: Library;
-  readonly recognition: Recognition;
-  readonly opened: OpenSetting;
-}
+type OriginParts = Pick<Session, 'editor' | 'library' | 'recognition' | 'opened'>;
 
 interface Taken {
   readonly model: string;

@@ -2,33 +2,17 @@ import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import { differences, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { replaceAll } from '../editing/edit.js';
-import type { Editor } from '../editing/editor.js';
 import { isOfOneShape } from '../editing/shape.js';
 import type { Drafts } from './drafts.js';
-import type { InterruptedJobs } from './interrupted-jobs.js';
-import type { JobContext, JobRunner } from './job-runner.js';
-import type { Knowledge } from './knowledge.js';
-import type { Link } from './link.js';
-import type { NextFlight } from './next-flight.js';
-import type { Notices } from './notices.js';
-import type { OnScreen } from './on-screen.js';
-import type { Origin } from './origin.js';
+import type { JobContext } from './job-runner.js';
 import { kindKey, programKey } from './record-keys.js';
-import type { Safety } from './safety.js';
+import type { Session } from './session.js';
 
 /** The models that a reading changes, or depends on. */
-interface ReaderParts {
-  readonly editor: Editor;
-  readonly onScreen: OnScreen;
-  readonly link: Link;
-  readonly runner: JobRunner;
-  readonly notices: Notices;
-  readonly safety: Safety;
-  readonly knowledge: Knowledge;
-  readonly recovery: InterruptedJobs;
-  readonly nextFlight: NextFlight;
-  readonly origin: Origin;
-}
+type ReaderParts = Pick<
+  Session,
+  'editor' | 'onScreen' | 'link' | 'runner' | 'notices' | 'safety' | 'knowledge' | 'recovery' | 'nextFlight' | 'origin'
+>;
 
 /** Reads the timer, and shows its content with the edits that belong to it. */
 export class Reader {

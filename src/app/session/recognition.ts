@@ -1,13 +1,13 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { Model, TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import type { TimerConnection } from '../../serial/index.js';
 import { CLASSES, newProgram } from '../editing/new-program.js';
 import type { ModelRecord } from '../storage/index.js';
-import type { FreshReading, Knowledge } from './knowledge.js';
-import { emptyModel, type Library, newId } from './library.js';
+import type { FreshReading } from './knowledge.js';
+import { emptyModel, newId } from './library.js';
 import type { HeldOnce, Recognised } from './recognition-rule.js';
 import { kindKey } from './record-keys.js';
+import type { Session } from './session.js';
 
 /** A model to which the timer may belong, and how many values differ from what its timer last held. */
 export interface PossibleModel {
@@ -25,13 +25,7 @@ export type FoundModel =
   | { readonly kind: 'same' | 'like'; readonly model: Model; readonly of: PossibleModel }
   | { readonly kind: 'several' | 'unknown'; readonly candidates: readonly PossibleModel[] };
 
-interface RecognitionParts {
-  readonly library: Library;
-  readonly knowledge: Knowledge;
-  readonly connection: ReadonlySignal<TimerConnection | null>;
-  /** Whether the connected timer is simulated. */
-  readonly simulated: ReadonlySignal<boolean>;
-}
+type RecognitionParts = Pick<Session, 'library' | 'knowledge' | 'connection' | 'link'>;
 
 const NOTHING: ReadonlyMap<number | null, HeldOnce> = new Map();
 const NOBODY: ReadonlyMap<string, ModelRecord['verified']> = new Map();
@@ -74,7 +68,8 @@ export class Recognition {
   constructor(parts: RecognitionParts) {
     this.#parts = parts;
     this.timer = this.#timer;
-    const { library, connection, simulated, knowledge } = parts;
+    const { library, connection, knowledge } = parts;
+    const { simulated } = parts.link;
     const recognised = computed((): Recognised | null => {
       const read = this.#evidence.value;
       const rule = this.#rule.value;
@@ -212,10 +207,10 @@ export class Recognition {
 
   /** Keeps what a model's timer holds with the model, unless that is known already. */
   async #learn(key: string, held: readonly HeldOnce[]): Promise<void> {
-    const { library, simulated } = this.#parts;
+    const { library, link } = this.#parts;
     const record = library.models.list.peek().find((each) => each.key === key);
     if (!record) return;
-    const verified = withHeld(record.verified, held, simulated.peek());
+    const verified = withHeld(record.verified, held, link.simulated.peek());
     if (verified === record.verified) return;
     if (!this.#before.peek().has(key)) this.#before.value = new Map(this.#before.peek()).set(key, record.verified);
     await library.keepModel(record.model, { verified });

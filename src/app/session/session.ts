@@ -106,12 +106,7 @@ export class Session {
     });
     const unfinished = new UnfinishedRecords(storage.unfinished, tab);
     this.knowledge = new Knowledge(unfinished, atHand, () => tab.value);
-    this.recognition = new Recognition({
-      library: this.library,
-      knowledge: this.knowledge,
-      connection: this.connection,
-      simulated: this.link.simulated,
-    });
+    this.recognition = new Recognition(this);
     this.modelAtHand = computed(() =>
       this.connection.value ? this.recognition.model.value : (this.opened.shown.value?.model ?? null),
     );

@@ -1,12 +1,10 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
 import * as v from 'valibot';
-import type { Model, TimerProgram } from '../../program/index.js';
+import type { TimerProgram } from '../../program/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
-import type { Editor } from '../editing/editor.js';
-import type { NextFlight } from './next-flight.js';
 import { time } from './preferences.js';
 import { programKey } from './record-keys.js';
-import type { Standing } from './standing.js';
+import type { Session } from './session.js';
 
 /** A short DT in the connected timer. Times are hundredths of a second. */
 export interface ShortDtWord {
@@ -25,16 +23,7 @@ const USUAL_OTHERWISE = 18_000;
 const MOST = 100;
 const remembered = v.record(v.pipe(v.string(), v.maxLength(200)), time);
 
-interface ShortDtParts {
-  readonly editor: Editor;
-  readonly standing: ReadonlySignal<Standing>;
-  readonly nextFlight: Pick<NextFlight, 'open'>;
-  /** Whether it is open how this timer writes its times. */
-  readonly byteOrderOpen: ReadonlySignal<boolean>;
-  readonly simulated: ReadonlySignal<boolean>;
-  /** Null when it is not known. */
-  readonly modelAtHand: ReadonlySignal<Model | null>;
-}
+type ShortDtParts = Pick<Session, 'editor' | 'standing' | 'nextFlight' | 'byteOrderOpen' | 'simulated' | 'modelAtHand'>;
 
 /**
  * A short DT brings a model down early, as for trimming. Forgotten, it costs a flight. So the last long DT of each
