@@ -3,7 +3,7 @@ import { CodecError, encodeReply, encodeRequest } from '../protocol/index.js';
 import { TimerError } from './errors.js';
 import type { ClientJob } from './job.js';
 import { MemoryRoundTrip, requireIndex, SELECT } from './memory-round-trip.js';
-import type { OnProgress } from './progress.js';
+import type { ReadMemoriesOptions, WriteMemoriesOptions } from './options.js';
 import { readingPlan } from './read-program.js';
 import type { JobPart } from './schedule.js';
 import { longestWrite, planWrite } from './write-plan.js';
@@ -56,15 +56,12 @@ export interface MemoriesReport {
 
 /**
  * Reads several memories one after the other, and makes the first one current again at the end.
- * @param chosen counted from 0. Default: all.
  * @throws CodecError when the timer has no such memory; TimerError `memory-unknown`: both before anything is selected.
  * `memory-left`, or as Exchange with the first memory current again.
  */
 export async function readMemories(
   job: ClientJob,
-  chosen: readonly number[] | undefined,
-  idleThrottle: boolean,
-  { onOriginal, onProgress }: ReadHooks,
+  { memories: chosen, idleThrottle = false, onOriginal, onProgress }: ReadMemoriesOptions,
 ): Promise<MemoriesRead> {
   const { exchange, identity } = job;
   const memories = chosen ?? Array.from({ length: identity.memories }, (_, memory) => memory);
@@ -84,11 +81,6 @@ export async function readMemories(
     for (const index of readOnce) programs[index] = await trip.read(memories[index] as number, idleThrottle);
   });
   return { original: trip.original, programs };
-}
-
-/** Functions that a reading of several memories calls on its way. */
-export interface ReadHooks extends Pick<MemoriesHooks, 'onOriginal'> {
-  readonly onProgress?: OnProgress;
 }
 
 /** What a write into several memories takes. */
@@ -112,8 +104,7 @@ export interface MemoriesWrite extends MemoriesHooks {
 export async function writeMemories(
   job: ClientJob,
   goals: readonly TimerProgram[],
-  { onOriginal, onMemory, onProgress, baselines = [] }: MemoriesWrite & ReadHooks,
-  moveServos = false,
+  { onOriginal, onMemory, onProgress, baselines = [], moveServos = false }: WriteMemoriesOptions,
 ): Promise<MemoriesReport> {
   for (const goal of goals) requireGoal(job, goal);
   for (const baseline of baselines) {

@@ -1,5 +1,5 @@
 import type { TimerProgram } from '../program/index.js';
-import type { CommandName, Identity, ReplyOf } from '../protocol/index.js';
+import type { CommandName, Identity } from '../protocol/index.js';
 import { askMemory, isNoAnswer, policyFor, requireMemory } from './current-memory.js';
 import type { ClientJob } from './job.js';
 import type { Progress } from './progress.js';
@@ -111,11 +111,8 @@ async function readOnce(
 ): Promise<{ content: MemoryValues; doubtful: boolean }> {
   const { exchange, identity, signal, quirks } = job;
   const seen = exchange.watch();
-  const ask = async <Name extends 'GETTIMERS' | 'GETSERVOPOS'>(name: Name): Promise<ReplyOf<Name>> => {
-    return (await exchange.ask({ name }, signal, { strict })) as ReplyOf<Name>;
-  };
-  const { times } = await ask('GETTIMERS');
-  const { positions } = await ask('GETSERVOPOS');
+  const { times } = await exchange.ask({ name: 'GETTIMERS' }, signal, { strict });
+  const { positions } = await exchange.ask({ name: 'GETSERVOPOS' }, signal, { strict });
   const wasRepeated = seen().repeats > 0;
   const wasMalformed = quirks.found.has('idle-throttle-malformed');
   let throttle: number | null = null;

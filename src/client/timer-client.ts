@@ -230,10 +230,7 @@ export class TimerClient {
    * sent.
    */
   readMemories(options: ReadMemoriesOptions = {}): Promise<MemoriesRead> {
-    return this.#inTurn(async () => {
-      const { memories, idleThrottle = false } = options;
-      return readMemories(await this.#job(options), memories, idleThrottle, options);
-    });
+    return this.#inTurn(async () => readMemories(await this.#job(options), options));
   }
 
   /**
@@ -245,7 +242,7 @@ export class TimerClient {
    * carried. Later it throws only what a hook throws: the report names everything else.
    */
   writeMemories(goals: readonly TimerProgram[], options: WriteMemoriesOptions = {}): Promise<MemoriesReport> {
-    return this.#inTurn(async () => writeMemories(await this.#job(options), goals, options, options.moveServos));
+    return this.#inTurn(async () => writeMemories(await this.#job(options), goals, options));
   }
 
   /**
