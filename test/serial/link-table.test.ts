@@ -4,7 +4,7 @@ import { nextStatus } from '../../src/serial/link-table.js';
 import { answerNonsense, canBeOpened } from './bench.js';
 import { type LinkBench, type LinkBenchOptions, linkBench, slowChooser, way } from './link-bench.js';
 
-interface Reconnector {
+interface Journey {
   readonly name: string;
   readonly options?: LinkBenchOptions;
   readonly go: (bench: LinkBench) => Promise<unknown>;
@@ -27,7 +27,7 @@ function release({ port }: LinkBench): void {
   port.device.busy = false;
 }
 
-const JOURNEYS: readonly Reconnector[] = [
+const JOURNEYS: readonly Journey[] = [
   {
     name: 'a timer that answers',
     go: ({ connect }) => connect(),
