@@ -24,6 +24,17 @@ export interface Ended {
   readonly held: TimerProgram | null;
 }
 
+/** What the servos follow, from the beginning to the end. */
+interface Following {
+  readonly connection: TimerConnection;
+  /** Which program it is: see `OnScreen.workKey`. */
+  readonly key: string;
+  /** Whether the browser has kept what was stored. It keeps each position before the first byte goes out. */
+  isKept: boolean;
+  /** Whether a position was sent. */
+  hasStored: boolean;
+}
+
 /**
  * Jobs that do not end it: those of the bench, and a frame by hand, which decides itself whether it may move the
  * servos. Neither reads anything.
@@ -54,25 +65,18 @@ export class Follow {
   readonly hasEarlier: ReadonlySignal<boolean>;
   /** The positions that were tried and not yet kept or put back. */
   readonly trials: Trials;
-  readonly #on = signal(false, { name: 'following' });
+  readonly #following = signal<Following | null>(null, { name: 'following' });
   readonly #going = signal(false, { name: 'going' });
-  /** The connection on which following is about to begin. */
-  readonly #start = signal<{ readonly connection: TimerConnection } | null>(null, { name: 'start' });
+  /** Stands for the start in progress; another one is another object. */
+  readonly #start = signal<object | null>(null, { name: 'start' });
   /** What the timer holds, while no backup of it could be kept. */
   readonly #unkept = signal<TimerProgram | null>(null, { name: 'unkept' });
   readonly #ended = signal<Ended | null>(null, { name: 'ended' });
   readonly #session: Session;
   readonly #bench: Bench;
-  /** Which program the servos follow, and on which connection. */
-  #followed: string | null = null;
-  #bound: TimerConnection | null = null;
   /** The function to which the pilot has sent the servos. */
   readonly #wanted = signal<number | null>(null, { name: 'wanted' });
   readonly #edits: FollowedEdits;
-  /** Whether the browser has kept what was stored. It keeps each position before the first byte goes out. */
-  #isKept = true;
-  /** Whether a position was sent since following began. */
-  #hasStored = false;
   /** Ends waiting for the reading that says in which memory the positions are. */
   #unwatch: () => void = () => {};
 
@@ -82,14 +86,14 @@ export class Follow {
     this.#bench = bench;
     this.#edits = new FollowedEdits(editor);
     this.trials = new Trials(editor.baseline, (program) => session.onScreen.workKey(program));
-    this.on = this.#on;
+    this.on = computed(() => this.#following.value !== null);
     this.going = this.#going;
     this.ended = this.#ended;
     this.starting = computed(() => this.#start.value !== null);
     this.unkept = computed(() => this.#unkept.value !== null);
     this.endRead = computed(() => editor.fresh.value && editor.baseline.value !== this.#ended.value?.held);
     this.awaited = computed(() => {
-      const slots = this.#on.value ? this.#edits.pending().map(({ field }) => field.slot) : [];
+      const slots = this.on.value ? this.#edits.pending().map(({ field }) => field.slot) : [];
       return new Set(slots.filter((slot) => slot !== bench.stand.at.value));
     });
     this.hasEarlier = this.#edits.hasEarlier;
@@ -99,7 +103,7 @@ export class Follow {
     effect(() => this.#follow());
     effect(() => {
       // A reading shows that a write has put everything back, or that nothing was stored at all.
-      const isOver = !this.#on.value && editor.fresh.value && this.trials.tried.value.length === 0;
+      const isOver = !this.on.value && editor.fresh.value && this.trials.tried.value.length === 0;
       if (isOver && this.trials.current.value) untracked(() => this.trials.set(null));
     });
   }
@@ -110,9 +114,9 @@ export class Follow {
   async start(): Promise<void> {
     const { editor, backups, simulated, connection } = this.#session;
     const { value: bound } = connection;
-    if (!bound || !this.#bench.ready.value || this.starting.value || this.#on.value) return;
+    if (!bound || !this.#bench.ready.value || this.starting.value || this.on.value) return;
     if (this.trials.tried.value.length > 0) return;
-    const start = { connection: bound };
+    const start = {};
     batch(() => {
       this.#start.value = start;
       this.#unkept.value = null;
@@ -151,7 +155,7 @@ export class Follow {
   /** Sets whether the servos go to each function that is edited. Only while they follow. */
   setGoing(on: boolean): void {
     this.#edits.forgetLastSlot();
-    this.#going.value = on && this.#on.value;
+    this.#going.value = on && this.on.value;
   }
 
   /**
@@ -159,7 +163,7 @@ export class Follow {
    * Only while they follow.
    */
   bring(slot: number): void {
-    if (this.#on.value) this.#wanted.value = slot;
+    if (this.on.value) this.#wanted.value = slot;
   }
 
   /** The first position of a function that waits for the servos. */
@@ -192,18 +196,14 @@ export class Follow {
   }
 
   #begin(before: TimerProgram): void {
-    const { editor, connection } = this.#session;
+    const { editor, onScreen } = this.#session;
+    const connection = this.#session.connection.value;
     // The backup must be of what the timer holds now.
-    if (!this.#bench.ready.value || !editor.fresh.value || editor.baseline.value !== before) return;
+    if (!connection || !this.#bench.ready.value || !editor.fresh.value || editor.baseline.value !== before) return;
     batch(() => {
       this.#edits.begin();
-      this.#bound = connection.value;
-      this.#isKept = true;
-      this.#hasStored = false;
-      this.#followed = this.#session.onScreen.workKey(before);
-      this.#wanted.value = null;
       this.trials.set({ before, touched: new Set() });
-      this.#on.value = true;
+      this.#following.value = { connection, key: onScreen.workKey(before), isKept: true, hasStored: false };
     });
   }
 
@@ -213,22 +213,22 @@ export class Follow {
       this.#start.value = null;
       this.#unkept.value = null;
     });
-    if (!this.#on.peek()) return;
+    const following = this.#following.peek();
+    if (!following) return;
     const held = editor.baseline.peek();
     this.#edits.end();
     batch(() => {
-      this.#on.value = false;
+      this.#following.value = null;
       this.#going.value = false;
       this.#wanted.value = null;
       this.#ended.value = reason && { reason, held };
     });
-    const bound = this.#bound;
-    if (held && bound && this.#hasStored && !editor.fresh.peek()) this.#watch(held, bound);
+    if (held && following.hasStored && !editor.fresh.peek()) this.#watch(held, following.connection);
     // Any other job reads the timer itself.
     const kind = runner.job.peek()?.kind ?? 'bench';
     if (!BESIDE.has(kind)) return;
     if (runner.busy.peek()) await runner.ended();
-    if (bound && connection.peek() === bound) await this.#session.reader.read();
+    if (connection.peek() === following.connection) await this.#session.reader.read();
   }
 
   /**
@@ -250,8 +250,9 @@ export class Follow {
 
   /** Decides what to do next, after each change and each finished command. */
   #follow(): void {
-    if (!this.#on.value) return;
-    const reason = this.#reasonToEnd();
+    const following = this.#following.value;
+    if (!following) return;
+    const reason = this.#reasonToEnd(following);
     if (reason) {
       untracked(() => void this.#end(reason));
       return;
@@ -261,16 +262,16 @@ export class Follow {
     if (next !== null && this.#bench.ready.value) untracked(() => void this.#go(next));
   }
 
-  #reasonToEnd(): EndReason | null {
-    const { editor, connection, runner, nextFlight, safety } = this.#session;
+  #reasonToEnd({ connection, key }: Following): EndReason | null {
+    const { editor, runner, nextFlight, safety, onScreen } = this.#session;
     const job = runner.job.value;
     const working = editor.working.value;
-    if (!connection.value || connection.value !== this.#bound) return 'lost';
+    if (this.#session.connection.value !== connection) return 'lost';
     if (!safety.confirmed.value) return 'unsafe';
     // While another memory is being selected, nobody knows in which one a position would be stored.
     if (job?.kind === 'select') return 'memory';
     if (job && !BESIDE.has(job.kind)) return 'job';
-    const isSame = working && this.trials.current.value && this.#session.onScreen.workKey(working) === this.#followed;
+    const isSame = working && this.trials.current.value && onScreen.workKey(working) === key;
     return nextFlight.open.value || !isSame ? 'memory' : null;
   }
 
@@ -292,7 +293,7 @@ export class Follow {
     const { stand } = this.#bench;
     await this.#session.runner.run('bench', async (connection, options) => {
       // If following has ended in the meantime, the next command is not sent. The client itself checks for a stop.
-      const isOff = (): boolean => !this.#on.peek() || this.#bound !== connection;
+      const isOff = (): boolean => this.#following.peek()?.connection !== connection;
       const move = () => this.#bench.carryOut({ kind: 'move', slot }, connection, options);
       this.#wanted.value = null;
       try {
@@ -322,16 +323,17 @@ export class Follow {
     const pending = this.#edits.pending().find((other) => fieldKey(other.field) === fieldKey(field));
     const trial = this.trials.current.peek();
     const before = editor.baseline.peek();
-    if (!pending || !trial || !before) return;
+    const following = this.#following.peek();
+    if (!pending || !trial || !before || !following) return;
     // Kept before the first byte goes out: the position may be stored even without an answer.
     this.trials.set({ ...trial, touched: new Set([...trial.touched, fieldKey(field)]) });
     const keeping = knowledge.begin(before, withValues(before, [pending]));
     // Where the browser keeps nothing, the servos must not wait for it each time.
-    if (this.#isKept) this.#isKept = await keeping;
+    if (following.isKept) following.isKept = await keeping;
     options.stillOn();
-    if (!this.#on.peek()) return;
+    if (this.#following.peek() !== following) return;
     editor.sent();
-    this.#hasStored = true;
+    following.hasStored = true;
     await connection.client.setPosition(field, pending.value, options);
     if (editor.baseline.peek() !== before) return;
     batch(() => {
