@@ -27,6 +27,3 @@ export interface Progress {
    */
   readonly endsBy: number;
 }
-
-/** Called with how far a job is. */
-export type OnProgress = ((progress: Progress) => void) | undefined;

@@ -1,7 +1,7 @@
 import type { Clock } from '../line/index.js';
 import type { CommandName, Identity } from '../protocol/index.js';
 import { tell } from './callback.js';
-import type { OnProgress, Progress } from './progress.js';
+import type { Progress } from './progress.js';
 import {
   type Exchanges,
   exchangesOf,
@@ -27,7 +27,7 @@ export interface PlannedJob {
   readonly parts: readonly JobPart[];
   /** What the timer said about itself; null before that. */
   readonly identity: Identity | null;
-  readonly onProgress?: OnProgress;
+  readonly onProgress?: ((progress: Progress) => void) | undefined;
 }
 
 /**
