@@ -27,28 +27,27 @@ export class OnScreen {
    * @param from the setting that it is opened from, or the model whose backup it is.
    */
   make(program: TimerProgram, from?: Partial<Pick<Content, 'of' | 'backupOf'>>): void {
-    if (!this.#isFree()) return;
-    this.#parts.notices.dismiss();
-    this.clear();
+    if (!this.closeProgram()) return;
     batch(() => {
       this.#parts.editor.make(program, from);
       this.#simulated.value = false;
     });
   }
 
-  /** Clears the screen for something else, while no timer is connected. The pilot's changes are kept. */
-  closeProgram(): void {
-    if (!this.#isFree()) return;
+  /**
+   * Clears the screen for something else, while no timer is connected. The pilot's changes are kept.
+   * @returns whether it is clear.
+   */
+  closeProgram(): boolean {
+    if (!this.#isFree()) return false;
     this.#parts.notices.dismiss();
     this.clear();
+    return true;
   }
 
   /** Shows a stored draft, as a program of no timer. */
   showKept(draft: Draft): void {
-    if (!this.#isFree()) return;
-    this.#parts.notices.dismiss();
-    this.clear();
-    this.bringBack(this.#drafts.take(draft));
+    if (this.closeProgram()) this.bringBack(this.#drafts.take(draft));
   }
 
   /** Brings a draft back to an empty screen. */
@@ -68,20 +67,16 @@ export class OnScreen {
    * Whether a backup can come to the screen: over the present program or, while no timer is connected, in its place.
    */
   canLoad(program: TimerProgram): boolean {
-    const working = this.#parts.editor.working.value;
-    return (working !== null && isOfOneShape(working.identity, program.identity)) || this.#isFree();
+    return this.#takes(program) || this.#isFree();
   }
 
   /** Takes the values of a backup as what the pilot wants. Writes nothing. */
   showBackup({ program, model }: Backup): void {
-    if (!this.canLoad(program)) return;
-    const { editor } = this.#parts;
-    const working = editor.working.value;
-    if (!working || !isOfOneShape(working.identity, program.identity)) {
+    if (this.#takes(program)) {
+      this.#parts.editor.apply({ ...replaceAll({ code: 'restore', params: {} }, program), backupOf: model });
+    } else {
       this.make({ ...program, memory: null }, { backupOf: model });
-      return;
     }
-    editor.apply({ ...replaceAll({ code: 'restore', params: {} }, program), backupOf: model });
   }
 
   /** Clears the screen. The pilot's changes are kept. */
@@ -100,6 +95,12 @@ export class OnScreen {
   /** @param simulated whether the last reading was of the simulated timer. */
   wasRead(simulated: boolean): void {
     this.#simulated.value = simulated;
+  }
+
+  /** Whether the present program can have the values of this one. */
+  #takes({ identity }: TimerProgram): boolean {
+    const working = this.#parts.editor.working.value;
+    return working !== null && isOfOneShape(working.identity, identity);
   }
 
   /** Whether no timer is connected or being connected. */
