@@ -318,13 +318,8 @@ describe('following', () => {
     expect(app.follow.trials.tried.value).toHaveLength(1);
   });
 
-  it('ends when the timer no longer answers, and when another memory is selected', async () => {
+  it('ends when the timer no longer answers', async () => {
     const app = await followingBench();
-    await run(app.session.reader.selectMemory(1));
-    expect(app.follow.on.value).toBe(false);
-    app.session.safety.confirm();
-    await run(app.bench.moveTo(4));
-    await run(app.follow.start());
     app.timer.core.sleep();
     set(app, S2, 70);
     await idle();
@@ -366,16 +361,6 @@ describe('following', () => {
     app.timer.core.memory = 1;
     await run(app.session.reader.read());
     expect([app.editor.working.value?.memory, app.follow.on.value]).toEqual([1, false]);
-  });
-
-  it('is off once a write is shown, and nothing is sent after that', async () => {
-    const app = await followingBench();
-    await run(app.write.open());
-    expect(app.follow.on.value).toBe(false);
-    set(app, S2, 70);
-    app.write.dismiss();
-    await idle();
-    expect(stored(app)).toEqual([]);
   });
 
   it('sends no value while a text is not a value', async () => {
