@@ -132,15 +132,9 @@ export function createModels({
     portHolder: new PortHolder(session, channel),
     installation: new Installation(
       platform,
-      computed(() => isVerified(write) && !session.link.simulated.value),
+      computed(() => write.verified.value !== null && !session.link.simulated.value),
     ),
     help: new Help(session),
     platform,
   };
-}
-
-/** Whether the shown write was verified. */
-function isVerified({ current }: WriteFlow): boolean {
-  const step = current.value;
-  return step?.step === 'done' && step.report.result === 'verified';
 }

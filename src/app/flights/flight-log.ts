@@ -59,7 +59,7 @@ export class FlightLog {
     this.flyable = computed(() => this.held.value ?? this.#verified.value?.program ?? null);
     effect(() => {
       const step = write.current.value;
-      const held = step?.step === 'done' && step.report.result === 'verified' ? step.report.held : null;
+      const held = write.verified.value?.report.held ?? null;
       this.#verified.value = held && untracked(() => this.#flown(held));
       if (held && this.#puttingBack !== null) void this.change(this.#puttingBack, { program: held });
       if (held || step === null) this.#puttingBack = null;

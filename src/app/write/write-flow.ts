@@ -60,6 +60,11 @@ export class WriteFlow extends JobDialog<WriteStep> {
   readonly serious: ReadonlySignal<readonly Finding[]> = computed(() =>
     this.#session.editor.findings.value.filter(({ severity }) => severity === 'serious'),
   );
+  /** The shown result, when it is verified. */
+  readonly verified: ReadonlySignal<Extract<WriteStep, { step: 'done' }> | null> = computed(() => {
+    const step = this.current.value;
+    return step?.step === 'done' && step.report.result === 'verified' ? step : null;
+  });
   /** Whether the write may begin. */
   readonly ready: ReadonlySignal<boolean> = computed(
     () =>
@@ -77,11 +82,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
   constructor(session: Session) {
     super(session);
     this.#session = session;
-    effect(() => {
-      const step = this.current.value;
-      const isVerified = step?.step === 'done' && step.report.result === 'verified';
-      session.editor.confirm(isVerified ? step.shown.changes.map(({ field }) => field) : []);
-    });
+    effect(() => session.editor.confirm(this.verified.value?.shown.changes.map(({ field }) => field) ?? []));
   }
 
   /** Reads the timer afresh and shows the difference from what it holds now. */
