@@ -1,3 +1,4 @@
+import { type Clock, realClock } from '../../line/index.js';
 import { MockSerial, type PlugOptions } from '../../mock-serial/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { SerialPortLike } from '../../serial/index.js';
@@ -8,12 +9,31 @@ import type { SimulatedClass } from '../session/timer-access.js';
 const LATENCY = 40;
 
 /**
+ * The clock of line and timer. In the background a browser calls timeouts once a second at most, but the bytes of a
+ * real port come in time there, too. So there the bytes of a simulated timer take no time.
+ */
+const promptInBackground: Clock = {
+  ...realClock,
+  after(ms, callback) {
+    if (!document.hidden) return realClock.after(ms, callback);
+    let due = true;
+    queueMicrotask(() => {
+      if (due) callback();
+    });
+    return () => {
+      due = false;
+    };
+  },
+};
+
+/**
  * A virtual timer with example memories, behind a mock port with the speed of a real line. It takes the same path
  * through the code as a real timer. Only this file puts simulator and mock port together.
  */
 export function plugSimulatedTimer(timerClass: SimulatedClass): SerialPortLike {
-  const timer = new VirtualTimer({ identity: { timerClass }, memories: exampleMemories(timerClass) });
-  return plug(timer, { timing: true, latency: LATENCY / 2 });
+  const clock = promptInBackground;
+  const timer = new VirtualTimer({ identity: { timerClass }, memories: exampleMemories(timerClass), clock });
+  return plug(timer, { clock, timing: true, latency: LATENCY / 2 });
 }
 
 /** A recorded timer behind a mock port. The port adds no time: the recording has the times of its own line. */
