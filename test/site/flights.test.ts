@@ -26,6 +26,8 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await form.getByRole('combobox', { name: 'Place' }).fill('Gyula');
   await form.getByRole('button', { name: 'Done' }).click();
   await form.waitFor({ state: 'hidden' });
+  const focused = (): Promise<string | null | undefined> => page.evaluate(() => document.activeElement?.textContent);
+  await expect.poll(focused, { message: 'the dialog that led to the form has closed, too' }).toBe('Write…');
 
   // The pilot disconnects, and would fly with a DT for trimming.
   await app.button('Disconnect').click();

@@ -2,6 +2,7 @@ import { useEffect } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/flights.js';
 import type { Session } from '../session/session.js';
+import { useHandedFocus } from '../ui/use-handed-focus.js';
 import { timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { heldText } from './flight-text.js';
@@ -10,7 +11,7 @@ import './flying-this.css';
 interface FlyingThisProps {
   readonly session: Session;
   readonly log: FlightLog;
-  /** Opens the form of the flight. */
+  /** The form of the flight is about to open. */
   readonly onFillIn?: () => void;
   /** Whether the last flight can be logged again without a timer. */
   readonly again?: boolean;
@@ -23,15 +24,17 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   const key = log.logged.value;
   const logged = flights.get(key)?.flight;
   const held = log.flyable.value;
+  const box = useHandedFocus('button:not(.quiet)');
   // The note about a logged flight goes away with this part of the page.
   useEffect(() => () => log.forgetLogged(), [log]);
   if (logged) {
     const fillIn = (): void => {
-      log.fillIn(logged.id);
+      // A dialog around this closes first, so that the form gives the focus back to where that one was opened.
       onFillIn?.();
+      log.fillIn(logged.id);
     };
     return (
-      <div class="flying-this">
+      <div class="flying-this" {...box}>
         <p role="status">
           <strong>{words.logged(timeOfDay(logged.at), [logged.modelName || row.noModel, logged.place])}</strong>
           {log.unkept.value && <span class="bad-text"> {words.unkept}</span>}
@@ -51,7 +54,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   if (!held && last) {
     const names = [last.modelName || row.noModel, last.settingName, heldText(last.program)];
     return (
-      <div class="flying-this">
+      <div class="flying-this" {...box}>
         <p class="hint">{dotted(names)}</p>
         <button type="button" class="primary" onClick={() => log.flyAgain(last)}>
           {words.again}
@@ -61,7 +64,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   }
   if (!held) return null;
   return (
-    <div class="flying-this">
+    <div class="flying-this" {...box}>
       <p class="hint">{heldText(held)}</p>
       <button type="button" class={again ? 'primary' : undefined} onClick={() => log.flying()}>
         {words.button}

@@ -7,6 +7,7 @@ import { type Known, possibleValues } from '../session/known.js';
 import type { Session } from '../session/session.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
+import { useHandedFocus } from '../ui/use-handed-focus.js';
 import type { Memories } from './memories.js';
 import { MemoryName } from './memory-name.js';
 import { Picks } from './memory-picks.js';
@@ -50,12 +51,14 @@ interface CardProps extends MemoryCardsProps {
 function Card({ session, memories, memory, current, count, known, onProgram }: CardProps) {
   const { overview: words, nextFlight, memoryName } = messages.value;
   const title = useId();
+  // The button that reads it goes, and so does the one that makes it fly next.
+  const box = useHandedFocus('.card-actions button');
   const isCurrent = memory === current;
   const isConnected = session.connection.value !== null;
   const program = lastRead(known);
   return (
     <li>
-      <article class={`memory-card ${isCurrent ? 'current' : ''}`} aria-labelledby={title}>
+      <article {...box} class={`memory-card ${isCurrent ? 'current' : ''}`} aria-labelledby={title}>
         <header>
           <h2 id={title}>{memoryName(memory)}</h2>
           <MemoryName session={session} memory={memory} />

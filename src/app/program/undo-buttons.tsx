@@ -27,6 +27,7 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
     return () => document.removeEventListener('keydown', onKey);
   }, [editor]);
   if (!identity) return null;
+  // The last step disables its own button, which would lose the focus. So it only says that it is off.
   return (
     <div class="undo-buttons">
       <button
@@ -34,8 +35,8 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
         class="quiet"
         aria-label={undo ?? edits.undoButton}
         title={undo ?? edits.undoButton}
-        disabled={isOff || undo === null}
-        onClick={() => editor.undo()}
+        aria-disabled={isOff || undo === null}
+        onClick={() => void (!off.peek() && editor.undo())}
       >
         {edits.undoButton}
       </button>
@@ -44,8 +45,8 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
         class="quiet"
         aria-label={redo ?? edits.redoButton}
         title={redo ?? edits.redoButton}
-        disabled={isOff || redo === null}
-        onClick={() => editor.redo()}
+        aria-disabled={isOff || redo === null}
+        onClick={() => void (!off.peek() && editor.redo())}
       >
         {edits.redoButton}
       </button>

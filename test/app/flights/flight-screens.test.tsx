@@ -197,13 +197,17 @@ describe('after a verified write', () => {
     app.session.safety.confirm();
     await idle(0);
     await press(/^Write \d+ change/);
+    button('Flying this').focus();
     await press('Flying this');
+    expect(document.activeElement, 'the focus does not leave the dialog').toBe(button('Fill in'));
     const dialog = within(screen.getByRole('dialog', { name: 'Write to the timer' }));
     expect(dialog.getByText(/^Flight logged \d\d:\d\d · No model$/)).toBeTruthy();
     expect(flights(app).map(({ program }) => program.times[10])).toEqual([2000]);
+    dialog.getByRole('button', { name: 'Undo' }).focus();
     dialog.getByRole('button', { name: 'Undo' }).click();
     await idle(0);
     expect(flights(app)).toEqual([]);
+    expect(document.activeElement).toBe(button('Flying this'));
     await press('Flying this');
     await press('Fill in');
     expect(screen.getAllByRole('dialog').length).toBe(1);

@@ -57,12 +57,16 @@ describe('the memories', () => {
     look.focus();
     await press('Look at M3');
     expect(said('M3')[0]).toBe('DT 4:00 min');
+    expect(look.isConnected, 'the button has done its work').toBe(false);
+    expect(document.activeElement, 'the focus goes on to').toBe(button('Open: M3'));
     expect([timer.core.memory, memories.looking.value]).toEqual([0, null]);
   });
 
   it('can be made to fly next there', async () => {
     const { timer } = await read();
+    button('Make it fly next: M3').focus();
     await press('Make it fly next: M3');
+    expect(document.activeElement).toBe(button('Open: M3'));
     expect(timer.core.memory).toBe(2);
     expect([said('M1')[0], said('M3')[0]]).toEqual(['DT 3:00 min', 'flies next']);
     expect(buttons('M3')).not.toContain('Make it fly next: M3');

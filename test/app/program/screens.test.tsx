@@ -214,6 +214,23 @@ describe('the table', () => {
     await press('Undo all');
     expect([field('DT time').value, field('Function 2, S1').value]).toEqual(['3:00', '35']);
   });
+
+  it('leaves the focus on Undo and Redo when no step is left', async () => {
+    await connected();
+    await type('Function 2, S1', '7');
+    for (const [name, left] of [
+      ['Undo', '35'],
+      ['Redo', '7'],
+    ] as const) {
+      const step = button(`${name} typing in Function 2, S1`);
+      step.focus();
+      await press(`${name} typing in Function 2, S1`);
+      await press(name);
+      expect(field('Function 2, S1').value).toBe(left);
+      expect(document.activeElement).toBe(step);
+      expect([step.disabled, step.getAttribute('aria-disabled')]).toEqual([false, 'true']);
+    }
+  });
 });
 
 describe('moving through the table', () => {
