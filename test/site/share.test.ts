@@ -82,7 +82,7 @@ test('a link that is opened while the page is open is shown over the present vie
   await app.button('Close').click();
   expect(hashOf(app)).toBe('#memories');
   await arrive(app, HASH);
-  await app.text('The connected timer has other functions or servos.').waitFor();
+  await app.text('The connected timer has another number of functions or servos.').waitFor();
   await isWellMade(app, 'received');
   await app.button('Do not keep').click();
   expect(hashOf(app)).toBe('#memories');

@@ -22,9 +22,7 @@ export const knowledge = {
   /** @param more how many further values there are. */
   list: (named: readonly string[], more: number) =>
     more > 0 ? `${named.join(', ')}, and ${plural(more, 'more value', 'more values')}` : named.join(' and '),
-  read: 'Read again',
   connect: 'Connect and read',
-  goTo: (memory: string) => `Look at ${memory}`,
   forget: 'Forget this…',
   forgetSure: 'Forget it only if you have read that timer elsewhere, or no longer have it.',
   forgetNow: 'Forget it now',

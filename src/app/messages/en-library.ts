@@ -25,6 +25,20 @@ const FIELDS: Readonly<Record<string, string>> = {
   result: 'Result',
 };
 
+/** Why a file is not taken as a picture. */
+export const pictureFaults = {
+  unreadable: 'This file could not be read as a picture. Choose a JPEG or PNG file.',
+  'too-large': 'This picture is too large. Choose one of at most 64 million pixels and 50 MB.',
+};
+
+/** Why a setting of the library or from a link cannot be opened now. */
+export const obstacles = {
+  busy: 'This page is reading, writing or looking for a timer. Wait until it has finished.',
+  following: 'The servos follow what you edit. Stop that first.',
+  'other-class': 'The connected timer is of another class. Disconnect it to open this setting.',
+  'other-layout': 'The connected timer has another number of functions or servos. Disconnect it to open this setting.',
+};
+
 /** Models and their settings. The parts of the page that show them load these sentences. */
 export const library = {
   title: 'Library',
@@ -101,10 +115,7 @@ export const library = {
     takePhoto: 'Add a picture…',
     changePhoto: 'Change the picture…',
     removePhoto: 'Remove the picture',
-    photoFaults: {
-      unreadable: 'This file could not be read as a picture. Choose a JPEG or PNG file.',
-      'too-large': 'This picture is too large. Choose one of at most 64 million pixels and 50 MB.',
-    },
+    photoFaults: pictureFaults,
     archive: 'Archive',
     unarchive: 'Take out of the archive',
     remove: 'Delete the model',
@@ -149,13 +160,7 @@ export const library = {
     gone: 'This setting is not in the library any more.',
     modelGone: 'This model is not in the library any more.',
     unsaved: (count: number) => `${plural(count, 'change', 'changes')} on the screen not saved`,
-    obstacles: {
-      busy: 'Wait until the timer is free.',
-      following: 'The servos follow what you edit. Stop that first.',
-      'other-class': 'The connected timer is of another class. Disconnect it to open this setting.',
-      'other-layout':
-        'The connected timer has another number of functions or servos. Disconnect it to open this setting.',
-    },
+    obstacles,
   },
   save: {
     /** Used while nothing of the library is open. */

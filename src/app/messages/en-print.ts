@@ -65,8 +65,6 @@ export const print = {
     now: (date: string) => `As in the timer, read ${date}`,
     verified: (date: string) => `As in the timer, verified ${date}`,
     once: (date: string) => `As last read ${date}`,
-    asLastRead: 'As last read',
-    made: 'New program, in no timer yet',
     changed: (count: number) => `${plural(count, 'value is', 'values are')} not in the timer yet`,
     not: 'It is not certain what the timer holds',
     unfinished: (count: number) => `${plural(count, 'field has', 'fields have')} no value yet: the last one is printed`,

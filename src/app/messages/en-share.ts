@@ -1,3 +1,4 @@
+import { obstacles, pictureFaults } from './en-library.js';
 import { plural } from './plural.js';
 
 /** A setting as a link and a QR code, and back. Only these dialogs need these sentences. */
@@ -40,12 +41,7 @@ export const share = {
     kept: (name: string) => `“${name}” is in the library.`,
     notKept: (name: string) =>
       `This browser could not keep “${name}”: it is lost when the page is closed. Keep the link.`,
-    obstacles: {
-      busy: 'This page is reading, writing or looking for a timer. Wait until it has finished.',
-      following: 'The servos follow what you edit. Stop that first.',
-      'other-class': 'The connected timer is of another class. Disconnect it first.',
-      'other-layout': 'The connected timer has other functions or servos. Disconnect it first.',
-    },
+    obstacles,
   },
   damaged: {
     title: 'This link cannot be read.',
@@ -76,8 +72,7 @@ export const share = {
       taken: 'Another program uses the camera. Close that program, or choose a picture.',
       missing: 'This browser does not let pages use a camera. Choose a picture of the QR code.',
       failed: 'The camera could not be started. Choose a picture of the QR code.',
-      picture: 'The browser cannot read this file as a picture.',
-      large: 'This picture is too large. Choose one of at most 64 million pixels and 50 MB.',
+      ...pictureFaults,
       nothing: 'No QR code was found in this picture. Take it again, from closer and straight from the front.',
       reader: 'The part of the page that reads QR codes could not be loaded. Go online and try again.',
     },

@@ -5,7 +5,6 @@ import { plural } from './plural.js';
 export const write = {
   title: 'Write to the timer',
   lead: (memory: string) => `This is what changes in ${memory}. Everything else stays as it is.`,
-  thisMemory: 'the current memory',
   nothing: 'Nothing differs. The timer is read back and compared.',
   field: 'Value',
   from: 'Timer holds',

@@ -4,7 +4,7 @@ import type { SharedSetting } from '../../program/index.js';
 import { tried } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { print as words } from '../messages/en-print.js';
-import { dateText, timerName } from '../messages/index.js';
+import { dateText, messages, timerName } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { qrLinkOf, sharedOf } from '../session/setting-link.js';
 import type { SettingRecord } from '../storage/index.js';
@@ -162,14 +162,15 @@ export class Print {
   #standing(): string {
     const { editor, standing } = this.#session;
     const { screen } = words;
+    const { knowledge } = messages.value;
     const { sure, at, ...rest } = standing.value;
     const date = at === null ? null : dateText(at);
     const changes = editor.changes.value.length;
     const unfinished = editor.unreadable.value.size;
     const said = (): string => {
-      if (editor.madeAt.value !== null) return screen.made;
+      if (editor.madeAt.value !== null) return knowledge.made;
       if (sure === 'not') return screen.not;
-      if (date === null) return screen.asLastRead;
+      if (date === null) return knowledge.asLastRead;
       if (sure === 'once') return screen.once(date);
       return 'verified' in rest && rest.verified ? screen.verified(date) : screen.now(date);
     };

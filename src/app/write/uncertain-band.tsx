@@ -93,14 +93,14 @@ function UncertainMemory({ session, one, onLook }: UncertainMemoryProps) {
 
 /** The button that makes it certain, where that is possible from here. */
 function WayToRead({ session, one, onLook }: UncertainMemoryProps) {
-  const { knowledge: words, memoryName } = messages.value;
+  const { knowledge: words, program, look, memoryName } = messages.value;
   const { memory } = one.before;
   const busy = session.runner.busy.value;
   if (isHere(session, one)) {
     const isCurrent = memory === null || session.editor.working.value?.memory === memory;
     return (
       <button type="button" disabled={busy} onClick={() => (isCurrent ? void session.reader.read() : onLook(memory))}>
-        {isCurrent ? words.read : words.goTo(memoryName(memory))}
+        {isCurrent ? program.read : look.look(memoryName(memory))}
       </button>
     );
   }

@@ -246,8 +246,7 @@ function Verdict({ session, done: { at, shown }, held }: VerdictProps) {
 
 /** “M1 “calm” of Lancer 07”, as far as it is known. */
 function whereText(session: Session, memory: number | null, model: Model | null): string {
-  const { write: words } = messages.value;
-  const name = memory === null ? words.thisMemory : memoryText(session, memory);
+  const name = memory === null ? messages.value.knowledge.thisMemory : memoryText(session, memory);
   return model ? modelMessages.value.crossing.memoryOf(name, model.name) : name;
 }
 

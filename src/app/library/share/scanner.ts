@@ -1,11 +1,11 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import { LINK_MARK } from '../../../program/index.js';
 import { type Camera, type CameraFault, openCamera } from '../../browser/camera.js';
-import { decodedPicture } from '../../browser/picture.js';
+import { decodedPicture, type PictureFault } from '../../browser/picture.js';
 import { QrReader, WIDEST_LOOK } from '../../browser/qr-reader.js';
 
 /** Why nothing was read. */
-export type ScanFault = CameraFault | 'picture' | 'large' | 'nothing' | 'reader';
+export type ScanFault = CameraFault | PictureFault | 'nothing' | 'reader';
 
 /** The state that the page shows. */
 export type ScanState =
@@ -79,9 +79,7 @@ export class Scanner {
     const turn = this.#begin({ kind: 'picture' });
     const isLate = (): boolean => turn !== this.#turn;
     const picture = await decodedPicture(file, WIDEST_LOOK);
-    if (typeof picture === 'string') {
-      return isLate() ? undefined : this.#fail(picture === 'too-large' ? 'large' : 'picture');
-    }
+    if (typeof picture === 'string') return isLate() ? undefined : this.#fail(picture);
     const isReady = await this.#reader.prepare().then(
       () => true,
       () => false,

@@ -166,7 +166,7 @@ describe('a picture', () => {
     vi.stubGlobal('createImageBitmap', () => Promise.reject(new DOMException('no', 'InvalidStateError')));
     await reading();
     await choose();
-    expect(dialog().getByRole('alert').textContent).toMatch(/cannot read this file as a picture/);
+    expect(dialog().getByRole('alert').textContent).toMatch(/could not be read as a picture/);
   });
 });
 
