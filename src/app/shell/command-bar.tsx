@@ -13,7 +13,7 @@ import { useHeight } from '../ui/use-height.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import './command-bar.css';
 
-interface CommandBarProps {
+export interface CommandBarProps {
   readonly session: Session;
   readonly write: WriteFlow;
   readonly bench: Bench;

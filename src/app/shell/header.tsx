@@ -1,27 +1,14 @@
-import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
-import type { Follow } from '../bench/follow.js';
-import type { Platform } from '../browser/platform.js';
-import type { Installation } from '../connect/installation.js';
 import { LinkNotice } from '../connect/link-notice.js';
-import type { SaveSetting } from '../library/save-setting.js';
-import type { Leaving } from '../memories/leaving.js';
-import type { Memories } from '../memories/memories.js';
 import { NextFlightNotes } from '../memories/next-flight-line.js';
 import { messages } from '../messages/index.js';
 import type { JobKind, JobRunner } from '../session/job-runner.js';
-import type { Keeping } from '../session/keeping.js';
-import type { PortHolder } from '../session/port-holder.js';
-import type { Preferences } from '../session/preferences.js';
-import type { Session } from '../session/session.js';
-import type { SetAside } from '../session/set-aside.js';
 import { onDemand } from '../ui/on-demand.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
 import { UncertainBand } from '../write/uncertain-band.js';
-import { NoticeBar } from './notice-bar.js';
-import { StatusStrip } from './status-strip.js';
-import type { UpdateOffer } from './update-offer.js';
+import { NoticeBar, type NoticeBarProps } from './notice-bar.js';
+import { StatusStrip, type StatusStripProps } from './status-strip.js';
 import './header.css';
 
 /** The line about the model, loaded after the first picture. */
@@ -29,21 +16,7 @@ export const modelLine = onDemand(async () => (await import('../recognition/mode
   silent: true,
 });
 
-interface HeaderProps {
-  readonly session: Session;
-  readonly memories: Memories;
-  readonly leaving: Leaving;
-  readonly follow: Follow;
-  readonly preferences: Preferences;
-  readonly saveSetting: SaveSetting;
-  readonly keeping: Keeping;
-  readonly aside: SetAside;
-  readonly update: UpdateOffer;
-  readonly portHolder: PortHolder;
-  readonly platform: Platform;
-  readonly installation: Installation;
-  readonly fileNotice: ComponentChildren;
-  readonly onExport: () => void;
+interface HeaderProps extends StatusStripProps, NoticeBarProps {
   /** Whether the connecting is shown large, in place of the program. */
   readonly staged: boolean;
 }

@@ -29,7 +29,7 @@ const CALM: ReadonlySet<Notice['code']> = new Set([
   'made-laid',
 ]);
 
-interface NoticeBarProps {
+export interface NoticeBarProps {
   readonly session: Session;
   readonly keeping: Keeping;
   readonly aside: SetAside;

@@ -2,9 +2,6 @@ import { useComputed, useSignal, useSignalEffect } from '@preact/signals';
 import { useCallback, useEffect, useMemo } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import type { Bench } from '../bench/bench.js';
-import type { Follow } from '../bench/follow.js';
-import type { SaveSetting } from '../library/save-setting.js';
 import { offerScreen } from '../library/share/share-screen.js';
 import type { Sharing } from '../library/share/sharing.js';
 import type { Memories } from '../memories/memories.js';
@@ -17,26 +14,19 @@ import { ProgramTable } from '../program/program-table.js';
 import { RowTools } from '../program/row-tools.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
 import type { Preferences } from '../session/preferences.js';
-import type { Session } from '../session/session.js';
 import { useLateComputed } from '../ui/use-late.js';
 import { NARROW, useQuery } from '../ui/use-query.js';
-import type { WriteFlow } from '../write/write-flow.js';
-import { CommandBar } from './command-bar.js';
+import { CommandBar, type CommandBarProps } from './command-bar.js';
 import './program-view.css';
 
-export interface ProgramViewProps {
-  readonly session: Session;
-  readonly write: WriteFlow;
+export interface ProgramViewProps extends Omit<CommandBarProps, 'onShift' | 'picture'> {
   readonly memories: Memories;
-  readonly bench: Bench;
-  readonly follow: Follow;
   readonly preferences: Preferences;
   readonly programPicture: ProgramPicture;
   readonly sharing: Sharing;
   readonly onPrint: () => void;
   /** Explains the values of the table. */
   readonly onExplain: () => void;
-  readonly saveSetting: SaveSetting;
 }
 
 /** The program on the screen: the large figures, the table, the checks, and the way to the timer. */

@@ -26,7 +26,7 @@ import './status-strip.css';
 /** The figures to edit, loaded after the first picture. */
 export const figures = onDemand(async () => (await import('./figures-panel.js')).FiguresPanel, { silent: true });
 
-interface StatusStripProps {
+export interface StatusStripProps {
   readonly session: Session;
   readonly memories: Memories;
   readonly leaving: Leaving;
