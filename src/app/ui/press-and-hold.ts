@@ -8,17 +8,14 @@ const LATE = 100;
 /** An act that needs a button to be pressed and held: once for each hold, however long it lasts. */
 export class PressAndHold {
   readonly #holding = signal(false);
+  /** Whether it is being held and has not acted yet. */
+  readonly holding: ReadonlySignal<boolean> = this.#holding;
   readonly #done: () => void;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #pressed = false;
 
   constructor(done: () => void) {
     this.#done = done;
-  }
-
-  /** Whether it is being held and has not acted yet. */
-  get holding(): ReadonlySignal<boolean> {
-    return this.#holding;
   }
 
   /** The button went down. A repeating key counts once. */

@@ -40,6 +40,10 @@ export class Player {
   readonly #underWay = signal(false);
   readonly #inHand = signal(0);
   readonly #asked = signal<number | null>(null);
+  /** Whole hundredths of a second from launch. */
+  readonly time: ReadonlySignal<number> = this.#time;
+  readonly playing: ReadonlySignal<boolean> = this.#playing;
+  readonly speed: ReadonlySignal<Speed> = this.#speed;
   /** The time to show, in hundredths of a second from launch. */
   readonly shown: ReadonlySignal<number> = computed(
     () =>
@@ -54,19 +58,6 @@ export class Player {
 
   constructor(frames: Frames = screenFrames) {
     this.#frames = frames;
-  }
-
-  /** Whole hundredths of a second from launch. */
-  get time(): ReadonlySignal<number> {
-    return this.#time;
-  }
-
-  get playing(): ReadonlySignal<boolean> {
-    return this.#playing;
-  }
-
-  get speed(): ReadonlySignal<Speed> {
-    return this.#speed;
   }
 
   /** Another program is shown. A time past its end becomes its end. */
