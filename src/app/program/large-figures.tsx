@@ -1,4 +1,6 @@
+import { fieldKey } from '../../program/index.js';
 import { messages } from '../messages/index.js';
+import { keyFields } from '../messages/key-figures.js';
 import type { Session } from '../session/session.js';
 import { useLateComputed } from '../ui/use-late.js';
 import { EditSheet, useHand } from './edit-sheet.js';
@@ -15,30 +17,18 @@ export function LargeFigures({ session }: { readonly session: Session }) {
   if (!identity) return null;
   return (
     <div class="figures">
-      <div class="figure">
-        <span class="figure-name">
-          {program.dt} {isShort && <strong class="badge loud">{program.shortDt}</strong>}
-        </span>
-        <ValueField
-          session={session}
-          field={{ kind: 'time', slot: identity.functions }}
-          label={program.dt}
-          place="large"
-          hand={hand}
-        />
-      </div>
-      {identity.timerClass === 'Q' && (
-        <div class="figure">
-          <span class="figure-name">{program.motorStop}</span>
-          <ValueField
-            session={session}
-            field={{ kind: 'time', slot: 0 }}
-            label={program.motorStop}
-            place="large"
-            hand={hand}
-          />
-        </div>
-      )}
+      {keyFields(identity).map((field, at) => {
+        // DT comes first.
+        const name = at === 0 ? program.dt : program.motorStop;
+        return (
+          <div class="figure" key={fieldKey(field)}>
+            <span class="figure-name">
+              {name} {at === 0 && isShort && <strong class="badge loud">{program.shortDt}</strong>}
+            </span>
+            <ValueField {...{ session, field, hand }} label={name} place="large" />
+          </div>
+        );
+      })}
       <EditSheet {...{ identity, hand }} standing={session.standing} />
     </div>
   );
