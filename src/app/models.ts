@@ -99,6 +99,9 @@ export function createModels({
   const session = new Session({ ...options, storage });
   keeping.onReturn(() => {
     void session.keptWork.bringBack();
+    session.knowledge.keepAgain();
+    session.backups.keepAgain();
+    void session.link.remember();
     void session.library.keepAgain();
   });
   const write = new WriteFlow(session);

@@ -88,6 +88,9 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   });
   // Takes in what another tab has found out, or left behind, in the meantime.
   document.addEventListener('visibilitychange', () => document.hidden || void session.knowledge.refresh());
+  // Room is made in another window, or in the settings of a phone.
+  addEventListener('focus', () => keeping.tryAgain());
+  document.addEventListener('visibilitychange', () => document.hidden || keeping.tryAgain());
   onWake(() => session.link.recheck());
   followDay();
   const onMissing = (): void => keeping.lack('offline');

@@ -221,4 +221,24 @@ describe('the page starts all the same', () => {
       await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
     },
   );
+
+  test('where the storage was full, it is kept once there is room and the pilot comes back to the page', async () => {
+    const app = await AppPage.open({
+      bench: {},
+      before: () => {
+        const { put } = IDBObjectStore.prototype;
+        IDBObjectStore.prototype.put = () => {
+          throw new DOMException('The storage is full.', 'QuotaExceededError');
+        };
+        addEventListener('room', () => {
+          IDBObjectStore.prototype.put = put;
+        });
+      },
+    });
+    await app.connect();
+    await app.type('Function 2, S1', '7');
+    await app.says('Make room on this device and come back to this page');
+    await app.page.evaluate(() => dispatchEvent(new Event('room')) && dispatchEvent(new Event('focus')));
+    await app.text('Its storage is full.').waitFor({ state: 'detached' });
+  });
 });

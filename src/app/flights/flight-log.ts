@@ -1,4 +1,4 @@
-import { batch, computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
+import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
 import * as v from 'valibot';
 import { differences, type Flight, LIMITS, sameLayout, type TimerProgram } from '../../program/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
@@ -34,7 +34,6 @@ export class FlightLog {
   readonly filter: ReadonlySignal<FlightFilter>;
   readonly #filter = signal(NO_FILTER, { name: 'flightFilter' });
   readonly #logged = signal<string | null>(null, { name: 'logged' });
-  readonly #unkept = signal(false, { name: 'flightUnkept' });
   /** What the write has verified whose result is shown. The timer may have been unplugged since. */
   readonly #verified = signal<Flown | null>(null, { name: 'verifiedFlown' });
   readonly #filling = signal<string | null>(null, { name: 'filling' });
@@ -47,7 +46,7 @@ export class FlightLog {
     this.#session = session;
     this.#write = write;
     this.logged = this.#logged;
-    this.unkept = this.#unkept;
+    this.unkept = computed(() => session.library.flights.refused.value.has(this.#logged.value ?? ''));
     this.filling = this.#filling;
     this.filter = this.#filter;
     this.held = computed(() => {
@@ -168,13 +167,8 @@ export class FlightLog {
     const key = newId();
     const nothingNoted = { wind: null, temperature: null, round: '', result: null, note: '' };
     const { library } = this.#session;
-    batch(() => {
-      this.#logged.value = key;
-      this.#unkept.value = false;
-    });
-    void library.keepFlight({ id: key, at: Date.now(), ...nothingNoted, ...flight }).then(() => {
-      if (this.#logged.peek() === key) this.#unkept.value = library.flights.unsaved.peek().has(key);
-    });
+    this.#logged.value = key;
+    void library.keepFlight({ id: key, at: Date.now(), ...nothingNoted, ...flight });
     return key;
   }
 

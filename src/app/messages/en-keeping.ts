@@ -10,13 +10,13 @@ export const keeping = {
     slow: 'Its storage does not answer. Until it does, what you type, backups and the note of an interrupted write are kept only while this page is open.',
     blocked:
       'Another tab holds an older version of this page. Close it and load this page again. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
-    full: 'Its storage is full. What you type, new backups and the note of an interrupted write are kept only while this page is open.',
+    full: 'Its storage is full. Make room on this device and come back to this page: then it tries again. Until then, what you type, new backups and the note of an interrupted write are kept only while this page is open.',
     newer:
       'A newer version of this page has changed its storage. Load the page again to get that version. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
     missing:
       'It has no storage for this page, or its storage is switched off. What you type, backups and the note of an interrupted write are kept only while this page is open.',
     failed:
-      'Its storage fails. What you type, backups and the note of an interrupted write are kept only while this page is open.',
+      'Its storage fails: this device may have no room left. Make room and come back to this page: then it tries again. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
   } satisfies Record<StorageErrorCode, string>,
   lacks: {
     locks: 'This page cannot tell its tabs apart. Use one tab only.',

@@ -13,6 +13,8 @@ export class Backups {
   readonly removed: ReadonlySignal<readonly Backup[]> = this.#removed;
   readonly #keeper: Keeper<Backup>;
   readonly #modelOf: () => string | null;
+  /** The keys of backups that the browser does not have, or not yet. */
+  readonly #unsaved = new Set<string>();
   #deleting: ReturnType<typeof setTimeout> | undefined;
   #last = 0;
 
@@ -43,8 +45,13 @@ export class Backups {
     const model = this.#modelOf();
     const backup: Backup = { key, savedAt, reason, program, simulated, ...(model === null ? {} : { model }) };
     this.#list.value = [backup, ...this.list.value];
-    await this.#keeper.save(backup);
+    await this.#save(backup);
     this.#thin();
+  }
+
+  /** Tries again to keep what the browser has not kept. */
+  keepAgain(): void {
+    for (const backup of this.#list.peek()) if (this.#unsaved.has(backup.key)) void this.#save(backup).catch(() => {});
   }
 
   /**
@@ -58,7 +65,7 @@ export class Backups {
       .map((each) => ({ ...each, model }));
     if (own.length === 0) return;
     this.#list.value = this.#listed([...this.#list.peek(), ...own]);
-    for (const backup of own) void this.#keeper.save(backup).catch(() => {});
+    for (const backup of own) void this.#save(backup).catch(() => {});
   }
 
   /** Removes some from the list, and deletes them for good after ten seconds, unless somebody puts them back. */
@@ -84,6 +91,12 @@ export class Backups {
     this.#removed.value = [];
     // A backup that was never stored need not be deleted.
     for (const { key } of value) void this.#keeper.remove(key).catch(() => {});
+  }
+
+  async #save(backup: Backup): Promise<void> {
+    this.#unsaved.add(backup.key);
+    await this.#keeper.save(backup);
+    this.#unsaved.delete(backup.key);
   }
 
   /** Deletes the outdated backups for good. What cannot be deleted now is deleted another time. */

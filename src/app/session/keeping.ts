@@ -52,6 +52,11 @@ export class Keeping implements StorageWatch {
     this.#onKept = callback;
   }
 
+  /** The pilot comes back to the page, and may have made room in the meantime. */
+  tryAgain(): void {
+    if (this.storage.peek()) this.#onReturn();
+  }
+
   lack(what: Lack): void {
     this.#lacks.value = new Set([...this.#lacks.value, what]);
   }
@@ -60,7 +65,7 @@ export class Keeping implements StorageWatch {
     this.#seen.value = this.#now.value;
   }
 
-  /** Calls back each time that the storage works again after a failure. */
+  /** Calls back each time that the storage works again after a failure, or that it is worth a try. */
   onReturn(callback: () => void): void {
     this.#onReturn = callback;
   }

@@ -233,6 +233,11 @@ export class Knowledge {
     return this.#records.refresh();
   }
 
+  /** Tries again to keep the records that the browser has not kept. */
+  keepAgain(): void {
+    this.#records.keepAgain();
+  }
+
   /** Cuts off changes whose result no reading has shown: their memories are uncertain from now on. */
   #cut(which: (isAcknowledged: boolean) => boolean): void {
     const under = this.#underWay.peek();

@@ -59,6 +59,11 @@ export class UnfinishedRecords {
     );
   }
 
+  /** Tries again what the browser has not confirmed. */
+  keepAgain(): void {
+    for (const [key, record] of this.#open) void (record ? this.save(record) : this.remove(key));
+  }
+
   async #load(): Promise<void> {
     let seen: number;
     let tab: number;

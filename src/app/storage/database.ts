@@ -96,9 +96,9 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
         wasOpen = true;
       }, reject);
     });
-    opening.catch(() => {
-      // The error of the first opening stays; later ones may be over with the next try.
-      if (wasOpen && opened === opening) opened = undefined;
+    opening.catch((cause) => {
+      // It may be over with the next try. An opening that is blocked goes on by itself.
+      if (opened === opening && StorageError.of(cause).code !== 'blocked') opened = undefined;
     });
     return opening;
   };

@@ -91,3 +91,27 @@ describe.each(Object.keys(FAULTS) as FaultName[])('where the storage %s', (fault
     expect(await afterReload(store)).toEqual(before);
   });
 });
+
+// What hangs for ever is a matter for a reload.
+const ENDING = (Object.keys(FAULTS) as FaultName[]).filter((fault) => fault !== 'hangs');
+
+describe.each(ENDING)('where the storage %s', (fault) => {
+  it.each(Object.keys(ACTIONS))(
+    'and %s, that is kept as soon as the pilot comes back and it works again',
+    async (name) => {
+      const store = new FaultyStore();
+      const app = await appBench({ store });
+      const { library } = app.session;
+      await run(Promise.all([library.load(), library.flights.load()]));
+      for (const model of [MODEL, OTHER]) await run(library.keepModel(model));
+      store.before = (door) => (/\.(save|exchange|remove)$/.test(door) ? FAULTS[fault]() : undefined);
+      void ACTIONS[name]?.(app)?.catch(() => {});
+      await idle(6000);
+      store.before = () => undefined;
+      app.keeping.tryAgain();
+      await idle();
+      expect([library.kept.value, app.keeping.storage.value]).toEqual([true, null]);
+      expect(await afterReload(store)).toEqual(shown(library));
+    },
+  );
+});

@@ -2,8 +2,9 @@ import { act, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import type { Backup } from '../../../src/app/storage/index.js';
+import type { TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, run } from '../bench/bench.js';
-import { FaultyStore } from '../faults.js';
+import { FAULTS, FaultyStore } from '../faults.js';
 import { programOf } from '../programs.js';
 import { press } from '../screen.js';
 
@@ -92,6 +93,27 @@ describe('when the storage works again, the page reads again what is kept', () =
     expect(looks.mock.calls.length).toBeGreaterThan(0);
     expect(looks.mock.calls.length).toBeLessThanOrEqual(11);
   });
+});
+
+it('a backup and the note of a write that found no room are kept once there is room and the pilot comes back', async () => {
+  const store = new FaultyStore();
+  const { session, keeping } = await connectedBench({ store });
+  const { editor, backups, knowledge } = session;
+  const before = editor.working.value as TimerProgram;
+  store.before = (door) => (door.endsWith('.save') ? FAULTS['is full']() : undefined);
+  const added = backups.add(before, 'write', false).catch(({ code }) => code);
+  const begun = knowledge.begin(before, { ...before, idleThrottle: 7 });
+  await idle();
+  expect([await added, await begun, keeping.storage.value]).toEqual(['full', false, 'full']);
+  keeping.tryAgain();
+  await idle();
+  expect(keeping.storage.value).toBe('full');
+  store.before = () => undefined;
+  keeping.tryAgain();
+  await idle();
+  expect([...store.backups.records.values()]).toEqual(backups.list.value);
+  expect([...store.unfinished.records.values()]).toMatchObject([{ kind: 'write', goal: { idleThrottle: 7 } }]);
+  expect(keeping.storage.value).toBeNull();
 });
 
 describe('an unreadable record', () => {

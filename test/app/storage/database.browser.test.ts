@@ -81,10 +81,11 @@ describe('the storage of the browser', () => {
       };
       opening.onerror = () => reject(opening.error);
     });
-    const failed = await browserStorage(own)
-      .ports.all()
-      .catch((error) => error);
+    const { ports } = browserStorage(own);
+    const failed = await ports.all().catch((error) => error);
     expect(StorageError.of(failed).code).toBe('newer');
+    await deleteDB(own);
+    expect(await ports.all(), 'it can be opened as soon as the reason is gone').toEqual([]);
   });
 
   it.each([false, true])(
