@@ -87,6 +87,7 @@ describe('the port is taken', () => {
       .first()
       .click();
     await other.text('Another tab of this page holds the port: F1Q, M1, since').waitFor();
+    expect(await other.text('The port cannot be opened.').count(), 'nothing else is blamed').toBe(0);
     await other.button('Take over').click();
     await app.says('Another tab of this page uses the port now.');
     await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();

@@ -6,11 +6,15 @@ interface OtherTabNoticeProps {
   readonly tab: OtherTab;
   /** Asks the other tab for its port. The caller goes on once the tab has released it. */
   readonly onTakeOver: () => Promise<TakeOver>;
+  readonly onDismiss: () => void;
 }
 
-/** Another tab of this page holds the port: says which, and offers to take the port over. */
-export function OtherTabNotice({ tab, onTakeOver }: OtherTabNoticeProps) {
-  const { otherTab } = messages.value;
+/**
+ * Another tab of this page holds the port: says which, and offers to take the port over. In place of the notice that
+ * most often another program has it.
+ */
+export function OtherTabNotice({ tab, onTakeOver, onDismiss }: OtherTabNoticeProps) {
+  const { otherTab, dismiss } = messages.value;
   const answer = useSignal<TakeOver | 'asking' | null>(tab.writing ? 'writing' : null);
   const take = async (): Promise<void> => {
     answer.value = 'asking';
@@ -24,6 +28,9 @@ export function OtherTabNotice({ tab, onTakeOver }: OtherTabNoticeProps) {
       </p>
       <button type="button" disabled={answer.value === 'asking'} onClick={() => void take()}>
         {otherTab.takeOver}
+      </button>
+      <button type="button" class="quiet" onClick={onDismiss}>
+        {dismiss}
       </button>
     </div>
   );

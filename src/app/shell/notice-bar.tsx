@@ -61,8 +61,15 @@ export function NoticeBar({ session, keeping, aside, update, portHolder, platfor
       <RemovedNotice backups={session.backups} />
       <LibraryRemovedNotice library={session.library} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
-      {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => portHolder.takeOver(holder)} />}
-      {notice && (
+      {holder && (
+        <OtherTabNotice
+          key={holder.id}
+          tab={holder}
+          onTakeOver={() => portHolder.takeOver(holder)}
+          onDismiss={() => session.notices.dismiss()}
+        />
+      )}
+      {notice && !holder && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
           <NoticeText said={said(notice, platform, session.standing.value.sure === 'not')} />
           {notice.kind === 'connection' && notice.bytes && (

@@ -284,7 +284,7 @@ describe('the notice about another tab', () => {
   const tab: OtherTab = { ...HOLDER, id: '1', portKey: PORT, since };
 
   function shown(answer: () => Promise<TakeOver>, writing = false) {
-    render(<OtherTabNotice tab={{ ...tab, writing }} onTakeOver={answer} />);
+    render(<OtherTabNotice tab={{ ...tab, writing }} onTakeOver={answer} onDismiss={() => {}} />);
     return screen.getByRole<HTMLButtonElement>('button', { name: 'Take over' });
   }
 
@@ -294,7 +294,7 @@ describe('the notice about another tab', () => {
   });
 
   it('says since when, also for a tab that has read no timer yet', () => {
-    render(<OtherTabNotice tab={{ ...tab, what: '' }} onTakeOver={async () => 'released'} />);
+    render(<OtherTabNotice tab={{ ...tab, what: '' }} onTakeOver={async () => 'released'} onDismiss={() => {}} />);
     expect(screen.getByText('Another tab of this page holds the port, since 09:05.')).toBeTruthy();
   });
 
