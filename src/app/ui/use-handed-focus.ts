@@ -19,7 +19,9 @@ export function useHandedFocus(next: string): Box {
     if (!isGone) return;
     last.current = null;
     // Not when the pilot has gone elsewhere.
-    if (document.activeElement === document.body) ref.current?.querySelector<HTMLElement>(next)?.focus();
+    if (document.activeElement !== document.body) return;
+    // The pilot may have scrolled on in the meantime.
+    ref.current?.querySelector<HTMLElement>(next)?.focus({ preventScroll: true });
   });
   const onFocusIn = ({ target }: FocusEvent): void => {
     last.current = target;

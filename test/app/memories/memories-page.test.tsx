@@ -1,5 +1,5 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { clockText } from '../../../src/app/messages/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, type BenchOptions, idle } from '../bench/bench.js';
@@ -55,7 +55,11 @@ describe('the memories', () => {
     expect(buttons('M3')).toEqual(['Look at M3', 'Make it fly next: M3', 'Copy to…: M3']);
     const look = button('Look at M3');
     look.focus();
+    const focus = vi.spyOn(HTMLElement.prototype, 'focus');
     await press('Look at M3');
+    expect(focus.mock.calls, 'the page stays where the pilot has scrolled meanwhile').toEqual([
+      [{ preventScroll: true }],
+    ]);
     expect(said('M3')[0]).toBe('DT 4:00 min');
     expect(look.isConnected, 'the button has done its work').toBe(false);
     expect(document.activeElement, 'the focus goes on to').toBe(button('Open: M3'));
