@@ -20,6 +20,8 @@ export class KeptWork {
   #lateTimer: ReturnType<typeof setTimeout> | undefined;
   #looking: Promise<void> | null = null;
   #lookAgain = false;
+  /** Whether a program has been on the screen. One that the pilot has closed does not come back by itself. */
+  #hasShown = false;
 
   constructor(session: Session, drafts: Drafts) {
     this.#session = session;
@@ -32,6 +34,7 @@ export class KeptWork {
     const { editor, standing, onScreen, origin } = this.#session;
     effect(() => {
       const content = editor.snapshot();
+      if (content) this.#hasShown = true;
       const readAt = standing.value.at;
       const model = origin.key.value;
       const ofModel = model === null ? {} : { model };
@@ -80,8 +83,8 @@ export class KeptWork {
   }
 
   async #bringBackEdits(): Promise<void> {
-    const { editor, engaged } = this.#session;
-    const wanted = (): boolean => editor.working.value === null && !engaged.value;
+    const { engaged } = this.#session;
+    const wanted = (): boolean => !this.#hasShown && !engaged.value;
     const draft = await this.#drafts.latest(wanted);
     if (draft) this.#session.onScreen.bringBack(draft);
     else if (wanted()) void this.#bringBackLate(wanted);

@@ -3,6 +3,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import type { Backup } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
+import { MODEL } from '../../program/library-examples.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { FAULTS, FaultyStore } from '../faults.js';
 import { programOf } from '../programs.js';
@@ -114,6 +115,22 @@ it('a backup and the note of a write that found no room are kept once there is r
   expect([...store.backups.records.values()]).toEqual(backups.list.value);
   expect([...store.unfinished.records.values()]).toMatchObject([{ kind: 'write', goal: { idleThrottle: 7 } }]);
   expect(keeping.storage.value).toBeNull();
+});
+
+it('a program that the pilot has closed stays closed while the storage is tried again', async () => {
+  const store = new FaultyStore();
+  const { session, editor, keeping } = await connectedBench({ store });
+  editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
+  await run(session.timer.disconnect());
+  await idle();
+  session.onScreen.closeProgram();
+  store.fail('models.save', 'is full');
+  void session.library.keepModel(MODEL).catch(() => {});
+  await idle(1000);
+  expect([keeping.storage.value, editor.working.value]).toEqual(['full', null]);
+  keeping.tryAgain();
+  await idle();
+  expect(editor.working.value).toBeNull();
 });
 
 describe('an unreadable record', () => {
