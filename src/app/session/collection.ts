@@ -159,6 +159,8 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     const back = this.#removed.peek();
     this.#removed.value = [];
     this.#show([...this.#list.peek(), ...back]);
+    // Another tab may have deleted some for good in the meantime.
+    void this.save(...back.filter(({ key }) => !this.#held.has(key)));
   }
 
   /** Deletes the removed records for good: the ten seconds are over, or the pilot leaves the page. */

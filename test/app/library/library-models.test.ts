@@ -153,6 +153,22 @@ describe('two tabs', () => {
     ]);
   });
 
+  it('have in both what one brings back after the other has deleted it for good', async () => {
+    await appBench();
+    const store = stored(COUNTS);
+    const [one, other] = twoTabs(store);
+    await Promise.all([one.load(), other.load()]);
+    one.removeModel('model-0');
+    await idle(4000);
+    other.removeModel('model-0');
+    await idle(7000);
+    expect([store.models.records.size, store.settings.records.size]).toEqual([0, 0]);
+    other.undoRemove();
+    await idle();
+    expect([store.models.records.size, store.settings.records.size]).toEqual([1, 2]);
+    expect([keys(one.models.list.value), other.kept.value]).toEqual([['model-0'], true]);
+  });
+
   it('do not delete what the other has changed since its clock was put back', async () => {
     await appBench();
     const store = stored(COUNTS);
