@@ -10,9 +10,12 @@ export class SetAside {
   readonly #list = signal<readonly AsideRecord[]>([], { name: 'aside' });
   readonly list: ReadonlySignal<readonly AsideRecord[]> = this.#list;
   /** Whether there is something that the pilot has not seen. */
-  readonly isNew: ReadonlySignal<boolean> = computed(() => this.list.value.some(({ at }) => at > this.#seen.value));
+  readonly isNew: ReadonlySignal<boolean> = computed(() =>
+    this.list.value.some(({ at }) => !this.#seen.value.includes(at)),
+  );
   readonly #keeper: Keeper<AsideRecord>;
-  readonly #seen = signal(loadSetting(SEEN, v.number()) ?? 0);
+  /** When those that he has seen were set aside. The clock may have been wrong: a later time need not be newer. */
+  readonly #seen = signal<readonly number[]>(loadSetting(SEEN, v.array(v.number())) ?? []);
 
   constructor(keeper: Keeper<AsideRecord>) {
     this.#keeper = keeper;
@@ -38,7 +41,7 @@ export class SetAside {
   }
 
   dismiss(): void {
-    this.#seen.value = Math.max(0, ...this.list.value.map(({ at }) => at));
+    this.#seen.value = [...new Set(this.list.value.map(({ at }) => at))];
     saveSetting(SEEN, this.#seen.value);
   }
 }

@@ -155,6 +155,16 @@ describe('an unreadable record', () => {
     expect([next.models.aside.isNew.value, next.models.aside.list.value.length]).toEqual([false, 1]);
   });
 
+  it('is reported also when the clock was ahead as the one before it was set aside', async () => {
+    const { models, store } = await found('drafts');
+    models.aside.dismiss();
+    store.aside.records.set('b', { key: 'b', shelf: 'models', at: 4, stored: { key: 'y' } });
+    const next = await appBench({ store });
+    expect(next.models.aside.isNew.value).toBe(true);
+    next.models.aside.dismiss();
+    expect((await appBench({ store })).models.aside.isNew.value).toBe(false);
+  });
+
   it('is named when it may be the note of a write', async () => {
     await found('unfinished');
     expect(screen.getByText(/read the timer before you fly/)).toBeTruthy();
