@@ -31,7 +31,13 @@ export class KeptWork {
 
   /** From now on keeps what is typed, and brings back what was interrupted. Nothing on the screen waits for it. */
   async start(): Promise<void> {
-    const { editor, standing, onScreen, origin } = this.#session;
+    const { editor, standing, onScreen, origin, library, aside } = this.#session;
+    // The library is read last, and flights only when they are wanted.
+    for (const { loaded } of [library.models, library.settings, library.flights]) {
+      effect(() => {
+        if (loaded.value) void aside.load();
+      });
+    }
     effect(() => {
       const content = editor.snapshot();
       if (content) this.#hasShown = true;

@@ -165,6 +165,31 @@ describe('an unreadable record', () => {
     expect((await appBench({ store })).models.aside.isNew.value).toBe(false);
   });
 
+  it.each(['models', 'settings', 'flights'] as const)(
+    'is reported when the %s are read, however late',
+    async (shelf) => {
+      localStorage.clear();
+      const store = new MemoryStore();
+      let read = (): void => {};
+      const asked = new Promise<void>((resolve) => {
+        read = resolve;
+      });
+      vi.spyOn(store[shelf], 'all').mockImplementation(async () => {
+        await asked;
+        store.aside.records.set('a', { key: 'a', shelf, at: 5, stored: { key: 'x' } });
+        return [];
+      });
+      const { models, session } = await appBench({ store });
+      const reading = session.library[shelf].load();
+      await idle(0);
+      expect(models.aside.isNew.value).toBe(false);
+      read();
+      await run(reading);
+      await idle(0);
+      expect(models.aside.isNew.value).toBe(true);
+    },
+  );
+
   it('is named when it may be the note of a write', async () => {
     await found('unfinished');
     expect(screen.getByText(/read the timer before you fly/)).toBeTruthy();
