@@ -201,7 +201,12 @@ function acrossFrom(identity: Identity, left: number, width: number): number[] {
 function columnsByName(texts: readonly string[], known: readonly string[]): number[] | null {
   const plain = (text: string): string => text.trim().toLowerCase();
   const names = known.map(plain);
-  const columns = texts.map((text) => (text === '' ? -1 : names.indexOf(plain(text))));
+  // “Time (s)” as pilots head it, “Time s” as the table of the page does.
+  const bare = (text: string): string => text.replace(/(?:\ss|\s*\(s\)|\s*\[s\])$/, '');
+  const columns = texts.map(plain).map((text) => {
+    if (text === '') return -1;
+    return names.includes(text) ? names.indexOf(text) : names.indexOf(bare(text));
+  });
   const found = columns.filter((column) => column >= 0);
   return found.length > 0 && new Set(found).size === found.length ? columns : null;
 }

@@ -147,6 +147,17 @@ describe('headings and names', () => {
     });
   });
 
+  it.each(['Time s', 'Time (s)', 'time[s]', 'Time\u00a0s'])('may name the unit: “%s”', (heading) => {
+    const preview = paste(`S1\t${heading}\n7\t11`, at(0, 0), { headings: HEADINGS });
+    expect(changesIn(preview)).toEqual({ 'time:0': '1000 -> 1100', 'position:0:0': '10 -> 7' });
+    expect(preview).toMatchObject({ ignored: 0, problems: [] });
+  });
+
+  it('are not shortened when a servo has that very name', () => {
+    const headings = ['Time', 'After', 'Wing', 'Wing s'];
+    expect(changesIn(paste('Wing s\n7', at(0, 0), { headings }))).toEqual({ 'position:1:0': '15 -> 7' });
+  });
+
   it('do not decide away from the time column, or when one comes twice', () => {
     const options = { headings: HEADINGS };
     expect(changesIn(paste('S1\n7', at(0, 3), options))).toEqual({ 'position:1:0': '15 -> 7' });
