@@ -31,6 +31,7 @@ export const print = {
   onScreen: 'The program on the screen',
   noModel: 'No model',
   none: 'The library has no such setting.',
+  empty: 'The library has no settings to print yet.',
   more: (count: number) => `And ${count} more: search for them.`,
   clear: 'Remove all',
 

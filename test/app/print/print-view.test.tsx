@@ -47,6 +47,18 @@ describe('the print view', () => {
     expect([isOpen(), screen.getByText(/Nothing is chosen/).textContent]).toEqual([true, expect.any(String)]);
   });
 
+  it('says that the library is empty, or that the search finds nothing in it', async () => {
+    const hint = () => document.querySelector('.print-picker > .hint')?.textContent;
+    const bench = await opened();
+    await goTo('print');
+    await idle();
+    expect(hint()).toMatch(/no\ssettings to print yet/);
+    await act(async () => void (await bench.session.library.keepSetting(SETTING)));
+    expect(hint()).toBeUndefined();
+    act(() => void fireEvent.input(screen.getByRole('searchbox'), { target: { value: 'storm' } }));
+    expect(hint()).toMatch(/no\ssuch setting/);
+  });
+
   it('prints settings of several models, as many as are chosen', async () => {
     const bench = await withLibrary();
     bench.printOrder.choose(['calm-morning']);
