@@ -254,3 +254,11 @@ test('on a phone on its side the way to stop following is in the window, with al
   );
   expect(outside).toEqual([]);
 });
+
+test('on a phone, what is said of a memory that is looked at keeps off the edges', async () => {
+  const app = await AppPage.open({ ...PHONE, bench: { granted: true } });
+  await app.connect();
+  await app.lookAt('M2');
+  const box = await app.page.getByRole('heading', { name: 'M2 has not been read' }).boundingBox();
+  expect(box?.x).toBeGreaterThanOrEqual(8);
+});
