@@ -163,7 +163,9 @@ function place(
   known: readonly string[],
 ): Placed {
   const headings = rows.length > 1 && areWords(rows[0] ?? []);
-  const body = headings ? rows.slice(1) : rows;
+  // A row of units below them is a part of them.
+  const heads = headings ? (rows.length > 2 && areUnits(rows[1] ?? []) ? 2 : 1) : 0;
+  const body = rows.slice(heads);
   const width = Math.max(0, ...rows.map(lengthOf));
   const names = width > 1 && areWords(body.map(([first = '']) => first));
   const first = names ? 1 : 0;
@@ -176,7 +178,7 @@ function place(
       if (text === '' || column < first) continue;
       const target = (byName ? byName[column] : across[column - first]) ?? -1;
       const field = gridField(identity, { row: top + at, column: target });
-      if (field) cells.push({ row: headings ? at + 1 : at, column, text, field });
+      if (field) cells.push({ row: heads + at, column, text, field });
       else ignored++;
     }
   }
@@ -220,6 +222,14 @@ const WORD = /^(?!(?:nan|inf|infinity)$)\p{L}/iu;
 function areWords(texts: readonly string[]): boolean {
   const some = texts.filter((text) => text !== '');
   return some.length > 0 && some.every((text) => WORD.test(text));
+}
+
+const UNIT = /^[([]?(?:s|sec|secs|seconds?|min|m:ss?|mm:ss|steps?|units?)\.?[)\]]?$/i;
+
+/** Whether these are the units of columns, and nothing else. */
+function areUnits(texts: readonly string[]): boolean {
+  const some = texts.filter((text) => text !== '');
+  return some.length > 0 && some.every((text) => UNIT.test(text));
 }
 
 /** What the cells set, and which of them are refused. */

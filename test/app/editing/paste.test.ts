@@ -153,6 +153,25 @@ describe('headings and names', () => {
     expect(preview).toMatchObject({ ignored: 0, problems: [] });
   });
 
+  it.each(['s\tsteps', '(s)\t', '\t[steps]', 'sec.\tUnits'])('may have a row of units below them: “%s”', (units) => {
+    const preview = paste(`Time\tS1\n${units}\n11\t7\nx\t8`, at(0, 0), { headings: HEADINGS });
+    expect(changesIn(preview)).toEqual({
+      'time:0': '1000 -> 1100',
+      'position:0:0': '10 -> 7',
+      'position:0:1': '20 -> 8',
+    });
+    expect(preview).toMatchObject({ headings: true, ignored: 0 });
+    expect(preview.problems.map(({ code, row }) => [code, row])).toEqual([['not-a-time', 3]]);
+  });
+
+  it('have no row of units below them that holds anything else', () => {
+    const preview = paste('Function\tTime\tS1\nStart\ts\tsteps\nDT\t11\t7', at(0, 0), { headings: HEADINGS });
+    expect(preview.problems.map(({ row, column }) => [row, column])).toEqual([
+      [1, 1],
+      [1, 2],
+    ]);
+  });
+
   it('are not shortened when a servo has that very name', () => {
     const headings = ['Time', 'After', 'Wing', 'Wing s'];
     expect(changesIn(paste('Wing s\n7', at(0, 0), { headings }))).toEqual({ 'position:1:0': '15 -> 7' });
