@@ -57,6 +57,8 @@ export async function fetchParts(): Promise<void> {
   ];
   await Promise.all(parts.filter(({ isAskedFor }) => isAskedFor).map((part) => part.fetch()));
   for (const part of parts) await part.fetch();
+  // Most of them are in one file. Where that came late, the first of them have failed.
+  for (const part of parts) if (part.hasFailed) await part.fetch();
   // They are asked for again when they are needed, and then report what is wrong.
   await Promise.all([fetchSimulated(), fetchRule(), fetchCodeReader()]).catch(() => {});
 }
