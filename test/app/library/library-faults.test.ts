@@ -42,16 +42,23 @@ const ACTIONS: Readonly<Record<string, (app: AppBench) => Promise<unknown>>> = {
   },
 };
 
+/** A page with two models and two settings, in a storage that can fail from now on. */
+async function filled() {
+  const store = new FaultyStore();
+  const app = await appBench({ store });
+  const { library } = app.session;
+  await run(Promise.all([library.load(), library.flights.load()]));
+  for (const model of [MODEL, OTHER]) await run(library.keepModel(model));
+  for (const setting of [SETTING, WINDY]) await run(library.keepSetting(setting));
+  return { store, app };
+}
+
 describe.each(Object.keys(FAULTS) as FaultName[])('where the storage %s', (fault) => {
   it.each(Object.keys(ACTIONS))(
     'and %s, that is on the screen, and is never taken for kept when it is not',
     async (name) => {
-      const store = new FaultyStore();
-      const app = await appBench({ store });
+      const { store, app } = await filled();
       const { library } = app.session;
-      await run(Promise.all([library.load(), library.flights.load()]));
-      for (const model of [MODEL, OTHER]) await run(library.keepModel(model));
-      for (const setting of [SETTING, WINDY]) await run(library.keepSetting(setting));
       const before = shown(library);
       store.before = (door) => (/\.(save|exchange|remove)$/.test(door) ? FAULTS[fault]() : undefined);
       const done = ACTIONS[name]?.(app) ?? Promise.resolve();
@@ -99,11 +106,8 @@ describe.each(ENDING)('where the storage %s', (fault) => {
   it.each(Object.keys(ACTIONS))(
     'and %s, that is kept as soon as the pilot comes back and it works again',
     async (name) => {
-      const store = new FaultyStore();
-      const app = await appBench({ store });
+      const { store, app } = await filled();
       const { library } = app.session;
-      await run(Promise.all([library.load(), library.flights.load()]));
-      for (const model of [MODEL, OTHER]) await run(library.keepModel(model));
       store.before = (door) => (/\.(save|exchange|remove)$/.test(door) ? FAULTS[fault]() : undefined);
       void ACTIONS[name]?.(app)?.catch(() => {});
       await idle(6000);
