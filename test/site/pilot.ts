@@ -53,6 +53,8 @@ export class Pilot {
   async #touch(place: Locator): Promise<void> {
     const { page } = this.#app;
     await place.waitFor();
+    // The page takes back the room for the keys a frame after they went, and everything above them moves.
+    await page.locator('[data-sheet]:not(:has(.edit-sheet))').waitFor({ state: 'detached' });
     this.cost.scrolled += await place.evaluate(async (element) => {
       const middle = (): [x: number, y: number] => {
         const { left, top, width, height } = element.getBoundingClientRect();
