@@ -7,10 +7,10 @@ import { HELP_PAGES } from './help/help.js';
 import type { SaveSetting } from './library/save-setting.js';
 import { offerScreen } from './library/share/share-screen.js';
 import { filesOf } from './library-files.js';
+import { flightMessages } from './messages/en-flights.js';
 import { guide } from './messages/en-guide.js';
-import { flightMessages } from './messages/flights.js';
+import { libraryMessages } from './messages/en-library.js';
 import { messages, presetText, slotLabel, stepText, timerName } from './messages/index.js';
-import { libraryMessages } from './messages/library.js';
 import type { AppModels } from './models.js';
 import type { Session } from './session/session.js';
 import { SIMULATED_CLASSES } from './session/timer-access.js';
@@ -80,7 +80,7 @@ function programCommands(models: AppModels): PaletteCommand[] {
 }
 
 function saveCommands(session: Session, saveSetting: SaveSetting): PaletteCommand[] {
-  const { save } = libraryMessages.value;
+  const { save } = libraryMessages;
   const { shown, unsaved } = session.opened;
   const name = shown.value?.setting?.name;
   const differs = (unsaved.value?.changes ?? 0) + (unsaved.value?.unreadable ?? 0) > 0;
@@ -91,7 +91,7 @@ function saveCommands(session: Session, saveSetting: SaveSetting): PaletteComman
 }
 
 function flightCommands({ views, flights }: AppModels): PaletteCommand[] {
-  const words = flightMessages.value;
+  const words = flightMessages;
   const flying = (): void => {
     const key = flights.flying();
     if (key !== null) flights.fillIn(key);

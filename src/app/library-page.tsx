@@ -8,7 +8,7 @@ import { LibraryView } from './library/library-view.js';
 import type { Places } from './library/places.js';
 import { ReadCodeButton, ShareButton } from './library/share/share-buttons.js';
 import { filesOf } from './library-files.js';
-import { flightMessages } from './messages/flights.js';
+import { flightMessages } from './messages/en-flights.js';
 import type { AppModels } from './models.js';
 import { PrintButton } from './print/print-button.js';
 import { ModelBackups } from './recognition/model-backups.js';
@@ -48,8 +48,8 @@ function placesOf(models: AppModels): Places {
         <ul class="library-list">
           <li>
             <a class="library-item" href={`#library/${FLIGHTS}`} onClick={() => flights.showOnly()}>
-              <b>{flightMessages.value.title}</b>
-              <span>{flightMessages.value.about}</span>
+              <b>{flightMessages.title}</b>
+              <span>{flightMessages.about}</span>
             </a>
           </li>
         </ul>

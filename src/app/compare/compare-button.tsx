@@ -1,10 +1,10 @@
-import { comparingMessages } from '../messages/comparing.js';
+import { comparingMessages } from '../messages/en-compare.js';
 
 /** Opens the comparison of two programs. */
 export function CompareButton({ onCompare }: { readonly onCompare: () => void }) {
   return (
     <button type="button" onClick={onCompare}>
-      {comparingMessages.value.compare.open}
+      {comparingMessages.compare.open}
     </button>
   );
 }

@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { type Change, differences, fieldKey, type ProgramField } from '../../program/index.js';
-import { comparingMessages } from '../messages/comparing.js';
+import { comparingMessages } from '../messages/en-compare.js';
 import { dayText, fieldLabel, figureText, messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
@@ -21,7 +21,7 @@ export interface ComparePageProps {
 /** Two programs side by side. Single values can be taken from one into the other, if that one is on the screen. */
 export function ComparePage({ session, pair, following, onBack }: ComparePageProps) {
   const compare = useMemo(() => new Compare(session, pair), [session, pair]);
-  const { compare: words } = comparingMessages.value;
+  const { compare: words } = comparingMessages;
   const heading = useRef<HTMLHeadingElement>(null);
   useEffect(() => {
     heading.current?.focus({ preventScroll: true });
@@ -71,7 +71,7 @@ interface PairProps extends Pick<ComparePageProps, 'session' | 'following'> {
 }
 
 function Pair({ session, compare, following, first, second }: PairProps) {
-  const { compare: words } = comparingMessages.value;
+  const { compare: words } = comparingMessages;
   const names = [nameOf(session, first), nameOf(session, second)] as const;
   const onScreen = first.key === SCREEN || second.key === SCREEN;
   const isSame = differences(first.program, second.program).length === 0;
@@ -116,7 +116,7 @@ interface TakeButtonProps {
 }
 
 function TakeButton({ field, name, onTake }: TakeButtonProps) {
-  const { compare: words } = comparingMessages.value;
+  const { compare: words } = comparingMessages;
   return (
     <button type="button" class="compare-take" data-take={fieldKey(field)} aria-label={name} onClick={onTake}>
       {words.take}
@@ -133,7 +133,7 @@ interface ChoiceProps {
 }
 
 function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
-  const { compare: words } = comparingMessages.value;
+  const { compare: words } = comparingMessages;
   const groups = [
     { name: words.groups.now, of: sides.filter(({ kind }) => kind === 'screen' || kind === 'timer') },
     { name: words.groups.settings, of: sides.filter(({ kind }) => kind === 'setting') },
@@ -165,7 +165,7 @@ function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
 
 /** The name of a program on this page. */
 function nameOf(session: Session, side: Side): string {
-  const { compare: words } = comparingMessages.value;
+  const { compare: words } = comparingMessages;
   const { memoryName, recovery } = messages.value;
   const { library, opened } = session;
   if (side.kind === 'screen') {

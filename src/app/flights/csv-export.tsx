@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import * as v from 'valibot';
 import { saveFile } from '../browser/save-file.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
-import { flightMessages } from '../messages/flights.js';
+import { flightMessages } from '../messages/en-flights.js';
 import type { FlightRecord } from '../storage/index.js';
 import { Choice } from '../ui/choice.js';
 import { dayOf } from './flight-list.js';
@@ -14,7 +14,7 @@ const CHOICE = 'csv-separator';
 
 /** Saves the flights that are shown as a table for a spreadsheet. */
 export function CsvExport({ records }: { readonly records: readonly FlightRecord[] }) {
-  const { csv: words } = flightMessages.value;
+  const { csv: words } = flightMessages;
   const separator = useSignal<Separator>(loadSetting(CHOICE, v.picklist(SEPARATORS)) ?? ';');
   const choose = (chosen: Separator): void => {
     separator.value = chosen;

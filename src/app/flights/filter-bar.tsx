@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { flightMessages } from '../messages/flights.js';
+import { flightMessages } from '../messages/en-flights.js';
 import type { Session } from '../session/session.js';
 import { Select } from '../ui/choice.js';
 import { type ModelFilter, PERIODS } from './flight-filter.js';
@@ -14,7 +14,7 @@ interface FilterBarProps {
 
 /** Chooses which flights of the log are shown. */
 export function FilterBar({ session, log }: FilterBarProps) {
-  const { filter: words } = flightMessages.value;
+  const { filter: words } = flightMessages;
   const { flights, models, settings } = session.library;
   const filter = log.filter.value;
   const list = flights.list.value;

@@ -1,7 +1,7 @@
 import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
 import { dotted } from '../messages/dotted.js';
-import { flightMessages } from '../messages/flights.js';
+import { flightMessages } from '../messages/en-flights.js';
 import { dtText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Select } from '../ui/choice.js';
@@ -23,7 +23,7 @@ interface FlightDialogProps {
 
 /** A form for one flight, for cold hands. What pilots note first stands first. */
 export function FlightDialog({ session, log }: FlightDialogProps) {
-  const { form: words } = flightMessages.value;
+  const { form: words } = flightMessages;
   const { flights, models } = session.library;
   const key = log.filling.value;
   const isHere = flights.get(key) !== undefined;
@@ -44,7 +44,7 @@ interface FormProps extends FlightDialogProps {
 }
 
 function Form({ id, session, log }: FormProps) {
-  const { form: words, row, flying } = flightMessages.value;
+  const { form: words, row, flying } = flightMessages;
   const { flights } = session.library;
   const form = useMemo(() => {
     const list = flights.list.peek();
@@ -115,7 +115,7 @@ function Form({ id, session, log }: FormProps) {
 }
 
 function Result({ form }: { readonly form: FlightForm }) {
-  const { form: words } = flightMessages.value;
+  const { form: words } = flightMessages;
   const [id, note, hint] = [useId(), useId(), useId()];
   const { result } = form.flight.value;
   return (
@@ -143,13 +143,13 @@ function Result({ form }: { readonly form: FlightForm }) {
 
 /** The result as it was understood: in minutes, and in seconds where those look different. */
 function understood(result: number): string {
-  const { form: words } = flightMessages.value;
+  const { form: words } = flightMessages;
   const text = resultText(result);
   return result < 60 ? text : words.readAs(text, measureText(result));
 }
 
 function Round({ form }: { readonly form: FlightForm }) {
-  const { form: words } = flightMessages.value;
+  const { form: words } = flightMessages;
   const { round } = form.flight.value;
   return (
     <fieldset class="flight-field flight-rounds">
@@ -183,7 +183,7 @@ function Round({ form }: { readonly form: FlightForm }) {
 /** A contest round with a short DT for trimming: asks before the flight, says so afterwards. */
 function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: FlightForm }) {
   const { shortDt, memoryName } = messages.value;
-  const { form: words } = flightMessages.value;
+  const { form: words } = flightMessages;
   const flight = form.flight.value;
   const { identity, memory, times } = flight.program;
   const held = session.shortDt.held.value;
@@ -212,7 +212,7 @@ function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: Fl
 }
 
 function Where({ session, form }: { readonly session: Session; readonly form: FlightForm }) {
-  const { form: words, row } = flightMessages.value;
+  const { form: words, row } = flightMessages;
   const { models, flights } = session.library;
   const flight = form.flight.value;
   const places = useId();
@@ -268,7 +268,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
 
 /** The program that was flown: a copy that nothing changes any more. */
 function Flown({ form }: { readonly form: FlightForm }) {
-  const { form: words } = flightMessages.value;
+  const { form: words } = flightMessages;
   const { program } = form.flight.value;
   return (
     <details>

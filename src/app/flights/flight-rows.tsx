@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
-import { flightMessages } from '../messages/flights.js';
+import { flightMessages } from '../messages/en-flights.js';
 import { dtText } from '../messages/index.js';
 import type { ShortDt } from '../session/short-dt.js';
 import type { FlightRecord } from '../storage/index.js';
@@ -113,7 +113,7 @@ interface DayProps extends Omit<FlightRowsProps, 'days'> {
 }
 
 function Day({ part, ...props }: DayProps) {
-  const words = flightMessages.value;
+  const words = flightMessages;
   const { at, place, goesOn, count, records } = part;
   const title = words.day(dayHeading(at), place);
   return (
@@ -139,9 +139,9 @@ interface RowProps extends Omit<FlightRowsProps, 'days'> {
 }
 
 export function Row({ record: { key, flight }, shortDt, onOpen, of }: RowProps) {
-  const { row: words } = flightMessages.value;
+  const { row: words } = flightMessages;
   const { wind, temperature, round, result, note, program } = flight;
-  const day = of && flightMessages.value.day(dayHeading(flight.at), flight.place);
+  const day = of && flightMessages.day(dayHeading(flight.at), flight.place);
   // A name that all rows share stands above them.
   const name = of === 'setting' ? '' : of === 'model' ? flight.settingName : flight.modelName || words.noModel;
   const facts = [

@@ -1,5 +1,5 @@
 import { useEffect } from 'preact/hooks';
-import { flightMessages } from '../messages/flights.js';
+import { flightMessages } from '../messages/en-flights.js';
 import type { Session } from '../session/session.js';
 import { type FlightFilter, NO_FILTER } from './flight-filter.js';
 import { filtered } from './flight-list.js';
@@ -22,7 +22,7 @@ const SOME = 5;
 
 /** The flights of a model or a setting: the latest, the totals, and a link to all of them. */
 export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps) {
-  const words = flightMessages.value;
+  const words = flightMessages;
   const { flights } = session.library;
   useEffect(() => void flights.load(), [flights]);
   const only: Partial<FlightFilter> = 'model' in of ? { model: { id: of.model } } : { setting: of.setting };

@@ -1,5 +1,5 @@
 import { useEffect, useLayoutEffect } from 'preact/hooks';
-import { flightMessages } from '../messages/flights.js';
+import { flightMessages } from '../messages/en-flights.js';
 import type { Session } from '../session/session.js';
 import { BackSign } from '../ui/back-sign.js';
 import { CsvExport } from './csv-export.js';
@@ -19,7 +19,7 @@ export interface FlightsViewProps {
 
 /** The log of flights with its filter and totals: newest first, by day and place. */
 export function FlightsView({ session, log }: FlightsViewProps) {
-  const words = flightMessages.value;
+  const words = flightMessages;
   const { library } = session;
   const { list, loaded, failed } = library.flights;
   useLayoutEffect(() => {

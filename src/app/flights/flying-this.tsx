@@ -1,6 +1,6 @@
 import { useEffect } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
-import { flightMessages } from '../messages/flights.js';
+import { flightMessages } from '../messages/en-flights.js';
 import type { Session } from '../session/session.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
 import { timeOfDay } from './flight-list.js';
@@ -19,7 +19,7 @@ interface FlyingThisProps {
 
 /** One tap logs a flight with what the timer holds. Then it says so, and offers to undo it or to fill it in. */
 export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThisProps) {
-  const { flying: words, row } = flightMessages.value;
+  const { flying: words, row } = flightMessages;
   const { flights } = session.library;
   const key = log.logged.value;
   const logged = flights.get(key)?.flight;

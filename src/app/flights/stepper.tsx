@@ -1,5 +1,5 @@
 import { useId } from 'preact/hooks';
-import { flightMessages } from '../messages/flights.js';
+import { flightMessages } from '../messages/en-flights.js';
 import type { FlightForm } from './flight-form.js';
 import { type Measure, RANGES } from './measures.js';
 import './stepper.css';
@@ -13,7 +13,7 @@ interface StepperProps {
 
 /** A number for cold hands: a field between a large button down and one up. */
 export function Stepper({ form, measure, label, unit }: StepperProps) {
-  const { form: words } = flightMessages.value;
+  const { form: words } = flightMessages;
   const [id, note] = [useId(), useId()];
   return (
     <div class="stepper">
@@ -68,7 +68,7 @@ interface MeasureProblemProps {
 
 /** Why a number was refused. */
 export function MeasureProblem({ form, measure, unit, note }: MeasureProblemProps) {
-  const { form: words } = flightMessages.value;
+  const { form: words } = flightMessages;
   const problem = form.problems.value.get(measure);
   if (!problem) return null;
   const { min, max } = RANGES[measure];

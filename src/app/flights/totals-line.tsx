@@ -1,11 +1,11 @@
-import { flightMessages } from '../messages/flights.js';
+import { flightMessages } from '../messages/en-flights.js';
 import type { FlightRecord } from '../storage/index.js';
 import { totalsOf } from './flight-list.js';
 import { resultText } from './flight-text.js';
 
 /** One line: how many flights, the best, the average, and the full rounds. */
 export function TotalsLine({ records }: { readonly records: readonly FlightRecord[] }) {
-  const { totals: words } = flightMessages.value;
+  const { totals: words } = flightMessages;
   const { flights, best, average, rounds, maxima } = totalsOf(records);
   return (
     <p class="flight-totals">

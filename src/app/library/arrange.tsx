@@ -1,12 +1,12 @@
 import { useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
-import { libraryMessages } from '../messages/library.js';
+import { libraryMessages } from '../messages/en-library.js';
 import type { Browse } from './browse.js';
 import './arrange.css';
 
 export function ArrangeButton({ browse }: { readonly browse: Browse }) {
-  const { arrange: words } = libraryMessages.value;
+  const { arrange: words } = libraryMessages;
   const isOn = browse.arranging.value;
   return (
     <button type="button" class="quiet" aria-pressed={isOn} onClick={() => browse.arrange(!isOn)}>
@@ -33,7 +33,7 @@ interface ArrangeProps<T extends { readonly key: string }> {
  */
 export function Arrange<T extends { readonly key: string }>(props: ArrangeProps<T>) {
   const { on, items, nameOf, onMove, after, children, class: name } = props;
-  const { arrange: words } = libraryMessages.value;
+  const { arrange: words } = libraryMessages;
   const list = useRef<HTMLUListElement>(null);
   const held = useSignal<string | null>(null);
   const said = useSignal('');

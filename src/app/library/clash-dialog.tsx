@@ -1,12 +1,12 @@
+import { libraryMessages } from '../messages/en-library.js';
 import { dayText } from '../messages/index.js';
-import { libraryMessages } from '../messages/library.js';
 import type { Library, LibraryClash } from '../session/library.js';
 import { Modal } from '../ui/modal.js';
 import './clash-dialog.css';
 
 /** Two tabs have saved different things in the same place at nearly the same time. The pilot chooses one. */
 export function ClashDialog({ library }: { readonly library: Library }) {
-  const { clash: words } = libraryMessages.value;
+  const { clash: words } = libraryMessages;
   const clash = library.clash.value;
   const settle = (choice: 'mine' | 'theirs'): void => void (clash && library[clash.kind].settle(choice));
   return (
@@ -49,7 +49,7 @@ interface DisagreedProps {
 
 /** Shows values that can be read at a glance. Of all others it only says that they differ. */
 function Disagreed({ field, theirs, mine }: DisagreedProps) {
-  const { clash: words } = libraryMessages.value;
+  const { clash: words } = libraryMessages;
   const [there, here] = [theirs[field], mine[field]].map((value) => [value ?? '–'].flat().join(', '));
   return (
     <div>
@@ -76,5 +76,5 @@ function fieldsOf(record: LibraryClash['theirs']): Fields {
 function nameOf({ theirs }: LibraryClash): string {
   if ('model' in theirs) return theirs.model.name;
   if ('setting' in theirs) return theirs.setting.name;
-  return libraryMessages.value.clash.flightOf(theirs.flight.modelName, dayText(theirs.flight.at));
+  return libraryMessages.clash.flightOf(theirs.flight.modelName, dayText(theirs.flight.at));
 }

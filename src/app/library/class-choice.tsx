@@ -1,7 +1,7 @@
 import { useId } from 'preact/hooks';
 import { CLASSES } from '../editing/new-program.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
-import { libraryMessages } from '../messages/library.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 
 const NONE = '';
@@ -14,7 +14,7 @@ interface ClassChoiceProps {
 
 /** The class of a model's timer. */
 export function ClassChoice({ value, onChange }: ClassChoiceProps) {
-  const { model: words } = libraryMessages.value;
+  const { model: words } = libraryMessages;
   const { classNames, unknownClass } = messages.value;
   const name = useId();
   const choices = [...new Set<string>([...CLASSES, ...(value === null ? [] : [value]), NONE])];

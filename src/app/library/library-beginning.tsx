@@ -1,4 +1,4 @@
-import { libraryMessages } from '../messages/library.js';
+import { libraryMessages } from '../messages/en-library.js';
 import type { Session } from '../session/session.js';
 import type { Browse } from './browse.js';
 import { foundText } from './model-list.js';
@@ -15,7 +15,7 @@ interface LibraryBeginningProps {
  * it is for.
  */
 export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
-  const { empty, models } = libraryMessages.value;
+  const { empty, models } = libraryMessages;
   const found = browse.found.value;
   if (found !== null) {
     return (
@@ -49,7 +49,7 @@ export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
 
 /** A sample of a model with settings, for the eye only. */
 function Sample() {
-  const { sample } = libraryMessages.value.empty;
+  const { sample } = libraryMessages.empty;
   return (
     <div class="library-sample" aria-hidden="true">
       <p>

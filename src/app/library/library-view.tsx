@@ -1,5 +1,5 @@
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
-import { libraryMessages } from '../messages/library.js';
+import { libraryMessages } from '../messages/en-library.js';
 import type { Session } from '../session/session.js';
 import { useQuery } from '../ui/use-query.js';
 import type { Browse } from './browse.js';
@@ -33,7 +33,7 @@ const MIDDLE = '(min-width: 760px)';
  * chosen. On a phone one of these, with a way back.
  */
 export function LibraryView({ session, browse, path, places, onProgram, onGo }: LibraryViewProps) {
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const { library } = session;
   useEffect(() => void library.load(), [library]);
   const isWide = useQuery(WIDE).value;
@@ -108,7 +108,7 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
 
 /** Entries that were not read must not look as if they were missing. */
 function Unread({ library }: { readonly library: Session['library'] }) {
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   return (
     <div class="notice bad" role="alert">
       <p>{words.unread}</p>

@@ -1,6 +1,6 @@
 import { LIMITS } from '../../program/index.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
-import { libraryMessages } from '../messages/library.js';
 import { plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
@@ -18,7 +18,7 @@ interface MemoryNamesProps {
 
 /** The pilot's names for the memories of the model's timer. */
 export function MemoryNames({ session, record, onChange }: MemoryNamesProps) {
-  const { model: words } = libraryMessages.value;
+  const { model: words } = libraryMessages;
   const { memoryName } = messages.value;
   const names = record.model.memoryNames;
   const count = Math.max(memoriesOf(session, record), names.length);

@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
+import { libraryMessages } from '../messages/en-library.js';
 import { timerName } from '../messages/index.js';
-import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { BackSign } from '../ui/back-sign.js';
@@ -32,7 +32,7 @@ interface ModelColumnProps {
 /** One model with its settings. */
 export function ModelColumn(props: ModelColumnProps) {
   const { session, browse, places, model, isLoose, chosen, back, onGo, children } = props;
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const making = useSignal(false);
   useEffect(() => browse.anotherList(), [browse]);
   const all = browse.byModel.value.get(model?.key ?? null) ?? [];

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { dotted } from '../messages/dotted.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { timerName } from '../messages/index.js';
-import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
@@ -28,7 +28,7 @@ interface ModelListProps {
 
 /** All models, or the settings that a search finds in all of them. */
 export function ModelList({ session, browse, chosen, setting, places, alone, foundBeside, onGo }: ModelListProps) {
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const making = useSignal(false);
   const found = browse.found.value;
   const { library } = session;
@@ -75,7 +75,7 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
 
 /** “12 settings”, or that a search has found none. */
 export function foundText(count: number): string {
-  const { search } = libraryMessages.value;
+  const { search } = libraryMessages;
   return count === 0 ? search.nothing : search.found(count);
 }
 
@@ -84,7 +84,7 @@ function isArchived({ model }: ModelRecord): boolean {
 }
 
 function Models({ session, browse, chosen }: Pick<ModelListProps, 'session' | 'browse' | 'chosen'>) {
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const models = browse.models.value;
   const loose = browse.byModel.value.get(null)?.length ?? 0;
   const isArranging = browse.arranging.value && chosen === null;
@@ -128,7 +128,7 @@ interface ModelRowProps {
 const ModelRow = memo(ModelRowContent);
 
 function ModelRowContent({ record, count, isChosen, isKept }: ModelRowProps) {
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const { name, timerClass, archived } = record.model;
   return (
     <a class="library-item" href={addressOf(record.key)} aria-current={isChosen ? 'true' : undefined}>
@@ -147,7 +147,7 @@ function ModelRowContent({ record, count, isChosen, isKept }: ModelRowProps) {
 
 /** Shows or hides archived entries, where there are any. */
 export function ArchiveButton({ browse, count }: { readonly browse: Browse; readonly count: number }) {
-  const { models: words } = libraryMessages.value;
+  const { models: words } = libraryMessages;
   if (count === 0) return null;
   const isShown = browse.archive.value;
   return (

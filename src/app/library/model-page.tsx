@@ -1,5 +1,5 @@
 import { LIMITS, type Model } from '../../program/index.js';
-import { libraryMessages } from '../messages/library.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
@@ -23,7 +23,7 @@ interface ModelPageProps {
  * All facts about a model. They stand beside or below its settings, which show its name. Each change is saved at once.
  */
 export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const { library } = session;
   const { model } = record;
   const change = (changed: Partial<Model>): void => {

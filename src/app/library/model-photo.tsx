@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { useEffect, useId, useRef } from 'preact/hooks';
 import type { Model } from '../../program/index.js';
 import type { PictureFault } from '../browser/picture.js';
-import { libraryMessages } from '../messages/library.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { Problem } from '../ui/problem.js';
 import { drawPhoto, scaledPhoto } from './photo.js';
 import './model-photo.css';
@@ -14,7 +14,7 @@ interface ModelPhotoProps {
 
 /** A picture of the model, from a file or the camera. */
 export function ModelPhoto({ model, onChange }: ModelPhotoProps) {
-  const { model: words } = libraryMessages.value;
+  const { model: words } = libraryMessages;
   const id = useId();
   const canvas = useRef<HTMLCanvasElement>(null);
   const fault = useSignal<PictureFault | null>(null);

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import type { ServoUse, TimerProgram } from '../../program/index.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { dutyName, messages } from '../messages/index.js';
-import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { ServoDialog } from '../timeline/preview/servo-dialog.js';
@@ -16,7 +16,7 @@ interface ModelServosProps {
 
 /** What the servos of the model move, and between which steps. */
 export function ModelServos({ session, record, onChange }: ModelServosProps) {
-  const { model: words } = libraryMessages.value;
+  const { model: words } = libraryMessages;
   const { servoName } = messages.value;
   const naming = useSignal(false);
   const { servos } = record.model;

@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { libraryMessages } from '../messages/library.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { emptyModel, newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
 import { FormButtons } from '../ui/form-buttons.js';
@@ -18,7 +18,7 @@ interface NewModelDialogProps {
 
 /** Asks for the name and the class of a new model. */
 export function NewModelDialog({ open, session, ...props }: NewModelDialogProps) {
-  const { newModel: words } = libraryMessages.value;
+  const { newModel: words } = libraryMessages;
   return (
     <Modal open={open} title={words.title} onEscape={props.onClose}>
       <Form session={session} {...props} />
@@ -27,7 +27,7 @@ export function NewModelDialog({ open, session, ...props }: NewModelDialogProps)
 }
 
 function Form({ session, onClose, onMade }: Omit<NewModelDialogProps, 'open'>) {
-  const { newModel: words, model: fields } = libraryMessages.value;
+  const { newModel: words, model: fields } = libraryMessages;
   const name = useSignal('');
   const timerClass = useSignal<string | null>(session.editor.identity.peek()?.timerClass ?? null);
   return (

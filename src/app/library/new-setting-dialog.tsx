@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { CLASSES, type NewProgram, newProgram, USUAL_LAYOUT } from '../editing/new-program.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
-import { libraryMessages } from '../messages/library.js';
 import { newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
@@ -25,7 +25,7 @@ interface NewSettingDialogProps {
 
 /** Makes a setting without a timer, from usual times or from nothing. */
 export function NewSettingDialog({ open, ...props }: NewSettingDialogProps) {
-  const { newSetting: words } = libraryMessages.value;
+  const { newSetting: words } = libraryMessages;
   return (
     <Modal open={open} title={words.title} onEscape={props.onClose}>
       <Form {...props} />
@@ -34,7 +34,7 @@ export function NewSettingDialog({ open, ...props }: NewSettingDialogProps) {
 }
 
 function Form({ session, model, onClose, onMade }: Omit<NewSettingDialogProps, 'open'>) {
-  const { save, newSetting } = libraryMessages.value;
+  const { save, newSetting } = libraryMessages;
   const { newProgram: words } = messages.value;
   // With the layout of the model's other settings.
   const like = session.library.settings.list.peek().find(({ setting }) => setting.model === (model?.key ?? null));

@@ -1,4 +1,4 @@
-import { libraryMessages } from '../messages/library.js';
+import { libraryMessages } from '../messages/en-library.js';
 import type { Session } from '../session/session.js';
 import type { SaveSetting } from './save-setting.js';
 
@@ -11,7 +11,7 @@ interface SaveButtonsProps {
 
 /** Saves the program on the screen: to the setting that it was opened from, or as a new setting. */
 export function SaveButtons({ session, saveSetting, brief = false }: SaveButtonsProps) {
-  const { save: words } = libraryMessages.value;
+  const { save: words } = libraryMessages;
   const { opened } = session;
   const unsaved = opened.unsaved.value;
   const setting = opened.shown.value?.setting ?? null;

@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { LIMITS, type Setting } from '../../program/index.js';
 import { changesSince } from '../editing/content.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { changeText } from '../messages/index.js';
-import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import { Choice } from '../ui/choice.js';
 import { CancelButton, FormButtons } from '../ui/form-buttons.js';
@@ -19,7 +19,7 @@ interface SaveDialogProps {
 
 /** Asks how to save the program on the screen, or what to do with a version that another tab has saved. */
 export function SaveDialog({ session, saveSetting }: SaveDialogProps) {
-  const { save: words } = libraryMessages.value;
+  const { save: words } = libraryMessages;
   const current = saveSetting.current.value;
   const isElsewhere = current?.step === 'elsewhere';
   return (
@@ -39,7 +39,7 @@ const NEW = ' new';
 const NONE = '';
 
 function NameForm({ session, saveSetting }: SaveDialogProps) {
-  const { save: words } = libraryMessages.value;
+  const { save: words } = libraryMessages;
   const { library, opened } = session;
   const open = opened.shown.peek();
   const name = useSignal(open?.setting?.name ?? '');
@@ -108,7 +108,7 @@ function suggested({ library, editor, modelAtHand }: Session): string | null {
 const MOST_TOLD = 6;
 
 function Elsewhere({ session, saveSetting, theirs }: SaveDialogProps & { readonly theirs: Setting }) {
-  const { elsewhere: words } = libraryMessages.value.save;
+  const { elsewhere: words } = libraryMessages.save;
   const working = session.editor.working.value;
   if (!working) return null;
   const changes = changesSince(theirs.program, working);

@@ -1,8 +1,8 @@
 import { useCallback, useRef } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { dateText } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
@@ -66,7 +66,7 @@ interface SettingRowProps {
 const SettingRow = memo(SettingRowContent);
 
 function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }: SettingRowProps) {
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const { name, at, tags, archived, program } = record.setting;
   const [dt] = keyFigures(program);
   return (
@@ -91,7 +91,7 @@ function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }:
 
 /** A button for the rest of a long list. It acts without a click when it comes near the window. */
 function More({ browse, left }: { readonly browse: Browse; readonly left: number }) {
-  const { list } = libraryMessages.value;
+  const { list } = libraryMessages;
   const place = useRef<HTMLButtonElement>(null);
   const showMore = useCallback(() => browse.showMore(), [browse]);
   useNear(place, showMore, 1200);

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { LIMITS, type Setting } from '../../program/index.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { clockText, dutyName, messages, timerName } from '../messages/index.js';
-import { libraryMessages } from '../messages/library.js';
 import { newId } from '../session/library.js';
 import { beginningOf, plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
@@ -31,7 +31,7 @@ interface SettingPageProps {
 /** One setting: its picture and figures, its notes, and what can be done with it. */
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const { servoName } = messages.value;
   const { library } = session;
   const way = back !== null && (
@@ -145,7 +145,7 @@ export function SettingPage(props: SettingPageProps) {
 }
 
 function OpenButton({ session, record, onProgram }: SettingPageProps & { readonly record: SettingRecord }) {
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const { opened, connection } = session;
   const failed = useSignal(false);
   const isOpen = session.opened.shown.value?.setting?.id === record.key;
@@ -183,7 +183,7 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
 
 /** The timer that it is for. A setting that was made here has no firmware. */
 function originText({ identity, memory }: Setting['program']): string {
-  const { setting } = libraryMessages.value;
+  const { setting } = libraryMessages;
   const firmware = identity.firmware === '000' ? null : identity.firmware;
   const functions = identity.functions - 1;
   const timer = setting.timer(timerName(identity), firmware, functions, identity.servos);
@@ -191,6 +191,6 @@ function originText({ identity, memory }: Setting['program']): string {
 }
 
 function copyName(name: string): string {
-  const { setting } = libraryMessages.value;
+  const { setting } = libraryMessages;
   return setting.copyName(beginningOf(name, LIMITS.name - setting.copyName('').length));
 }

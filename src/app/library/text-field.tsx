@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useRef } from 'preact/hooks';
-import { libraryMessages } from '../messages/library.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { useUnsaved } from '../ui/unsaved.js';
 import './text-field.css';
 
@@ -33,7 +33,7 @@ const asTyped = (text: string): string => text;
  */
 export function TextField(props: TextFieldProps) {
   const { label, value, longest, onSave, lines, required, hint, placeholder, hiddenLabel, asKept = asTyped } = props;
-  const words = libraryMessages.value;
+  const words = libraryMessages;
   const id = useId();
   /** The typed text, and the last text in the library that is known here; null while the library's text is shown. */
   const typed = useSignal<{ readonly text: string; readonly from: string } | null>(null);

@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
+import { modelMessages } from '../messages/en-which-model.js';
 import { messages } from '../messages/index.js';
-import { modelMessages } from '../messages/which-model.js';
 import { givenName, nameMemory } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { useUnsaved } from '../ui/unsaved.js';
@@ -10,7 +10,7 @@ import './memory-name.css';
 
 /** The pilot's name for a memory of the model. A press edits it. Shows nothing while the model is not known. */
 export function MemoryName({ session, memory }: { readonly session: Session; readonly memory: number }) {
-  const { memoryNames: words } = modelMessages.value;
+  const { memoryNames: words } = modelMessages;
   const { memoryName } = messages.value;
   const editing = useSignal(false);
   const box = useRef<HTMLSpanElement>(null);

@@ -45,4 +45,5 @@ const modelBackups = {
   more: (count: number) => `Show ${count} more`,
 };
 
-export const comparing = { compare, modelBackups };
+/** Comparisons. The parts of the page that show them load these sentences. */
+export const comparingMessages = { compare, modelBackups };

@@ -15,7 +15,7 @@ const counted = ({ models, settings, flights }: { models: number; settings: numb
 const BROKEN = 'A value in the file cannot be right.';
 
 /** The library as files: export, import, and the reminder to export. */
-export const files = {
+export const filesMessages = {
   counted,
   export: {
     all: 'Export all…',

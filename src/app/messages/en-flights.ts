@@ -2,7 +2,7 @@ import { dotted } from './dotted.js';
 import { plural } from './plural.js';
 
 /** The log of flights. It loads these sentences with itself. */
-export const flights = {
+export const flightMessages = {
   title: 'Flights',
   about: 'What was flown, and how it went',
   /** Back to the models and settings. */

@@ -40,7 +40,7 @@ export const obstacles = {
 };
 
 /** Models and their settings. The parts of the page that show them load these sentences. */
-export const library = {
+export const libraryMessages = {
   title: 'Library',
   coming: 'Loading the library',
   unread: 'The browser cannot read the models and settings that it may have kept.',

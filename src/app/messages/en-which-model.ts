@@ -64,4 +64,5 @@ const crossing = {
   memoryOf: (memory: string, model: string) => `${memory} of ${apart(model)}`,
 };
 
-export const whichModel = { recognition, memoryNames, crossing };
+/** Which model it is. The parts of the page that ask load these sentences. */
+export const modelMessages = { recognition, memoryNames, crossing };

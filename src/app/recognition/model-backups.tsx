@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { differences, sameLayout } from '../../program/index.js';
-import { comparingMessages } from '../messages/comparing.js';
 import { dotted } from '../messages/dotted.js';
+import { comparingMessages } from '../messages/en-compare.js';
 import { dateText, dayText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { heldNow } from '../session/held-now.js';
@@ -26,7 +26,7 @@ interface ModelBackupsProps {
 
 /** What the timer of a model held before each write, and how that differs from what it holds now. */
 export function ModelBackups({ session, record, ...props }: ModelBackupsProps) {
-  const { modelBackups: words } = comparingMessages.value;
+  const { modelBackups: words } = comparingMessages;
   const own = session.backups.list.value.filter(({ model }) => model === record.key);
   const real = own.filter(({ simulated }) => !simulated);
   const simulated = own.filter((each) => each.simulated);
@@ -50,7 +50,7 @@ interface RowsProps extends ModelBackupsProps {
 }
 
 function Rows({ backups, ...props }: RowsProps) {
-  const { modelBackups: words } = comparingMessages.value;
+  const { modelBackups: words } = comparingMessages;
   const room = useSignal(ROOM);
   if (backups.length === 0) return null;
   const shown = backups.slice(0, room.value);
@@ -71,7 +71,7 @@ function Rows({ backups, ...props }: RowsProps) {
 }
 
 function Row({ session, record, backup, following, onLoad, onCompare }: ModelBackupsProps & { backup: Backup }) {
-  const { modelBackups: words, compare } = comparingMessages.value;
+  const { modelBackups: words, compare } = comparingMessages;
   const { backups: all } = messages.value;
   const { program, savedAt } = backup;
   const memory = memoryOf(record.model, program.memory);
@@ -109,7 +109,7 @@ function Row({ session, record, backup, following, onLoad, onCompare }: ModelBac
 
 /** How it differs from what the timer holds now, or last held; empty when nothing is known about that. */
 function differsText(session: Session, record: ModelRecord, { program, simulated }: Backup): string {
-  const { modelBackups: words } = comparingMessages.value;
+  const { modelBackups: words } = comparingMessages;
   const held = heldNow(session, record, program.memory, simulated);
   if (!held || !sameLayout(held.program.identity, program.identity)) return '';
   const count = differences(held.program, program).filter(({ from, to }) => from !== null && to !== null).length;

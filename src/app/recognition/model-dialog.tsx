@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { LIMITS, type Model } from '../../program/index.js';
+import { modelMessages } from '../messages/en-which-model.js';
 import { dayText } from '../messages/index.js';
-import { modelMessages } from '../messages/which-model.js';
 import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
@@ -13,7 +13,7 @@ const SEARCHED = 8;
 
 /** The pilot says which model it is: one of the list, or a new one. */
 export function ModelDialog({ recognition }: { readonly recognition: Recognition }) {
-  const { dialog } = modelMessages.value.recognition;
+  const { dialog } = modelMessages.recognition;
   const isAsked = recognition.tells.value && recognition.found.value?.kind !== 'same';
   return (
     <Modal open={recognition.choosing.value} title={dialog.title} onEscape={() => recognition.leave()}>
@@ -22,7 +22,7 @@ export function ModelDialog({ recognition }: { readonly recognition: Recognition
       <div class="buttons">
         {isAsked ? (
           <button type="button" class="quiet" onClick={() => recognition.notNow()}>
-            {modelMessages.value.recognition.notNow}
+            {modelMessages.recognition.notNow}
           </button>
         ) : (
           <CancelButton onClick={() => recognition.leave()} />
@@ -33,7 +33,7 @@ export function ModelDialog({ recognition }: { readonly recognition: Recognition
 }
 
 function Choice({ recognition }: { readonly recognition: Recognition }) {
-  const { dialog } = modelMessages.value.recognition;
+  const { dialog } = modelMessages.recognition;
   const searched = useSignal('');
   const found = recognition.found.value;
   const possible = possibleOf(found);
@@ -90,7 +90,7 @@ interface RowProps {
 }
 
 function Row({ model, near, chosen, onChoose }: RowProps) {
-  const { dialog } = modelMessages.value.recognition;
+  const { dialog } = modelMessages.recognition;
   return (
     <li>
       <button type="button" aria-pressed={chosen} onClick={onChoose}>
@@ -106,7 +106,7 @@ function Row({ model, near, chosen, onChoose }: RowProps) {
 }
 
 function NewModel({ recognition }: { readonly recognition: Recognition }) {
-  const { dialog } = modelMessages.value.recognition;
+  const { dialog } = modelMessages.recognition;
   const name = useSignal('');
   const note = useId();
   const wanted = name.value.trim();

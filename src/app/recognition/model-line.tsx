@@ -1,5 +1,5 @@
+import { modelMessages } from '../messages/en-which-model.js';
 import { dayText } from '../messages/index.js';
-import { modelMessages } from '../messages/which-model.js';
 import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
 import './model-line.css';
 
@@ -8,7 +8,7 @@ const BUTTONS = 3;
 
 /** Which model the timer belongs to, if its content shows it; otherwise the question to the pilot. */
 export function ModelLine({ recognition }: { readonly recognition: Recognition }) {
-  const { recognition: words } = modelMessages.value;
+  const { recognition: words } = modelMessages;
   const found = recognition.found.value;
   if (!found || found.kind === 'said' || !recognition.tells.value) return null;
   const picks = picksOf(found);
@@ -38,7 +38,7 @@ export function ModelLine({ recognition }: { readonly recognition: Recognition }
 
 /** The sentence to show. */
 function saidOf(found: Exclude<FoundModel, { kind: 'said' }>): string {
-  const { recognition: words } = modelMessages.value;
+  const { recognition: words } = modelMessages;
   if (found.kind === 'same') return words.same(found.model.name, dayText(found.of.at));
   if (found.kind === 'like') return words.like(found.model.name, found.of.differs);
   return found.kind === 'several' ? words.several(found.candidates.map(({ model }) => model.name)) : words.unknown;

@@ -1,4 +1,4 @@
-import { modelMessages } from '../messages/which-model.js';
+import { modelMessages } from '../messages/en-which-model.js';
 import type { Crossing } from '../session/crossing.js';
 import { Check } from '../ui/check.js';
 import { NoticeText } from '../ui/notice-text.js';
@@ -11,7 +11,7 @@ interface CrossingCheckProps {
 
 /** Asks whether to write values of one model into the timer of another, and names both. */
 export function CrossingCheck({ crossing, acknowledged, onAcknowledge }: CrossingCheckProps) {
-  const { crossing: words } = modelMessages.value;
+  const { crossing: words } = modelMessages;
   if (!crossing) return null;
   const to = crossing.to.map(({ name }) => name);
   return (

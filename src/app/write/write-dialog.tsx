@@ -3,9 +3,9 @@ import type { TimerError } from '../../client/index.js';
 import { fieldKey, type Model, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
+import { modelMessages } from '../messages/en-which-model.js';
 import { clockText, fieldLabel, figureText, findingText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
-import { modelMessages } from '../messages/which-model.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Check } from '../ui/check.js';
@@ -247,7 +247,7 @@ function Verdict({ session, done: { at, shown }, held }: VerdictProps) {
 /** “M1 “calm” of Lancer 07”, as far as it is known. */
 function whereText(session: Session, memory: number | null, model: Model | null): string {
   const name = memory === null ? messages.value.knowledge.thisMemory : memoryText(session, memory);
-  return model ? modelMessages.value.crossing.memoryOf(name, model.name) : name;
+  return model ? modelMessages.crossing.memoryOf(name, model.name) : name;
 }
 
 interface RefusedProps {

@@ -1,13 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { CSV_COLUMNS, type CsvColumn, flightsCsv, SEPARATORS } from '../../../src/app/flights/flights-csv.js';
-import { flightMessages } from '../../../src/app/messages/flights.js';
+import { flightMessages } from '../../../src/app/messages/en-flights.js';
 import { meant, readCsv } from './csv-reader.js';
 import { anyFlight, PLAIN, recordOf } from './flights.js';
 
 /** The columns in which a pilot's words stand. */
 const WORDS = ['place', 'model', 'setting', 'round', 'note'] as const;
-const { columns: heads } = flightMessages.value.csv;
+const { columns: heads } = flightMessages.csv;
 
 describe('the table of flights', () => {
   it('is read back by an independent reader, for every flight and with both separators', () => {

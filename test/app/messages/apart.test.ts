@@ -1,24 +1,24 @@
 import { expect, it } from 'vitest';
 import { apart } from '../../../src/app/messages/apart.js';
 import { dotted } from '../../../src/app/messages/dotted.js';
-import { files } from '../../../src/app/messages/en-files.js';
+import { filesMessages } from '../../../src/app/messages/en-files.js';
+import { libraryMessages } from '../../../src/app/messages/en-library.js';
+import { modelMessages } from '../../../src/app/messages/en-which-model.js';
 import { messages } from '../../../src/app/messages/index.js';
-import { libraryMessages } from '../../../src/app/messages/library.js';
-import { modelMessages } from '../../../src/app/messages/which-model.js';
 
 const { knowledge, memoryNames } = messages.value;
-const { recognition } = modelMessages.value;
+const { recognition } = modelMessages;
 
 /** Sentences with a name and a figure after it. */
 const SENTENCES: Readonly<Record<string, (name: string) => string>> = {
   facts: (name) => dotted([name, '3:00 min', null]),
   memory: (name) => `${memoryNames.named('M2', name)} 14:32`,
   setting: (name) => knowledge.ofSetting(name, 2),
-  'saved setting': (name) => libraryMessages.value.save.state(name, 2, 0),
-  place: (name) => libraryMessages.value.arrange.moved(name, 2, 5),
+  'saved setting': (name) => libraryMessages.save.state(name, 2, 0),
+  place: (name) => libraryMessages.arrange.moved(name, 2, 5),
   model: (name) => recognition.same(name, '14:32'),
   models: (name) => recognition.several([name, '07', name]),
-  import: (name) => files.import.importing(name, 2, 5),
+  import: (name) => filesMessages.import.importing(name, 2, 5),
 };
 
 it.each(Object.entries(SENTENCES))(

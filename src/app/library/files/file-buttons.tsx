@@ -1,4 +1,4 @@
-import { filesMessages } from '../../messages/files.js';
+import { filesMessages } from '../../messages/en-files.js';
 import { ALL_NAME, type LibraryFiles } from './library-files.js';
 import type { FilePart } from './library-text.js';
 import './file-buttons.css';
@@ -12,7 +12,7 @@ interface ExportButtonProps {
 
 /** Saves a part of the library to a file. After the first time: to the same file, or to another one. */
 export function ExportButton({ files, part, title }: ExportButtonProps) {
-  const { export: words } = filesMessages.value;
+  const { export: words } = filesMessages;
   const chosen = files.chosen(part);
   return (
     <>
@@ -30,7 +30,7 @@ export function ExportButton({ files, part, title }: ExportButtonProps) {
 
 /** The file of the whole library, and the reminder that an export is due. */
 export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) {
-  const words = filesMessages.value;
+  const words = filesMessages;
   return (
     <>
       <button type="button" onClick={() => files.ask()}>
@@ -46,7 +46,7 @@ const ALL: FilePart = { kind: 'all' };
 
 /** The reminder that an export is due. Shown once, then not for a while. */
 function ExportReminder({ files }: { readonly files: LibraryFiles }) {
-  const { reminder: words } = filesMessages.value;
+  const { reminder: words } = filesMessages;
   const due = files.marks.due.value;
   if (!due) return null;
   return (

@@ -2,13 +2,13 @@ import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { takeDroppedFiles } from '../../browser/dropped-files.js';
 import { service, tried } from '../../browser/services.js';
-import { filesMessages } from '../../messages/files.js';
+import { filesMessages } from '../../messages/en-files.js';
 import type { LibraryFiles } from './library-files.js';
 import './file-drop.css';
 
 /** Takes files that are dropped on the page, or opened by the system in the installed page. */
 export function FileDrop({ files }: { readonly files: LibraryFiles }) {
-  const { import: words } = filesMessages.value;
+  const { import: words } = filesMessages;
   const over = useSignal(false);
   useEffect(() => {
     return takeDroppedFiles({

@@ -1,4 +1,4 @@
-import { filesMessages } from '../../messages/files.js';
+import { filesMessages } from '../../messages/en-files.js';
 import { messages } from '../../messages/index.js';
 import type { FileWord, LibraryFiles } from './library-files.js';
 
@@ -6,7 +6,7 @@ const BAD: ReadonlySet<FileWord['kind']> = new Set(['not-written', 'too-large', 
 
 /** What was last done with files, with a button to undo an import. */
 export function FileNotice({ files }: { readonly files: LibraryFiles }) {
-  const { import: words } = filesMessages.value;
+  const { import: words } = filesMessages;
   const said = files.said.value;
   if (!said) return null;
   const isBad = BAD.has(said.kind) || ('kept' in said && !said.kept);
@@ -28,7 +28,7 @@ export function FileNotice({ files }: { readonly files: LibraryFiles }) {
 }
 
 function wordText(said: FileWord): string {
-  const { export: out, import: into, counted } = filesMessages.value;
+  const { export: out, import: into, counted } = filesMessages;
   switch (said.kind) {
     case 'saving':
       return out.saving(said.name);

@@ -1,6 +1,6 @@
 import type { Flight } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
-import { filesMessages } from '../../messages/files.js';
+import { filesMessages } from '../../messages/en-files.js';
 import { dateText, dayText, messages } from '../../messages/index.js';
 import { Select } from '../../ui/choice.js';
 import { Modal } from '../../ui/modal.js';
@@ -18,7 +18,7 @@ interface ImportDialogProps {
 
 /** What a file holds and what it would change in the library. Asks the pilot. */
 export function ImportDialog({ files, onTaken }: ImportDialogProps) {
-  const words = filesMessages.value;
+  const words = filesMessages;
   const current = files.current.value;
   const name = current?.name ?? '';
   return (
@@ -51,7 +51,7 @@ function CloseButton({ files, text }: { readonly files: LibraryFiles; readonly t
 
 /** Why a file was refused, and where in it the fault stands. */
 function Refused({ files, why }: { readonly files: LibraryFiles; readonly why: FileRefusal }) {
-  const { refused: words } = filesMessages.value;
+  const { refused: words } = filesMessages;
   return (
     <>
       <p role="alert">{why instanceof CodecError ? reasonOf(why) : words.files[why]}</p>
@@ -63,7 +63,7 @@ function Refused({ files, why }: { readonly files: LibraryFiles; readonly why: F
 }
 
 function PlaceInFile({ why: { code, field, details } }: { readonly why: CodecError }) {
-  const { refused: words } = filesMessages.value;
+  const { refused: words } = filesMessages;
   const { line, column } = details;
   if (line === undefined || column === undefined || field === 'format' || code === 'newer-version') return null;
   const isPath = code !== 'bad-file' && field !== '';
@@ -80,7 +80,7 @@ const TEXTS = /(?:name|note|place|round|photo|writtenBy|tags\[\d+\]|memoryNames\
 const DATES = /(?:^|\.)(?:at|\w+At)$/;
 
 function reasonOf({ code, field, details: { min, max } }: CodecError): string {
-  const { refused: words } = filesMessages.value;
+  const { refused: words } = filesMessages;
   const reason = (code === 'bad-file' ? words.kinds[field] : words.codes[code]) ?? words.other;
   if (code !== 'out-of-range' || min === undefined || max === undefined || DATES.test(field)) return reason;
   if (max === Number.MAX_SAFE_INTEGER) return reason;
@@ -92,7 +92,7 @@ interface PlanProps extends ImportDialogProps {
 }
 
 function Plan({ files, onTaken, step }: PlanProps) {
-  const words = filesMessages.value;
+  const words = filesMessages;
   const groups = step.groups.value;
   const { all, of } = step.ways.value;
   const counts = groups.map((group) => takenOf(group, of.get(group.id) ?? all).length);
@@ -156,7 +156,7 @@ interface GroupRowProps {
 
 /** What a file holds for one model, and what to do with it. */
 function GroupRow({ files, group, way }: GroupRowProps) {
-  const { import: words, counted } = filesMessages.value;
+  const { import: words, counted } = filesMessages;
   const name = group.name || (group.id === null ? words.loose : words.unknownModel);
   const of = (standing: Entry['standing']): readonly Entry[] =>
     group.entries.filter((entry) => entry.standing === standing);
@@ -192,7 +192,7 @@ const NAMED = 3;
 
 /** The names of the entries that differ. */
 function namesOf(entries: readonly Entry[]): string {
-  const { import: words } = filesMessages.value;
+  const { import: words } = filesMessages;
   const names = entries.slice(0, NAMED).map(({ kind, entry }) => {
     if (kind === 'models') return words.itself;
     return 'name' in entry ? entry.name : words.flightOf(dayText((entry as Flight).at));
