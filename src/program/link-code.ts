@@ -56,19 +56,20 @@ export function encodeLink(shared: SharedSetting, options: { readonly longest?: 
 
 /**
  * Reads a setting from a code, a fragment or a whole address with `#s=`. White space inside, which mail programs add,
- * does no harm.
+ * does no harm; nor do other words or signs after it, nor signs of the link in percent coding.
  * @throws CodecError `bad-link`: no setting, or a cut or damaged one; `newer-version`; `too-large`. A whole code whose
  * values no setting can hold gives an error as {@link requireSetting}.
  */
 export function decodeLink(link: string): SharedSetting {
-  const mark = link.lastIndexOf(LINK_MARK);
-  const given = mark < 0 ? link : link.slice(mark + LINK_MARK.length);
+  const text = link.replaceAll(/%[0-7][\da-f]/gi, decodeURIComponent);
+  const mark = text.lastIndexOf(LINK_MARK);
+  const given = mark < 0 ? text : text.slice(mark + LINK_MARK.length);
   if (given.length > LONGEST_CODE) {
     const details = { value: given.length, max: LONGEST_CODE };
     throw new CodecError('too-large', 'link', `a link has at most ${LONGEST_CODE} characters`, details);
   }
   try {
-    return requireShared(unpack(fromBase64url(given.replaceAll(/\s/g, ''))));
+    return requireShared(unpackWords(given.trim().replace(/[^\w\s-].*/s, '')));
   } catch (cause) {
     if (cause instanceof BytesError) throw new CodecError('bad-link', 'link', `no whole link: ${cause.message}`);
     throw cause;
@@ -97,6 +98,17 @@ function pack({ name, note, tags, at, program, modelName }: SharedSetting): stri
   to.pair(sum & 0xffff);
   to.pair(sum >>> 16);
   return base64url(to.bytes);
+}
+
+/** A code that was broken into lines; or one line, and the words that somebody has put after it. */
+function unpackWords(text: string): unknown {
+  const words = text.split(/\s/);
+  try {
+    return unpack(fromBase64url(words.join('')));
+  } catch (cause) {
+    if (!(cause instanceof BytesError)) throw cause;
+    return unpack(fromBase64url(words[0] as string));
+  }
 }
 
 /**

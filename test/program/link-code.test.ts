@@ -100,6 +100,29 @@ describe('a link', () => {
     );
   });
 
+  it.each<[string, (code: string) => string]>([
+    ['a full stop after it', (code) => `${LINK_MARK}${code}.`],
+    ['a bracket and a line after it', (code) => `<https://example.org/${LINK_MARK}${code}>\nSee you, Jo`],
+    ['words after it', (code) => `Take this: https://example.org/${LINK_MARK}${code} and good luck. It is calm.`],
+    ['words in lines after it', (code) => `${LINK_MARK}\n${code}\n\nSent from the field`],
+    ['a full stop and a line after its lines', (code) => `${LINK_MARK}${code.replaceAll(/.{20}/g, '$&\n')}.\nJo`],
+    ['what counts clicks', (code) => `${LINK_MARK}${code}&utm_source=x&fbclid=IwAR0-_`],
+    ['the marks of a text in bold', (code) => `**${LINK_MARK}${code}**`],
+    ['signs in percent coding', (code) => `#s%3D${code.replaceAll('-', '%2D').replaceAll('_', '%5f')}%0d%0A`],
+    ['all signs in percent coding', (code) => encodeURIComponent(`https://example.org/${LINK_MARK}${code}`)],
+    ['spaces in percent coding', (code) => `${LINK_MARK}${code.replaceAll(/.{20}/g, '$&%20')}`],
+  ])('is read with %s', (_, change) => {
+    expect(decodeLink(change(encodeLink(SHARED)))).toEqual(SHARED);
+  });
+
+  it('of which a part is missing is refused, whatever follows', () => {
+    const code = encodeLink(SHARED);
+    expect(refusal(`${LINK_MARK}${code.slice(0, 20)} ${code.slice(21)}`)).toBe('bad-link link');
+    expect(refusal(`${LINK_MARK}${code.slice(0, -1)}… and more`)).toBe('bad-link link');
+    expect(refusal(`${LINK_MARK}%C3%A4${code}`), 'a letter of two bytes').toBe('bad-link link');
+    expect(refusal(summed([2, 1]).replace(/^.{3}/, '$&\n')), 'a newer one in two lines').toBe('newer-version link');
+  });
+
   it('is refused when it was cut or changed anywhere', () => {
     const code = encodeLink(SHARED);
     for (let cut = 0; cut < code.length; cut++) {

@@ -1,12 +1,11 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
-import { LINK_MARK } from '../../../program/index.js';
 import { hasCamera } from '../../browser/camera.js';
 import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
 import { Problem } from '../../ui/problem.js';
 import { Scanner, type ScanState } from './scanner.js';
-import type { Sharing } from './sharing.js';
+import { holdsLink, type Sharing } from './sharing.js';
 import './read-code.css';
 
 /** Reads a QR code or a link: from the camera, a picture, or pasted text. */
@@ -107,7 +106,7 @@ function Paste({ onLink }: { readonly onLink: (link: string) => void }) {
       class="read-paste"
       onSubmit={(event) => {
         event.preventDefault();
-        isWrong.value = !text.value.includes(LINK_MARK);
+        isWrong.value = !holdsLink(text.value);
         if (!isWrong.value) onLink(text.value);
       }}
     >

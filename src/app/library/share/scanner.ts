@@ -1,8 +1,8 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import { LINK_MARK } from '../../../program/index.js';
 import { type Camera, type CameraFault, openCamera } from '../../browser/camera.js';
 import { decodedPicture, type PictureFault } from '../../browser/picture.js';
 import { QrReader, WIDEST_LOOK } from '../../browser/qr-reader.js';
+import { holdsLink } from './sharing.js';
 
 /** Why nothing was read. */
 export type ScanFault = CameraFault | PictureFault | 'nothing' | 'reader';
@@ -98,7 +98,7 @@ export class Scanner {
 
   /** @returns whether it is a setting. */
   #take(text: string, { goesOn }: { readonly goesOn: boolean }): boolean {
-    if (!text.includes(LINK_MARK)) {
+    if (!holdsLink(text)) {
       // On its way, the camera may see other codes.
       if (!goesOn) this.#state.value = { kind: 'other', text };
       return false;

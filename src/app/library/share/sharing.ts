@@ -1,5 +1,5 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import { LINK_MARK, type SharedSetting } from '../../../program/index.js';
+import type { SharedSetting } from '../../../program/index.js';
 
 /** What is open: one thing at a time. */
 export type SharingStep =
@@ -61,7 +61,15 @@ export class Sharing {
   }
 }
 
+/** LINK_MARK, also as programs change it that pass links on. */
+const MARK = /(?:#|%23)s(?:=|%3D)/i;
+
 /** Whether the fragment of an address is a setting, and not a view. */
 export function isLink(hash: string): boolean {
-  return hash.startsWith(LINK_MARK);
+  return hash.search(MARK) === 0;
+}
+
+/** Whether there is a link to a setting in a text. */
+export function holdsLink(text: string): boolean {
+  return MARK.test(text);
 }

@@ -73,6 +73,15 @@ describe('a link in the address', () => {
     expect(window.location.hash).toBe('#memories');
   });
 
+  it('is shown also when a program has put its signs in percent coding', () => {
+    const { window, sharing } = opened('#s%3DAAAA');
+    expect(sharing.current.value).toEqual({ step: 'received', link: '#s%3DAAAA' });
+    sharing.close();
+    expect(window.location.hash).toBe('#program');
+    window.goTo('#library/x#s=AAAA');
+    expect(sharing.current.value, 'it does not begin with a link').toBeNull();
+  });
+
   it('is ignored once the page no longer listens, and other addresses are ignored too', () => {
     const { window, sharing, end } = opened('#settings');
     expect(sharing.current.value).toBeNull();
