@@ -90,7 +90,6 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     const kept = await this.#keeper.all().catch(() => null);
     this.#since.delete(since);
     if (kept) {
-      this.#hear(kept);
       const mine = this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
       const records = new Map<string, T>();
       for (const record of [...kept, ...mine]) records.set(record.key, record);
@@ -99,10 +98,8 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
         else records.delete(key);
       }
       // A record that was changed elsewhere while it was about to be deleted here is not deleted.
-      this.#removed.value = this.#removed.peek().filter(({ key, changedAt }) => {
-        const now = records.get(key);
-        return !now || now.changedAt <= changedAt;
-      });
+      this.#removed.value = this.#removed.peek().filter((record) => !this.#isOther(record, records.get(record.key)));
+      this.#hear(kept);
       this.#show([...records.values()]);
     }
     batch(() => {
@@ -193,11 +190,19 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   async #deleteUnchanged(): Promise<void> {
     const gone = this.#removed.peek();
     const held = await Promise.all(gone.map(({ key }) => this.#keeper.load(key).catch(() => undefined)));
-    const changed = held.filter((now, at) => now && now.changedAt > (gone[at]?.changedAt ?? 0));
+    const changed = held.filter((now, at) => this.#isOther(gone[at] as T, now));
     const isChanged = (key: string): boolean => changed.some((now) => now?.key === key);
     this.#removed.value = this.#removed.peek().filter(({ key }) => !isChanged(key));
     this.flush();
     if (changed.length > 0) await this.refresh();
+  }
+
+  /**
+   * Whether another tab has put another version of a removed record in its place; it may be an older one, when that tab
+   * has undone an import.
+   */
+  #isOther({ key, changedAt }: T, now: T | undefined): boolean {
+    return now !== undefined && now.changedAt !== changedAt && now.changedAt !== this.#held.get(key)?.changedAt;
   }
 
   /** Tries again to save what the browser has not saved. */

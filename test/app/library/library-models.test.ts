@@ -153,6 +153,37 @@ describe('two tabs', () => {
     ]);
   });
 
+  it.each([
+    ['has said so', twoTabs],
+    ['could not say so', (store: MemoryStore): [Library, Library] => [new Library(store), new Library(store)]],
+  ])('do not delete what the other has brought back by undoing an import, where that one %s', async (_, tabs) => {
+    await appBench();
+    const store = stored(COUNTS);
+    const [one, other] = tabs(store);
+    await Promise.all([one.load(), one.flights.load(), other.load()]);
+    const record = one.settings.get('setting-0');
+    if (!record) throw new Error('it is gone');
+    const newer = { ...record.setting, note: 'from the file' };
+    const facts = new Map([[newer, { changedAt: record.changedAt + 1000 }]]);
+    const text = formatLibraryFile(
+      { models: [], settings: [newer], flights: [] },
+      { writtenAt: 1, writtenBy: 'a test', facts },
+    );
+    const files = new LibraryFiles({ library: one, storage: signal(null) });
+    await run(files.open([new File([text], 'a.sidus')]));
+    await run(files.take());
+    await run(other.refresh());
+    expect(other.settings.get('setting-0')?.setting.note).toBe('from the file');
+    other.settings.remove('setting-0');
+    await run(files.undo());
+    await idle(12_000);
+    const note = record.setting.note;
+    expect([store.settings.records.get('setting-0'), other.settings.get('setting-0')]).toMatchObject([
+      { setting: { note } },
+      { setting: { note } },
+    ]);
+  });
+
   it('have in both what one brings back after the other has deleted it for good', async () => {
     await appBench();
     const store = stored(COUNTS);
