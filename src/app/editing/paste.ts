@@ -213,7 +213,7 @@ function columnsByName(texts: readonly string[], known: readonly string[]): numb
   return found.length > 0 && new Set(found).size === found.length ? columns : null;
 }
 
-const WORD = /^(?!(?:nan|inf|infinity)$)\p{L}/iu;
+const WORD = /^(?!(?:nan|inf|infinity|err\s?:\d+)$)\p{L}/iu;
 
 /**
  * Whether these are headings or names: there are some, and each begins with a letter.

@@ -124,6 +124,13 @@ describe('headings and names', () => {
     ['a text alone', 'Time', '0:0 Time not-a-time'],
     ['what stands for a number', 'NaN\n11', '0:0 NaN not-a-time'],
     ['an error', '#REF!\n11', '0:0 #REF! not-a-time'],
+    ['an error of LibreOffice', 'Err:502\n11', '0:0 Err:502 not-a-time'],
+    [
+      'a column of such errors',
+      'Err:502\t7\nErr\u00a0:508\t8',
+      '0:0 Err:502 not-a-time',
+      '1:0 Err\u00a0:508 not-a-time',
+    ],
     ['a formula', '=A1\n11', '0:0 =A1 not-a-time'],
     ['a row of texts alone', 'Start\tTime\tS1', '0:1 Time not-a-time', '0:2 S1 not-a-whole-number'],
     ['a column of texts', 'Time\nStart\nDT', '1:0 Start not-a-time', '2:0 DT not-a-time'],
