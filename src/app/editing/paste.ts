@@ -164,7 +164,8 @@ function place(
 ): Placed {
   const headings = rows.length > 1 && areWords(rows[0] ?? []);
   // A row of units below them is a part of them.
-  const heads = headings ? (rows.length > 2 && areUnits(rows[1] ?? []) ? 2 : 1) : 0;
+  const units = headings && rows.length > 2 && areUnits(rows[1] ?? []) ? (rows[1] ?? []) : null;
+  const heads = units ? 2 : headings ? 1 : 0;
   const body = rows.slice(heads);
   const width = Math.max(0, ...rows.map(lengthOf));
   const names = width > 1 && areWords(body.map(([first = '']) => first));
@@ -178,8 +179,11 @@ function place(
       if (text === '' || column < first) continue;
       const target = (byName ? byName[column] : across[column - first]) ?? -1;
       const field = gridField(identity, { row: top + at, column: target });
-      if (field) cells.push({ row: heads + at, column, text, field });
-      else ignored++;
+      if (!field) ignored++;
+      else {
+        const inMinutes = field.kind !== 'position' && IN_MINUTES.test(units?.[column] ?? '');
+        cells.push({ row: heads + at, column, text: inMinutes ? `${text} min` : text, field });
+      }
     }
   }
   return { cells, ignored, headings, names };
@@ -225,6 +229,8 @@ function areWords(texts: readonly string[]): boolean {
 }
 
 const UNIT = /^[([]?(?:s|sec|secs|seconds?|min|m:ss?|mm:ss|steps?|units?)\.?[)\]]?$/i;
+/** Such a unit. Times below it are in minutes. */
+const IN_MINUTES = /^[([]?min/i;
 
 /** Whether these are the units of columns, and nothing else. */
 function areUnits(texts: readonly string[]): boolean {

@@ -171,6 +171,20 @@ describe('headings and names', () => {
     expect(preview.problems.map(({ code, row }) => [code, row])).toEqual([['not-a-time', 3]]);
   });
 
+  it.each(['min', '(min.)', '[Min]'])('may have minutes in that row: “%s”', (unit) => {
+    const preview = paste(`S1\tTime\nsteps\t${unit}\n7\t0.5\n8\t0:40\n9\tx\n\t2.30\n\t3 s`, at(1, 0), {
+      headings: HEADINGS,
+    });
+    expect(changesIn(preview)).toMatchObject({
+      'time:1': '50 -> 3000',
+      'time:2': '1000 -> 4000',
+      'time:4': '1500 -> 13800',
+      'position:0:1': '20 -> 7',
+    });
+    expect(problemsIn(preview)).toEqual(['4:1 x min not-a-time', '6:1 3 s min not-a-time']);
+    expect(preview.readings.map(({ text, value }) => [text, value])).toEqual([['2.30 min', 13800]]);
+  });
+
   it('have no row of units below them that holds anything else', () => {
     const preview = paste('Function\tTime\tS1\nStart\ts\tsteps\nDT\t11\t7', at(0, 0), { headings: HEADINGS });
     expect(preview.problems.map(({ row, column }) => [row, column])).toEqual([
