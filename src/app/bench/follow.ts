@@ -236,12 +236,13 @@ export class Follow {
    * the last position says which it was: a job that selects another memory reads this one before, or restores it.
    */
   #watch(held: TimerProgram, bound: TimerConnection): void {
-    const { connection, editor } = this.#session;
+    const { connection, editor, nextFlight } = this.#session;
     this.#unwatch();
     const stop = effect(() => {
       if (connection.value !== bound) return this.#unwatch();
       const now = editor.baseline.value;
-      if (!editor.fresh.value || !now) return;
+      // A reading on a round trip through other memories does not say which one was current.
+      if (!editor.fresh.value || nextFlight.open.value || !now) return;
       this.#unwatch();
       if (now.memory !== held.memory) this.#ended.value = { reason: 'strayed', held };
     });

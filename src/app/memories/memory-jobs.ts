@@ -193,7 +193,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     options: JobContext,
     done: Done,
   ): Promise<void> {
-    const { knowledge, recovery, simulated, servoMoves } = this.#session;
+    const { knowledge, reader, recovery, simulated, servoMoves } = this.#session;
     const { begun } = done;
     const moveServos = servoMoves.take();
     let agreed = false;
@@ -224,8 +224,9 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
       },
     );
     for (const { before, report } of memories) {
-      if (report.held && !report.stopped) await knowledge.ended(before);
-      if (report.held) knowledge.read(report.held, Date.now(), report.result === 'verified');
+      // Nothing is waited for: another timer may be there when the storage answers.
+      if (report.held && !report.stopped) void knowledge.ended(before);
+      if (report.held) reader.took(report.held, report.result === 'verified');
     }
     done.strayed = strayed(memories.map(({ report }) => report));
     if (done.strayed !== null) knowledge.doubt(done.strayed);

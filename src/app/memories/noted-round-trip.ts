@@ -30,7 +30,7 @@ export class NotedRoundTrip {
         throw error;
       });
     options.stillOn();
-    for (const program of programs) this.#session.knowledge.read(program);
+    for (const program of programs) this.#session.reader.took(program);
     await this.wasRestored(identity, original, null);
     return programs;
   }

@@ -104,6 +104,23 @@ export class Reader {
     if (nextFlight.open.value && link.connection.value) await notices.keepThrough(() => this.read());
   }
 
+  /**
+   * Takes in what a job has read of any memory. If it is the one on the screen, the screen shows it, with the edits on
+   * top: it must not go on showing an older reading as the last one.
+   */
+  took(read: TimerProgram, verified = false): void {
+    const { editor, onScreen, link, knowledge, notices } = this.#parts;
+    const shown = editor.working.peek();
+    const wasSimulated = onScreen.simulated.peek();
+    // The connection may have ended since.
+    const simulated = link.connection.peek() ? link.simulated.peek() : wasSimulated;
+    batch(() => {
+      knowledge.read(read, Date.now(), verified);
+      if (!shown || programKey(shown, wasSimulated) !== programKey(read, simulated)) return;
+      if (editor.rebase(read)) notices.sayIfSilent('edits-moved');
+    });
+  }
+
   /** Shows a reading, with the edits that belong to it. */
   async #show(read: TimerProgram, { stillOn }: JobContext): Promise<void> {
     const at = Date.now();

@@ -68,6 +68,20 @@ describe('the memories at a glance', () => {
     });
   });
 
+  it('are as last read on the screen, too, with the edits on top', async () => {
+    const made = await bench();
+    const { editor, session, timer } = made;
+    editor.type(S1, '7');
+    const [positions] = timer.core.content.positions as [number[]];
+    positions[2] = 60;
+    positions[3] = 61;
+    await job(made, { kind: 'back-up' });
+    expect(editor.baseline.value?.positions[0]?.slice(2, 4)).toEqual([60, 61]);
+    expect(editor.working.value?.positions[0]?.slice(2, 4)).toEqual([7, 61]);
+    expect(session.standing.value.sure).toBe('now');
+    expect(session.notices.current.value).toEqual({ kind: 'note', code: 'edits-moved' });
+  });
+
   it('are forgotten for the next timer, because it may be another', async () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
@@ -435,6 +449,51 @@ describe('a plug that is pulled in the middle', () => {
       else expect([made.session.recovery.offer.value, made.store.unfinished.records.size]).toEqual([null, 0]);
     },
   );
+
+  it('during a restore leaves no older reading on the screen than the last one', async () => {
+    const made = await bench();
+    const { editor, session, timer, adapter } = made;
+    await job(made, { kind: 'back-up' });
+    made.memories.jobs.dismiss();
+    const backups = session.backups.list.value.filter(({ program }) => [1, 2].includes(program.memory ?? 0)).reverse();
+    expect(backups.map(({ program }) => program.memory)).toEqual([1, 2]);
+    for (const { positions } of timer.core.memories) (positions[0] as number[])[2] = 70;
+    await run(session.reader.read());
+    timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && timer.core.memory === 2 && adapter.unplug();
+    await job(made, { kind: 'restore', backups });
+    expect(ends(made)).toEqual([
+      [1, 'verified'],
+      [2, 'unknown'],
+    ]);
+    expect([editor.baseline.value?.memory, editor.baseline.value?.positions[0]?.[2]]).toEqual([1, 51]);
+    timer.core.onAnswer = undefined;
+    timer.core.memory = 1;
+    adapter.replug();
+    await idle();
+    // It was this page that changed it.
+    expect(session.notices.current.value).toEqual({ kind: 'note', code: 'back-same' });
+  });
+
+  it('never lends its readings to the timer that comes next, however slow the storage is', async () => {
+    const made = await bench();
+    const { session, store, timer, adapter } = made;
+    session.safety.confirm();
+    await run(made.memories.jobs.open(COPY));
+    const remove = store.unfinished.remove.bind(store.unfinished);
+    store.unfinished.remove = async (key) => {
+      await new Promise((resolve) => setTimeout(resolve, 4000));
+      await remove(key);
+    };
+    timer.core.onAnswer = ({ name }) => {
+      if (name !== 'SETMEMORY' || timer.core.memory !== 1) return;
+      timer.core.onAnswer = undefined;
+      adapter.unplug();
+      adapter.replug();
+    };
+    await run(made.memories.jobs.start());
+    await idle();
+    expect(known(made)).toEqual(['unread', 'read', 'unread', 'unread']);
+  });
 
   it('during a copy leaves the idle throttle alone when the rest is shown', async () => {
     const made = await bench();
