@@ -1,6 +1,14 @@
 import { realClock } from '../line/index.js';
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
-import { COMMANDS, encodeRequest, type Frame, type Identity, type ReplyOf, type Request } from '../protocol/index.js';
+import {
+  COMMANDS,
+  CodecError,
+  encodeRequest,
+  type Frame,
+  type Identity,
+  type ReplyOf,
+  type Request,
+} from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { Exchange } from './exchange.js';
 import { SET_IDLE_THROTTLE, setIdleThrottle } from './idle-throttle.js';
@@ -81,9 +89,15 @@ export class TimerClient {
   /**
    * @param port the streams of the timer. The client reads them from its first request on.
    * @param options the speed of the line, what is known of the timer, and whom to tell.
+   * @throws CodecError `out-of-range` when the rate or the margin is negative or no number.
    */
   constructor(port: BytePort, options: TimerClientOptions = {}) {
     const { baudRate = 9600, clock = realClock, margin = 600, onLine, onLost } = options;
+    // A margin such as NaN or '600' would end every wait before the reply comes.
+    for (const [field, value] of Object.entries({ baudRate, margin })) {
+      if (typeof value !== 'number' || !(value >= 0))
+        throw new CodecError('out-of-range', field, `${field} must be a number of at least 0`, { value });
+    }
     this.#quirks = new Quirks(options.quirks ?? {});
     this.#timing = new LearnedTiming({ baudRate, margin });
     this.#wire = new Wire(port, this.#quirks, { timing: this.#timing, clock, onLine, onLost });

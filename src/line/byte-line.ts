@@ -1,4 +1,5 @@
 import type { Clock } from './clock.js';
+import { requireNumber } from './require.js';
 
 /** Bits on the wire for each byte at 8N1: one start bit, eight data bits, one stop bit. */
 export const BITS_PER_BYTE = 10;
@@ -54,14 +55,21 @@ export class ByteLine {
   #chunkFilled = 0;
   #cut = false;
 
-  /** @param deliver is called with each piece as it arrives, and may keep the array. */
+  /**
+   * @param deliver is called with each piece as it arrives, and may keep the array.
+   * @throws RangeError when a rate, a latency or a size is negative or no number.
+   */
   constructor(deliver: (bytes: Uint8Array) => void, options: ByteLineOptions) {
+    const { clock, baudRate = 0, latency = 0, chunks = [], fault } = options;
+    requireNumber(baudRate, 'baudRate', 0);
+    requireNumber(latency, 'latency', 0);
+    for (const size of chunks) requireNumber(size, 'a size in chunks', 0);
     this.#deliver = deliver;
-    this.#clock = options.clock;
-    this.baudRate = options.baudRate ?? 0;
-    this.#latency = options.latency ?? 0;
-    this.#chunks = options.chunks?.some((size) => size > 0) ? options.chunks.filter((size) => size > 0) : [];
-    this.#fault = options.fault;
+    this.#clock = clock;
+    this.baudRate = baudRate;
+    this.#latency = latency;
+    this.#chunks = chunks.filter((size) => size > 0);
+    this.#fault = fault;
   }
 
   /**

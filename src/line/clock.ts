@@ -1,3 +1,5 @@
+import { requireNumber } from './require.js';
+
 /** Where time comes from. No room above this one reads another clock, so tests can turn time by hand. */
 export interface Clock {
   /** Milliseconds since 1970. Never runs backwards. */
@@ -70,8 +72,12 @@ export class VirtualClock implements Clock {
   /** Ordered by due time, then by the order in which they were made. */
   readonly #appointments: Appointment[] = [];
 
-  /** @param start what the clock shows at first, in milliseconds since 1970. */
+  /**
+   * @param start what the clock shows at first, in milliseconds since 1970.
+   * @throws RangeError when it is no number.
+   */
   constructor(start = 0) {
+    requireNumber(start, 'start');
     this.#now = start;
   }
 
@@ -80,8 +86,12 @@ export class VirtualClock implements Clock {
     return this.#now;
   }
 
-  /** Calls `callback` once the clock is turned `ms` milliseconds further. Equal times keep their order. */
+  /**
+   * Calls `callback` once the clock is turned `ms` milliseconds further. Equal times keep their order.
+   * @throws RangeError when `ms` is no number.
+   */
   after(ms: number, callback: () => void): () => void {
+    requireNumber(ms, 'ms');
     const appointment: Appointment = { at: this.#now + Math.max(0, ms), callback };
     let index = this.#appointments.length;
     while (index > 0 && (this.#appointments[index - 1] as Appointment).at > appointment.at) index--;
@@ -94,8 +104,10 @@ export class VirtualClock implements Clock {
 
   /**
    * Turns the clock forward by `ms` milliseconds. Each callback runs at its own time, and promises settle in between.
+   * @throws RangeError when `ms` is negative or no number.
    */
   async advance(ms: number): Promise<void> {
+    requireNumber(ms, 'ms', 0);
     const end = this.#now + ms;
     await settle();
     while (this.#appointments[0] && this.#appointments[0].at <= end) {

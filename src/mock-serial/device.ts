@@ -1,5 +1,8 @@
-import { networkError } from './errors.js';
+import { networkError, READ_ERROR_KINDS } from './errors.js';
 import type { InputSignals, MockDevice, OpenedOptions, ReadErrorKind, SetSignals, WriteErrorKind } from './types.js';
+import { integer, oneOf } from './web-idl.js';
+
+const WRITE_ERROR_KINDS: readonly string[] = ['system', 'lost'] satisfies WriteErrorKind[];
 
 /** What lies between the device and the page, as far as the device can reach it. */
 export interface PortSide {
@@ -59,15 +62,17 @@ export class Device implements MockDevice {
   }
 
   write(bytes: ArrayLike<number>): Promise<void> {
+    // Not inside the promise: nobody need wait for it.
+    const sent = copyOf(bytes);
     const written = new Promise<void>((resolve, reject) => {
       const discarded = (): void => reject(networkError('The bytes were discarded.'));
       if (this.#unplugged) {
-        this.#unsent += bytes.length;
+        this.#unsent += sent.length;
         discarded();
         return;
       }
       const { cable, receiver } = this.#port;
-      cable.sendToPage(Uint8Array.from(bytes));
+      cable.sendToPage(sent);
       cable.behindToPage(() => receiver.mark((kept) => (kept ? resolve() : discarded())), discarded);
     });
     // A caller that does not ask what became of the bytes gets no unhandled rejection.
@@ -76,6 +81,7 @@ export class Device implements MockDevice {
   }
 
   error(kind: ReadErrorKind): void {
+    oneOf(kind, READ_ERROR_KINDS, 'kind');
     const { cable, receiver } = this.#port;
     cable.behindToPage(() => receiver.fail(kind));
   }
@@ -85,7 +91,8 @@ export class Device implements MockDevice {
   }
 
   failNextWrite(error: WriteErrorKind | Error = 'system', after = 0): void {
-    this.#port.transmitter.failNext(error, after);
+    if (!(error instanceof Error)) oneOf(error, WRITE_ERROR_KINDS, 'error');
+    this.#port.transmitter.failNext(error, integer(after, Number.MAX_SAFE_INTEGER, 'after'));
   }
 
   /** Takes bytes that reach the device. */
@@ -119,4 +126,11 @@ export class Device implements MockDevice {
     this.setOpened(null);
     this.replug();
   }
+}
+
+/** @throws TypeError unless all of them are bytes. */
+function copyOf(bytes: ArrayLike<number>): Uint8Array {
+  const isByte = (value: number): boolean => Number.isInteger(value) && value >= 0 && value <= 255;
+  if (Number.isInteger(bytes?.length) && Array.from(bytes).every(isByte)) return Uint8Array.from(bytes);
+  throw new TypeError('bytes must be a list of whole numbers from 0 to 255.');
 }

@@ -9,6 +9,8 @@ const READ_ERRORS: Record<ReadErrorKind, readonly [name: string, message: string
   lost: ['NetworkError', 'The device has been lost.'],
 };
 
+export const READ_ERROR_KINDS: readonly string[] = Object.keys(READ_ERRORS);
+
 /** The exception for a kind of failure, as the standard's readable and writable attributes name it. */
 export function streamError(kind: ReadErrorKind): DOMException {
   const [name, message] = READ_ERRORS[kind];

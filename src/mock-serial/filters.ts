@@ -15,10 +15,14 @@ function serviceClassUuid(id: number | string): string {
 
 /**
  * The information as `getInfo()` gives it: without undefined members, the service class as a UUID.
- * @throws TypeError when the service class is not valid.
+ * @throws TypeError when the service class or a USB number is not valid.
  */
 export function normalizeInfo(info: PortInfo): PortInfo {
   const { usbVendorId, usbProductId, bluetoothServiceClassId } = info;
+  for (const id of [usbVendorId, usbProductId]) {
+    if (id !== undefined && !(Number.isInteger(id) && id >= 0 && id <= 0xffff))
+      throw new TypeError('A USB number must be a whole number from 0 to 65535.');
+  }
   return {
     ...(usbVendorId !== undefined && { usbVendorId }),
     ...(usbProductId !== undefined && { usbProductId }),

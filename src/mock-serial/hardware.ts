@@ -148,6 +148,8 @@ export class Hardware {
   }
 
   setInputSignals(signals: Partial<InputSignals>): void {
-    this.#input = { ...this.#input, ...signals };
+    for (const [name, value] of Object.entries(signals)) {
+      if (value !== undefined) this.#input = { ...this.#input, [name]: value };
+    }
   }
 }

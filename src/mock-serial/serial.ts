@@ -43,7 +43,7 @@ export class MockSerial extends ConnectionTarget {
   /**
    * Plugs in a device at a new port. If the site may use it already, the event `connect` follows, never before this
    * call has returned.
-   * @throws TypeError when the information names an invalid Bluetooth service class.
+   * @throws TypeError when the information names an invalid Bluetooth service class or USB number.
    */
   plug(info: PortInfo = {}, options: PlugOptions = {}): MockSerialPort {
     const clock = options.clock ?? this.#clock;

@@ -181,11 +181,13 @@ export interface MockDevice {
    * Sends bytes to the page. `lost` counts those that arrive while the port is unplugged or closed.
    * @returns a promise that settles when all bytes are in the port's buffer, and rejects with NetworkError when some
    * were lost. You need not wait for it.
+   * @throws TypeError when they are no bytes.
    */
   write(bytes: ArrayLike<number>): Promise<void>;
   /**
    * Makes the page's reading fail, after all bytes written before; see `ReadErrorKind`.
    * Does nothing while the port is closed.
+   * @throws TypeError when there is no such kind.
    */
   error(kind: ReadErrorKind): void;
   /**
@@ -197,6 +199,7 @@ export interface MockDevice {
    * @param error its kind, or an error of your own. Default `system`.
    * @param after how many more bytes get through first; default 0: the next write, `close()` or `abort()` of the
    * writable fails.
+   * @throws TypeError when there is no such kind, or `after` is negative or no number.
    */
   failNextWrite(error?: WriteErrorKind | Error, after?: number): void;
 }

@@ -27,7 +27,7 @@ const LINE = /^(\d{1,9}(?:\.\d{1,6})?) ([<>])((?: [0-9a-f]{2})+)$/i;
  * ```
  * @throws CodecError `bad-capture` with `entry N` as field, counted from 0, for an entry that {@link parseCapture}
  * could not read back: a time that is negative, past the longest capture (31 years) or before the one above it; no
- * bytes; no direction. {@link captureOf} turns times since 1970 into times of a capture.
+ * bytes, or what is no byte; no direction. {@link captureOf} turns times since 1970 into times of a capture.
  */
 export function formatCapture(entries: readonly CaptureEntry[]): string {
   let previous = 0;
@@ -36,6 +36,8 @@ export function formatCapture(entries: readonly CaptureEntry[]): string {
       throw entryRefusal(index, 'its time must be a time since the capture began, and none before the one above it');
     }
     if (!(bytes?.length > 0)) throw entryRefusal(index, 'it must have bytes');
+    if (!Array.from(bytes).every((byte) => Number.isInteger(byte) && byte >= 0 && byte <= 255))
+      throw entryRefusal(index, 'its bytes must be 0 to 255');
     if (direction !== 'out' && direction !== 'in') throw entryRefusal(index, 'its direction must be “out” or “in”');
     previous = time;
     const hex = [...bytes].map((byte) => byte.toString(16).padStart(2, '0')).join(' ');

@@ -31,7 +31,7 @@ export class PortOpener {
    * @throws ConnectionError `busy`, `unplugged` or `bad-settings`. Use {@link close} afterwards in any case.
    */
   async open(settings: OpenedSettings): Promise<void> {
-    if (this.#open?.baudRate === settings.baudRate) return;
+    if (this.#open && this.#open.baudRate === settings.baudRate) return;
     await this.close();
     const { baudRate, dataBits, stopBits, parity } = settings;
     try {

@@ -1,4 +1,4 @@
-import { CodecError, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
+import { encodeReply, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
 
 /** What one memory of the virtual timer holds. */
 export interface MemoryContent {
@@ -37,13 +37,10 @@ export function firstContent(identity: Identity, memory: number): MemoryContent 
 }
 
 /**
- * Makes sure that the lists of a memory fit a timer of this layout.
- * @throws CodecError `wrong-count`.
+ * Makes sure that a timer of this layout can answer with what a memory holds.
+ * @throws CodecError `wrong-count`, `not-an-integer` or `out-of-range`.
  */
-export function requireLayout({ times, positions }: MemoryContent, identity: Identity): void {
-  const slots = slotCount(identity);
-  if (times.length === slots && positions.length === identity.servos && positions.every((row) => row.length === slots))
-    return;
-  const message = `a memory must have ${slots} times, and as many positions for each of ${identity.servos} servos`;
-  throw new CodecError('wrong-count', 'memories', message);
+export function requireContent({ times, positions }: MemoryContent, identity: Identity): void {
+  encodeReply({ name: 'GETTIMERS', times }, { identity });
+  encodeReply({ name: 'GETSERVOPOS', positions }, { identity });
 }

@@ -12,7 +12,7 @@ import {
   type Reply,
   type Request,
 } from '../protocol/index.js';
-import { firstContent, type MemoryContent, requireLayout } from './memory.js';
+import { firstContent, type MemoryContent, requireContent } from './memory.js';
 import type { TimerQuirks } from './quirks.js';
 
 /**
@@ -68,9 +68,14 @@ export class TimerCore {
 
   /**
    * @param options its identity, its quirks, and what it holds.
-   * @throws CodecError `wrong-count` when a memory does not fit the identity.
+   * @throws CodecError `wrong-count`, `not-an-integer` or `out-of-range` when a memory does not fit the identity, or a
+   * step or a time of the options is none.
    */
   constructor({ identity, quirks, clock, memories = [], sleepAfter = Number.POSITIVE_INFINITY }: TimerCoreOptions) {
+    const { timeStep = 1 } = quirks;
+    if (!(Number.isInteger(timeStep) && timeStep > 0))
+      throw new CodecError('out-of-range', 'quirks.timeStep', 'timeStep must be a whole number above 0');
+    if (!(sleepAfter >= 0)) throw new CodecError('out-of-range', 'sleepAfter', 'sleepAfter must be 0 or more');
     this.identity = identity;
     this.#quirks = quirks;
     this.#clock = clock;
@@ -80,7 +85,7 @@ export class TimerCore {
       const { times, positions } = memories[memory] ?? firstContent(identity, memory);
       return { times: [...times], positions: positions.map((row) => [...row]) };
     });
-    for (const content of this.memories) requireLayout(content, identity);
+    for (const content of this.memories) requireContent(content, identity);
     this.motorLocked = identity.timerClass === 'Q';
     this.slot = identity.functions;
     this.servos = this.#positionsAt(this.slot);

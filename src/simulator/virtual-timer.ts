@@ -74,7 +74,7 @@ export class VirtualTimer {
   readonly #bare = new WeakSet<Frame>();
   readonly #echo: boolean;
 
-  /** @throws CodecError `bad-identity`, or `wrong-count` when the memories have another layout. */
+  /** @throws CodecError `bad-identity`, and as {@link TimerCore}; RangeError as `ByteLine`. */
   constructor(options: VirtualTimerOptions = {}) {
     const identity: Identity = { ...EXAMPLE, ...options.identity };
     requireIdentity(identity);

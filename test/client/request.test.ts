@@ -144,3 +144,14 @@ describe('what a client hands out', () => {
     expect(ended().some(Number.isNaN)).toBe(false);
   });
 });
+
+describe('a client', () => {
+  it.each([Number.NaN, -1, '600'] as number[])('is not made with a rate or a margin of %s', (value) => {
+    const port = new VirtualTimer();
+    for (const field of ['baudRate', 'margin']) {
+      expect(() => new TimerClient(port, { [field]: value })).toThrow(
+        expect.objectContaining({ code: 'out-of-range', field, details: { value } }),
+      );
+    }
+  });
+});

@@ -97,3 +97,11 @@ describe('a byte line', () => {
     expect(arrived).toEqual([Uint8Array.of(1, 2)]);
   });
 });
+
+describe('a line that cannot be', () => {
+  const wrong = [Number.NaN, -1, '5'] as number[];
+  it.each(wrong)('is refused at once: %s', (value) => {
+    for (const options of [{ baudRate: value }, { latency: value }, { chunks: [1, value] }])
+      expect(() => lineOf(options), Object.keys(options)[0]).toThrow(RangeError);
+  });
+});

@@ -42,6 +42,25 @@ describe('a clock turned by hand', () => {
   });
 });
 
+describe('a time that is none', () => {
+  const none = [Number.NaN, '7', undefined, null] as number[];
+  it.each(none)('%s is refused: the clock would show nothing from then on', async (ms) => {
+    const clock = new VirtualClock(100);
+    expect(() => clock.after(ms, () => {})).toThrow(RangeError);
+    await expect(clock.advance(ms)).rejects.toThrow('ms must be a number of at least 0.');
+    if (ms !== undefined) expect(() => new VirtualClock(ms)).toThrow('start must be a number.');
+    expect(clock.now()).toBe(100);
+  });
+
+  it('lies before now, for a clock never runs backwards', async () => {
+    const clock = new VirtualClock(100);
+    await expect(clock.advance(-1)).rejects.toThrow(RangeError);
+    clock.after(-1, () => {});
+    await clock.advance(0);
+    expect(clock.now()).toBe(100);
+  });
+});
+
 describe('the real clock', () => {
   it('calls back later, never at once, and can be told not to', async () => {
     const kept: string[] = [];

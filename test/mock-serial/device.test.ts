@@ -1,6 +1,12 @@
 import { describe, expect, test } from 'vitest';
 import { realClock, VirtualClock, wireTime } from '../../src/line/index.js';
-import { MockSerial, type PlugOptions } from '../../src/mock-serial/index.js';
+import {
+  type InputSignals,
+  MockSerial,
+  type PlugOptions,
+  type ReadErrorKind,
+  type WriteErrorKind,
+} from '../../src/mock-serial/index.js';
 import { collect, counted, failure, isPending, openPort, reading, settled, writing } from './helper.js';
 
 /** An open port on a clock that is turned by hand. */
@@ -318,5 +324,62 @@ describe('loopback', () => {
     const reader = reading(port);
     await writing(port).write(Uint8Array.of(1, 2, 3));
     expect((await reader.read()).value).toEqual(Uint8Array.of(2, 3));
+  });
+});
+
+describe('a wrong argument is refused at once', () => {
+  test('a kind of error that is none', async () => {
+    const { port, device } = await openPort();
+    const read = reading(port).read();
+    for (const kind of ['FramingError', 'toString', undefined] as unknown as ReadErrorKind[])
+      expect(() => device.error(kind)).toThrow('kind must be one of break, framing, parity, overrun, system, lost.');
+    device.write([1]);
+    expect((await read).value).toEqual(Uint8Array.of(1));
+  });
+
+  test('an error of writing, or a number of bytes before it, that is none', async () => {
+    const { port, device } = await openPort();
+    for (const kind of ['framing', 5, null] as unknown as WriteErrorKind[])
+      expect(() => device.failNextWrite(kind)).toThrow('error must be one of system, lost.');
+    for (const after of [-1, Number.NaN]) expect(() => device.failNextWrite('system', after)).toThrow(TypeError);
+    await writing(port).write(Uint8Array.of(1));
+    expect(await device.read()).toEqual(Uint8Array.of(1));
+  });
+
+  test('what is no list of bytes', async () => {
+    const { device } = await openPort();
+    for (const bytes of [
+      undefined,
+      null,
+      5,
+      {},
+      'abc',
+      [256],
+      [-1],
+      [1.5],
+      [Number.NaN],
+      ['1'],
+    ] as unknown as number[][])
+      expect(() => device.write(bytes), String(bytes)).toThrow('bytes must be a list of whole numbers from 0 to 255.');
+    await device.write([0, 255]);
+  });
+
+  test('a USB number that is none', () => {
+    for (const usbVendorId of ['0403', Number.NaN, -1, 0x10000] as number[]) {
+      expect(() => new MockSerial().plug({ usbVendorId })).toThrow(TypeError);
+      expect(() => new MockSerial().plug({ usbProductId: usbVendorId })).toThrow(TypeError);
+    }
+    expect(new MockSerial().plug({ usbVendorId: 0, usbProductId: 0xffff }).getInfo().usbProductId).toBe(0xffff);
+  });
+
+  test('a delay that is none', () => {
+    for (const latency of [Number.NaN, -1]) expect(() => new MockSerial().plug({}, { latency })).toThrow(RangeError);
+  });
+
+  test('a signal that is undefined keeps its value', async () => {
+    const { port, device } = await openPort();
+    device.setSignals({ clearToSend: true });
+    device.setSignals({ clearToSend: undefined } as unknown as InputSignals);
+    expect((await port.getSignals()).clearToSend).toBe(true);
   });
 });

@@ -99,6 +99,7 @@ describe('what cannot be a capture', () => {
     ['a time that rounds to one', [{ ...entry, time: 1e12 - 0.4 }], 'entry 0'],
     ['no bytes', [entry, { ...entry, bytes: new Uint8Array() }], 'entry 1'],
     ['no list of bytes', [{ time: 0, direction: 'in' } as CaptureEntry], 'entry 0'],
+    ['what is no byte', [{ ...entry, bytes: [256] as unknown as Uint8Array }], 'entry 0'],
     ['no direction', [{ ...entry, direction: 'up' as 'in' }], 'entry 0'],
   ])('is not written: %s', (_, entries, field) => {
     expect(() => formatCapture(entries)).toThrow(expect.objectContaining({ code: 'bad-capture', field }));

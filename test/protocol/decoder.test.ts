@@ -219,3 +219,9 @@ describe('the streams that are published for decoders in other languages', () =>
     expect(reasons).toEqual(new Set(['noise', 'length', 'terminator', 'checksum', 'silence']));
   });
 });
+
+describe('what cannot be bytes', () => {
+  it.each(['00 00 00 00 00 03 6b 6b 45', 5, undefined])('is refused: %s', (chunk) => {
+    expect(() => new FrameDecoder().push(chunk as unknown as Uint8Array)).toThrow('a chunk must be a Uint8Array');
+  });
+});

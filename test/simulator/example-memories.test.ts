@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { checkProgram, type TimerProgram } from '../../src/program/index.js';
-import { exampleMemories, VirtualTimer } from '../../src/simulator/index.js';
+import { exampleMemories, type MemoryContent, VirtualTimer } from '../../src/simulator/index.js';
 
 const CLASSES = ['Q', 'B', 'E'] as const;
 /** The flight for a test has a short DT, as it has to. */
@@ -76,5 +76,15 @@ describe('the memories of a flown timer', () => {
         expect.objectContaining({ code: 'wrong-count' }),
       );
     }
+  });
+
+  it('are refused at once when no timer could hold them', () => {
+    const [memory] = exampleMemories('B') as [MemoryContent];
+    const times = memory.times.map(() => 70000);
+    const positions = memory.positions.map((row) => row.map(() => Number.NaN));
+    const refusal = (content: MemoryContent, code: string) =>
+      expect(() => new VirtualTimer({ memories: [content] })).toThrow(expect.objectContaining({ code }));
+    refusal({ ...memory, times }, 'out-of-range');
+    refusal({ ...memory, positions }, 'not-an-integer');
   });
 });

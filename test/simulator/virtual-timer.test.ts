@@ -178,3 +178,14 @@ describe('the virtual timer', () => {
     );
   });
 });
+
+describe('an option that is no number', () => {
+  it('is refused at once', () => {
+    for (const timeStep of [0, -3, 1.5, Number.NaN])
+      expect(() => new VirtualTimer({ quirks: { timeStep } })).toThrow('timeStep must be a whole number above 0');
+    for (const sleepAfter of [-1, Number.NaN])
+      expect(() => new VirtualTimer({ sleepAfter })).toThrow('sleepAfter must be 0 or more');
+    for (const options of [{ latency: Number.NaN }, { baudRate: Number.NaN }])
+      expect(() => new VirtualTimer(options)).toThrow(RangeError);
+  });
+});
