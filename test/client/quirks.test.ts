@@ -38,6 +38,16 @@ describe('a timer that differs from the usual one', () => {
     expect([client.damageSeen, client.strays]).toEqual([false, 0]);
   });
 
+  it('66 for 62 is not taken in a write by a client that has not seen it: it may be a late reply', async () => {
+    const { client, timer, run } = bench({ quirks: { timersReplyAs66: true } });
+    const baseline = contentOf(timer);
+    await expect(run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }))).rejects.toMatchObject({
+      code: 'no-answer',
+      details: { request: 'GETTIMERS' },
+    });
+    expect(contentOf(timer)).toEqual(baseline);
+  });
+
   it('a checksum without the data is found with the first reading, which is made twice', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' }, quirks: { bareChecksumReply: true } });
     expect(await run(client.readProgram())).toEqual(contentOf(timer));
