@@ -66,6 +66,10 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
   /** What prevented the opening may be gone: then it is open after all. */
   let late: IDBPDatabase<Schema> | undefined;
   let wasOpen = false;
+  const forget = (): void => {
+    late = undefined;
+    opened = undefined;
+  };
   const open = (): Promise<IDBPDatabase<Schema>> => {
     // Where storage is switched off, opening may throw at once instead of rejecting later.
     const opening = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
@@ -83,12 +87,12 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
           }
         },
         blocked: () => reject(new StorageError('blocked', 'another tab holds an older version of the storage')),
-        // A newer version of this page wants to change the storage: closes it for that one.
-        blocking: (_, __, event) => (event.target as IDBDatabase).close(),
-        terminated: () => {
-          late = undefined;
-          opened = undefined;
+        blocking: (_, version, event) => {
+          (event.target as IDBDatabase).close();
+          // A newer version of this page changes the storage; the next use says so. What a tab deletes stays closed.
+          if (version !== null) forget();
         },
+        terminated: () => forget(),
       }).then((database) => {
         late = database;
         resolve(database);

@@ -88,6 +88,24 @@ describe('the storage of the browser', () => {
     expect(await ports.all(), 'it can be opened as soon as the reason is gone').toEqual([]);
   });
 
+  it('says so also when a newer version comes while it is open, and is opened again when that one fails', async () => {
+    const own = name();
+    const shelf = browserStorage(own).ports;
+    await shelf.save(PORT);
+    const failing = openDB(own, 9, {
+      upgrade(_, __, ___, change) {
+        change.done.catch(() => {});
+        change.abort();
+      },
+    });
+    await expect(failing).rejects.toThrow();
+    expect(await shelf.all()).toEqual([PORT]);
+    const newer = await openDB(own, 9);
+    const failed = await shelf.save({ ...PORT, key: 'a' }).catch((error) => error);
+    expect(StorageError.of(failed).code).toBe('newer');
+    newer.close();
+  });
+
   it.each([false, true])(
     'is opened again after the browser has closed it, and says if it is empty: %s',
     async (empty) => {
