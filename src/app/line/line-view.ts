@@ -22,7 +22,7 @@ export interface LineGroup {
 /** What the line view shows: the live line, a paused one, or a recording; everything, or what a filter finds. */
 export class LineView {
   readonly filter: ReadonlySignal<LineFilter>;
-  /** The text that names, meanings or bytes must contain. */
+  /** The text that names, meanings or bytes must contain, as it stands in the field. */
   readonly search: ReadonlySignal<string>;
   readonly recording: ReadonlySignal<Recording | null>;
   /** Why the last file is no recording. */
@@ -38,7 +38,7 @@ export class LineView {
   );
   /** The entries that pass the filter, oldest first. */
   readonly found: ReadonlySignal<readonly LineRecord[]> = computed(() => {
-    const isAskedFor = test(this.#filter.value, this.#search.value);
+    const isAskedFor = test(this.#filter.value, this.#sought.value);
     return this.all.value.filter(isAskedFor);
   });
   /**
@@ -63,6 +63,7 @@ export class LineView {
   #drawn: readonly LineGroup[] = [];
   readonly #filter = signal<LineFilter>('all', { name: 'filter' });
   readonly #search = signal('', { name: 'search' });
+  readonly #sought = signal('', { name: 'sought' });
   readonly #recording = signal<Recording | null>(null, { name: 'recording' });
   readonly #fault = signal<RecordingError | null>(null, { name: 'fault' });
   readonly #still = signal<{ readonly entries: readonly LineRecord[]; readonly newest: number } | null>(null);
@@ -84,8 +85,14 @@ export class LineView {
   }
 
   setSearch(text: string): void {
+    this.#search.value = text;
+  }
+
+  /** Shows the entries that contain a text. */
+  find(text: string): void {
+    if (text === this.#sought.peek()) return;
     batch(() => {
-      this.#search.value = text;
+      this.#sought.value = text;
       this.#room.value = STEP;
     });
   }

@@ -1,4 +1,4 @@
-import { fireEvent, render, screen, waitFor, within } from '@testing-library/preact';
+import { act, fireEvent, render, screen, waitFor, within } from '@testing-library/preact';
 import { options, type VNode } from 'preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { LinePanel } from '../../../src/app/line/line-panel.js';
@@ -219,16 +219,17 @@ describe('the tools', () => {
     await idle();
     expect(new Set(rows().map(([, way]) => way))).toEqual(new Set(['to the timer']));
     change('Show', 'all');
-    type('Search', '6b 6b');
-    await idle();
-    expect(messagesShown()).toEqual(['Identify · GETSWVER', 'Identify · GETSWVER']);
+    const all = messagesShown();
+    await act(() => type('Search', '6b 6b'));
+    expect(messagesShown(), 'the key is drawn before the rows that it brings').toEqual(all);
+    await waitFor(() => expect(messagesShown()).toEqual(['Identify · GETSWVER', 'Identify · GETSWVER']));
   });
 
   it('copy what is shown as a capture', async () => {
     const written = clipboard();
     await opened();
     type('Search', 'GETMEMORY');
-    await idle();
+    await waitFor(() => expect(new Set(messagesShown()).size).toBe(2));
     await press('Copy');
     expect(screen.getByText('Copied.')).toBeTruthy();
     expect(written.mock.calls[0]?.[0].split('\n').filter((line) => !line.startsWith('# Sidus Timer'))).toEqual([

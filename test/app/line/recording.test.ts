@@ -166,7 +166,7 @@ describe('a recording', () => {
     expect([shown(), view.shownCount.value]).toEqual([newest(64), 64]);
     for (let i = 0; i < 40; i++) view.showOlder();
     expect([shown(), view.shownCount.value]).toEqual([newest(1200), 1200]);
-    view.setSearch('m2');
+    view.find('m2');
     expect(view.found.value).toHaveLength(300);
     expect(shown().length, 'a search begins with the newest few rows').toBe(32);
   });
