@@ -24,22 +24,23 @@ function drawnBy(name: string, text: string): Record<string, number> {
     if (/^[A-Z]/.test(name)) drawn[name] = (drawn[name] ?? 0) + 1;
     before?.(vnode);
   };
-  // The timeline, the checks, the strip and the commands come a frame later, and are not waited for.
+  // The intervals beside it, the timeline, the checks, the strip and the commands come a frame later. They are not
+  // waited for.
   act(() => type(name, text));
   hooks.__r = before;
   return drawn;
 }
 
-// A function has two intervals: to it, and from it on. DT stands in two places.
+// DT stands in two places.
 it.each([
   ['a position', 'Function 4, S2', '7', '75', { ValueField: 1 }],
-  ['a time', 'Function 4 time', '12.3', '12.4', { ValueField: 1, IntervalField: 2 }],
+  ['a time', 'Function 4 time', '12.3', '12.4', { ValueField: 1 }],
   ['a time with nothing after its point', 'Function 4 time', '12', '12.', { ValueField: 1 }],
-  ['DT', 'DT', '4:0', '4:01', { ValueField: 2, IntervalField: 1 }],
+  ['DT', 'DT', '4:0', '4:01', { ValueField: 2 }],
   ['a value that differs for the first time', 'Function 4, S2', '55', '56', { ValueField: 1 }],
   ['a text that is no value', 'Function 4, S2', '7x', '7xy', { ValueField: 1 }],
   ['the first letter that makes it no value', 'Function 4, S2', '7', '7x', { ValueField: 1 }],
-  ['an interval, which moves five times', 'Function 4 interval', '1.5', '1.6', { ValueField: 6, IntervalField: 2 }],
+  ['an interval, which moves five times', 'Function 4 interval', '1.5', '1.6', { ValueField: 6, IntervalField: 1 }],
 ])('a digit typed in %s draws only what changes', async (_, name, first, text, drawn) => {
   await connected();
   field(name).focus();
@@ -58,4 +59,18 @@ it('a digit draws first what was typed and its colour, then the old value and th
   expect(cell.children, 'the old value and the notes are not drawn yet').toHaveLength(1);
   await late();
   expect(cell.querySelector('s')?.textContent).toBe('55');
+});
+
+it('a digit of a time draws the intervals beside it a frame later', async () => {
+  await connected();
+  const intervals = (): string[] => [4, 5].map((slot) => field(`Function ${slot} interval`).value);
+  field('Function 4 time').focus();
+  act(() => type('Function 4 time', '12.1'));
+  expect(intervals()).toEqual(['0.50', '0.50']);
+  await late();
+  expect(intervals()).toEqual(['0.60', '0.40']);
+  field('Function 4 interval').focus();
+  act(() => type('Function 4 interval', '0.7'));
+  act(() => field('Function 4 interval').blur());
+  expect(intervals(), 'a field that is left shows the interval at once').toEqual(['0.70', '0.40']);
 });
