@@ -50,6 +50,8 @@ function programCommands(models: AppModels): PaletteCommand[] {
     isFree && editor.dirty.value && { name: program.undoAll, run: () => editor.revertAll() },
     isFree && {
       name: palette.print,
+      // Elsewhere the key prints what is shown there.
+      keys: views.shown.value === 'program' ? 'Ctrl+P' : undefined,
       run: () => {
         printOrder.choose();
         views.show('print');

@@ -14,8 +14,8 @@ import { MemoriesDialog } from './memories/memories-dialog.js';
 import type { AppModels } from './models.js';
 import { ModelDialog } from './recognition/model-dialog.js';
 import { EraseDialog } from './settings/erase-dialog.js';
-import { HelpKey } from './shell/help-key.js';
 import { NewsDialog } from './shell/news-dialog.js';
+import { PageKeys } from './shell/page-keys.js';
 import { Palette } from './shell/palette.js';
 import { WriteDialog } from './write/write-dialog.js';
 
@@ -49,7 +49,7 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
       />
       <EraseDialog session={session} erase={erase} />
       <WordsDialog session={session} help={help} onMore={() => views.show('help', 'words')} />
-      <HelpKey views={views} />
+      <PageKeys views={views} />
       <NewsDialog update={update} />
       <Palette commands={() => commandsOf(models)} />
     </>

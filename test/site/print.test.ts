@@ -130,6 +130,21 @@ test('the print view is well made, on a phone too, and prints what the browser o
   }
 });
 
+test('a view is printed black on white, without what frames it and without its commands', async () => {
+  const app = await AppPage.open({ colorScheme: 'dark' });
+  await app.trySimulated('F1Q');
+  await app.page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+  const shown = (): Promise<boolean[]> =>
+    Promise.all(['.strip', '.view-links', '.actions', '.table-box'].map((each) => app.page.locator(each).isVisible()));
+  expect(await shown()).toEqual([false, false, false, true]);
+  const inks = (): Promise<string[]> =>
+    app.page.evaluate(() =>
+      ['color', 'background-color'].map((each) => getComputedStyle(document.body).getPropertyValue(each)),
+    );
+  const [ink = '', ground] = await inks();
+  expect([Math.max(...(ink.match(/\d+/g) ?? []).map(Number)) < 64, ground]).toEqual([true, 'rgba(0, 0, 0, 0)']);
+});
+
 test('the QR code on a sheet is read back, and brings the setting', async () => {
   // About as fine as a printer.
   const app = await AppPage.open({ deviceScaleFactor: 3 });

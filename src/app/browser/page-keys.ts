@@ -1,10 +1,13 @@
-/** What a key does in every view: `?` opens the help, Ctrl+K or Cmd+K the list of commands. */
-export type PageKey = 'help' | 'commands';
+/** What a key does in every view: `?` opens the help, Ctrl+K or Cmd+K the list of commands, Ctrl+P or Cmd+P prints. */
+export type PageKey = 'help' | 'commands' | 'print';
 
 /** An older key is not carried out late: the pilot no longer waits for it. Milliseconds. */
 const FRESH = 10_000;
 /** They come down before another key and say nothing of their own. */
 const MODIFIERS = ['Shift', 'Control', 'Meta', 'Alt', 'AltGraph', 'CapsLock'];
+
+/** With Ctrl or Cmd. */
+const COMMANDS: Readonly<Record<string, PageKey>> = { k: 'commands', p: 'print' };
 
 /** Carries the key out. @returns whether it did. */
 type Act = () => boolean;
@@ -50,9 +53,9 @@ function onKey(event: KeyboardEvent): void {
   if (!act || act()) event.preventDefault();
 }
 
-function keyOf({ target, key, ctrlKey, metaKey, altKey }: KeyboardEvent): PageKey | null {
+function keyOf({ target, key, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent): PageKey | null {
   const isCommand = ctrlKey || metaKey;
-  if (isCommand && !altKey && key.toLowerCase() === 'k') return 'commands';
+  if (isCommand && !altKey && !shiftKey) return COMMANDS[key.toLowerCase()] ?? null;
   const isTyped = target instanceof Element && target.closest('input, textarea, select, [contenteditable]') !== null;
   return key === '?' && !isCommand && !altKey && !isTyped ? 'help' : null;
 }

@@ -9,7 +9,7 @@ interface PrintButtonProps {
 /** Opens the print view with these settings. */
 export function PrintButton({ keys, onPrint }: PrintButtonProps) {
   return (
-    <button type="button" disabled={keys.length === 0} onClick={() => onPrint(keys)}>
+    <button type="button" data-print disabled={keys.length === 0} onClick={() => onPrint(keys)}>
       {messages.value.views.print}
     </button>
   );

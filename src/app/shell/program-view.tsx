@@ -130,7 +130,7 @@ function ProgramExits({ session, sharing, onPrint }: Pick<ProgramViewProps, 'ses
       <button type="button" class="quiet" disabled={!isSavable} onClick={() => offerScreen(session, sharing)}>
         {views.share}
       </button>
-      <button type="button" class="quiet" onClick={onPrint}>
+      <button type="button" class="quiet" data-print onClick={onPrint}>
         {views.print}
       </button>
     </div>

@@ -59,6 +59,20 @@ it.each([
   clock.mockRestore();
 });
 
+it('prints by Ctrl+P or Cmd+P, and leaves other keys with P to the browser', () => {
+  holdPageKeys();
+  const print = taker('print');
+  const keys = [
+    { ctrlKey: true },
+    { metaKey: true },
+    { ctrlKey: true, shiftKey: true },
+    { ctrlKey: true, altKey: true },
+    {},
+  ];
+  expect(keys.map((how) => press('p', how))).toEqual([true, true, false, false, false]);
+  expect(print).toHaveBeenCalledTimes(2);
+});
+
 it('leaves to the browser what is typed, has another meaning, or is not carried out', () => {
   holdPageKeys();
   const input = document.body.appendChild(document.createElement('input'));

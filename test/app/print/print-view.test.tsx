@@ -40,6 +40,23 @@ describe('the print view', () => {
     expect(sheet?.textContent, 'there is a line to write the name of the model on').toMatch(/^Model/);
   });
 
+  it('is opened by Ctrl+P where a sheet can be printed; elsewhere, and over a dialog, the browser prints', async () => {
+    const { views } = await connected();
+    const hit = (): boolean => {
+      const key = new KeyboardEvent('keydown', { key: 'p', ctrlKey: true, bubbles: true, cancelable: true });
+      act(() => void document.body.dispatchEvent(key));
+      return key.defaultPrevented;
+    };
+    await press('What the values are');
+    expect([hit(), views.shown.value]).toEqual([false, 'program']);
+    await press('Close');
+    expect([hit(), views.shown.value]).toEqual([true, 'print']);
+    expect(sheets()).toHaveLength(1);
+    expect([hit(), views.shown.value]).toEqual([false, 'print']);
+    await goTo('help');
+    expect([hit(), views.shown.value]).toEqual([false, 'help']);
+  });
+
   it('begins with the choice of settings where there is nothing to print', async () => {
     await opened();
     await goTo('print');

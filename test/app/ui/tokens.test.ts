@@ -5,8 +5,9 @@ const css = readFileSync(`${import.meta.dirname}/../../../src/app/ui/tokens.css`
 
 /** The colours of one set, by name without its dashes. */
 function coloursAfter(selector: string): ReadonlyMap<string, string> {
-  const set = css.split(`${selector} {\n  color-scheme`)[1] ?? css.split(`\n${selector} {\n`)[1] ?? '';
-  const declared = set.split('\n}')[0]?.matchAll(/--([\w-]+): (#[0-9a-f]{6});/g) ?? [];
+  const sets = css.split(`${selector} {\n`).slice(1);
+  const [set = ''] = sets.map((each) => each.split('}')[0] ?? '').filter((each) => each.includes('--ink: '));
+  const declared = set.matchAll(/--([\w-]+): (#[0-9a-f]{6});/g);
   return new Map([...declared].map(([, name = '', colour = '']) => [name, colour]));
 }
 
