@@ -3,8 +3,8 @@ import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
-import { type Ambiguous, formatTime, readTime } from '../editing/units.js';
-import { messages, presetText } from '../messages/index.js';
+import { type Ambiguous, readTime } from '../editing/units.js';
+import { dtText, messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import { Icon } from '../ui/icon.js';
 import { useLateComputed } from '../ui/use-late.js';
@@ -82,7 +82,7 @@ function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
   const { presets: words } = messages.value.edits;
   const added = useSignal('');
   const limitInput = useRef<HTMLInputElement>(null);
-  const limit = useSignal(formatTime(editor.shortDt.value));
+  const limit = useSignal(dtText(editor.shortDt.value));
   const problem = useSignal<string | null>(null);
   const asked = useSignal<Asked | null>(null);
   const takeValue = (value: number, use: (value: number) => boolean): void => {
@@ -102,7 +102,7 @@ function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
   };
   const setLimit = (value: number): boolean => {
     const isSet = preferences.setShortDt(value);
-    if (isSet) limit.value = formatTime(value);
+    if (isSet) limit.value = dtText(value);
     return isSet;
   };
   return (

@@ -1,21 +1,21 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
-import { parseTime, plainSeconds } from '../editing/units.js';
-import { messages } from '../messages/index.js';
+import { parseTime } from '../editing/units.js';
+import { dtText, messages } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import './short-dt-limit.css';
 
-/** Sets below which time a DT counts as short, in seconds. */
+/** Sets below which time a DT counts as short. */
 export function ShortDtLimit({ preferences }: { readonly preferences: Preferences }) {
-  const { shortDt, edits, unreadable, times } = messages.value;
-  const text = useSignal(plainSeconds(preferences.shortDt.value));
+  const { shortDt, edits, unreadable } = messages.value;
+  const text = useSignal(dtText(preferences.shortDt.value));
   const problem = useSignal<string | null>(null);
   const [hint, note] = [useId(), useId()];
   const take = (typed: string): void => {
     const read = parseTime(typed);
     if ('unreadable' in read) problem.value = unreadable[read.unreadable];
     else problem.value = preferences.setShortDt(read.value) ? null : edits.presets.refused;
-    text.value = problem.value === null ? plainSeconds(preferences.shortDt.value) : typed;
+    text.value = problem.value === null ? dtText(preferences.shortDt.value) : typed;
   };
   return (
     <>
@@ -30,7 +30,6 @@ export function ShortDtLimit({ preferences }: { readonly preferences: Preference
           value={text.value}
           onChange={({ currentTarget }) => take(currentTarget.value)}
         />
-        {times.units.s}
       </label>
       {problem.value && (
         <p class="bad-text" id={note} role="alert">

@@ -187,9 +187,13 @@ describe('the limit of a short DT', () => {
       fireEvent.change(limit(), { target: { value: text } });
       await late();
     };
-    expect([limit().value, figure()]).toEqual(['60', 'strip-figure ']);
+    expect([limit().value, figure()]).toEqual(['1:00 min', 'strip-figure ']);
     await say('3:30');
-    expect([limit().value, figure(), app.session.shortDt.held.value?.dt]).toEqual(['210', 'strip-figure bad', 18_000]);
+    expect([limit().value, figure(), app.session.shortDt.held.value?.dt]).toEqual([
+      '3:30 min',
+      'strip-figure bad',
+      18_000,
+    ]);
     await say('never');
     expect(screen.getByRole('alert').textContent).toBe('Not a time: type seconds like 12.5, or minutes like 2:05.');
     expect(limit().value, 'the text in the field stays').toBe('never');
