@@ -32,6 +32,11 @@ test('where colours are forced on the page, what is chosen and ticked can be see
   await app.type('Function 3, S1', '8');
   await expect.poll(() => lines(app.page.locator('.program-table .value.changed'))).toContain('dotted');
 
+  const ways = await app.page
+    .locator('.program-exits button')
+    .evaluateAll((all) => all.map((each) => each.getBoundingClientRect()).map(({ left, right }) => [left, right]));
+  expect(ways[1]?.[0], 'buttons with an edge stand apart').toBeGreaterThan(ways[0]?.[1] ?? 0);
+
   await app.page.goto(new URL('#bench', app.page.url()).href);
   await expect.poll(() => grounds(app.page.locator('.switch-track'), '::before')).toEqual([ink]);
 
