@@ -2,6 +2,7 @@ import { sameLayout } from '../../program/index.js';
 import { dateText, messages, timerName } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Backup } from '../storage/index.js';
+import { useHandedFocus } from '../ui/use-handed-focus.js';
 import type { Memories } from './memories.js';
 import { Picks } from './memory-picks.js';
 import './backups-panel.css';
@@ -19,9 +20,13 @@ interface BackupsPanelProps {
 export function BackupsPanel({ session, ...props }: BackupsPanelProps) {
   const { backups: words } = messages.value;
   const sets = together(session.backups.list.value);
+  // A deleted backup takes its button along.
+  const box = useHandedFocus('h2');
   return (
-    <section class="backups" aria-labelledby="backups-title">
-      <h2 id="backups-title">{words.title}</h2>
+    <section {...box} class="backups" aria-labelledby="backups-title">
+      <h2 id="backups-title" tabIndex={-1}>
+        {words.title}
+      </h2>
       {sets.length === 0 ? (
         <p class="hint">{words.empty}</p>
       ) : (

@@ -8,6 +8,11 @@ export function ReadButtons({ session }: { readonly session: Session }) {
   const { editor, runner } = session;
   const { status } = session.link.state.value;
   const isDirty = useLateComputed(() => editor.dirty.value, editor.baseline);
+  const undoAll = (): void => {
+    editor.revertAll();
+    // This button goes. That one takes back what it did.
+    document.querySelector<HTMLElement>('.undo-buttons button')?.focus({ preventScroll: true });
+  };
   return (
     <>
       {status !== 'off' && (
@@ -21,7 +26,7 @@ export function ReadButtons({ session }: { readonly session: Session }) {
         </button>
       )}
       {isDirty && (
-        <button type="button" class="quiet" disabled={runner.busy.value} onClick={() => editor.revertAll()}>
+        <button type="button" class="quiet" disabled={runner.busy.value} onClick={undoAll}>
           {program.undoAll}
         </button>
       )}

@@ -1,3 +1,4 @@
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
 import { messages } from '../messages/index.js';
 import type { Backups } from '../session/backups.js';
@@ -60,17 +61,7 @@ export function AsideNotice({ aside }: { readonly aside: SetAside }) {
 export function RemovedNotice({ backups }: { readonly backups: Backups }) {
   const { removed: words } = messages.value;
   const { length } = backups.removed.value;
-  if (length === 0) return null;
-  return (
-    <div class="notice">
-      <p>
-        <strong>{words.title(length)}</strong>
-      </p>
-      <button type="button" onClick={() => backups.undoRemove()}>
-        {words.undo}
-      </button>
-    </div>
-  );
+  return length > 0 && <UndoNotice title={words.title(length)} undo={words.undo} onUndo={() => backups.undoRemove()} />;
 }
 
 /** Offers to put back models, settings and flights that were just deleted. */
@@ -80,13 +71,32 @@ export function LibraryRemovedNotice({ library }: { readonly library: Library })
     ({ removed }) => removed.value.length,
   ) as [number, number, number];
   if (models + settings + flights === 0) return null;
+  const title = words.title(models, settings, flights);
+  return <UndoNotice title={title} undo={words.undo} onUndo={() => library.undoRemove()} />;
+}
+
+interface UndoNoticeProps {
+  readonly title: string;
+  readonly undo: string;
+  readonly onUndo: () => void;
+}
+
+function UndoNotice({ title, undo, onUndo }: UndoNoticeProps) {
+  const button = useRef<HTMLButtonElement>(null);
+  useLayoutEffect(
+    () => () => {
+      // It goes after a press and after a while. The focus must not be lost with it.
+      if (button.current === document.activeElement) document.querySelector('main')?.focus({ preventScroll: true });
+    },
+    [],
+  );
   return (
     <div class="notice">
       <p>
-        <strong>{words.title(models, settings, flights)}</strong>
+        <strong>{title}</strong>
       </p>
-      <button type="button" onClick={() => library.undoRemove()}>
-        {words.undo}
+      <button ref={button} type="button" onClick={onUndo}>
+        {undo}
       </button>
     </div>
   );

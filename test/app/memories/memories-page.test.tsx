@@ -1,4 +1,4 @@
-import { fireEvent, screen, within } from '@testing-library/preact';
+import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { clockText } from '../../../src/app/messages/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
@@ -204,4 +204,17 @@ describe('two memories', () => {
     await press('Look at M2');
     expect(cells()).toEqual(['3:00 min', '3:30 min']);
   });
+});
+
+it('keeps the focus when a backup is deleted, and when that is undone', async () => {
+  await read();
+  const press = (name: string): void =>
+    void act(() => {
+      button(name).focus();
+      button(name).click();
+    });
+  press('Delete');
+  expect(document.activeElement?.textContent).toBe('Backups');
+  press('Undo');
+  expect(document.activeElement?.localName).toBe('main');
 });

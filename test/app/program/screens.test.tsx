@@ -213,6 +213,7 @@ describe('the table', () => {
     await type('Function 2, S1', '7');
     await press('Undo all');
     expect([field('DT time').value, field('Function 2, S1').value]).toEqual(['3:00', '35']);
+    expect(document.activeElement?.textContent, 'where it can be taken back').toBe('Undo');
   });
 
   it('leaves the focus on Undo and Redo when no step is left', async () => {
