@@ -23,7 +23,7 @@ import { plural } from './plural.js';
 const slotName = (slot: number, kind: 'start' | 'function' | 'dt'): string =>
   kind === 'start' ? 'Start' : kind === 'dt' ? 'DT' : `Function ${slot}`;
 
-/** Everything that a person reads. Every language must have this type. */
+/** What the parts of the page that are loaded first say. Later ones import their sentences themselves. */
 export const en = {
   name: 'Sidus Timer',
   classNames: { Q: 'F1Q', B: 'F1B', E: 'F1E' } as Readonly<Record<string, string>>,

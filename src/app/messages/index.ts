@@ -23,10 +23,10 @@ import { isToday } from './today.js';
 
 export type { Said } from './en-notices.js';
 
-/** What every language must have. A missing sentence does not compile. */
+/** What the parts of the page that are loaded first may say. A missing sentence does not compile. */
 export type Messages = typeof en;
 
-/** The current language. Components read this signal, so all of them follow a change. */
+/** Their sentences. Nothing changes this signal: the page is in English. */
 export const messages = signal<Messages>(en);
 
 export function slotLabel(identity: Identity, slot: number): string {
