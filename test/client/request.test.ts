@@ -150,8 +150,17 @@ describe('a client', () => {
     const port = new VirtualTimer();
     for (const field of ['baudRate', 'margin']) {
       expect(() => new TimerClient(port, { [field]: value })).toThrow(
-        expect.objectContaining({ code: 'out-of-range', field, details: { value } }),
+        expect.objectContaining({
+          code: 'out-of-range',
+          field,
+          message: `${field} must be a number of at least 0`,
+          details: { value },
+        }),
       );
     }
+  });
+
+  it('may be made with 0 for both: a line without a speed, and a timer without a delay', () => {
+    expect(new TimerClient(new VirtualTimer(), { baudRate: 0, margin: 0 }).margin).toBe(0);
   });
 });
