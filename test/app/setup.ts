@@ -1,10 +1,11 @@
-import { cleanup, configure } from '@testing-library/preact';
+import { act, cleanup, configure } from '@testing-library/preact';
 import { afterAll, afterEach, vi } from 'vitest';
 import { fetchParts } from '../../src/app/parts.js';
 
 // The page answers at once, but a busy machine may take long.
 configure({ asyncUtilTimeout: 10_000 });
-afterEach(cleanup);
+// In one act, so that every effect has ended before the next test begins.
+afterEach(() => act(cleanup));
 // Like a page that the pilot has had open for a moment.
 await fetchParts();
 
