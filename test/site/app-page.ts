@@ -229,10 +229,14 @@ export class AppPage {
     return entries.filter(([name]) => name.endsWith(`, ${servo}`)).map(([, value]) => value);
   }
 
-  /** The text of each field of the table, by name: times, intervals and positions. */
+  /**
+   * The text of each field of the table, by name: times, intervals and positions. The intervals come a frame or two
+   * after the time that was typed, so it looks after the third.
+   */
   async entries(): Promise<Readonly<Record<string, string>>> {
     // One call for the whole table: a test that notes each of its steps makes it a hundred times.
-    return this.table.evaluate((table) => {
+    return this.table.evaluate(async (table) => {
+      for (let i = 0; i < 3; i++) await new Promise(requestAnimationFrame);
       const inputs = [...table.querySelectorAll<HTMLInputElement>('input:is([type=text], :not([type]))')];
       // The tools of a row have their own field.
       const seen = inputs.filter((input) => !input.closest('.row-menu') && input.checkVisibility());
