@@ -6,9 +6,10 @@ import type { SerialPortLike } from './types.js';
 /** The browser's default of 255 bytes overflows when the page is busy for a moment. */
 const BUFFER_SIZE = 16 * 1024;
 /**
- * Milliseconds after which a port that does not close, such as a Bluetooth port out of reach, is no longer waited for.
+ * Milliseconds after which a port that does not open or close, such as a Bluetooth port out of reach, is no longer
+ * waited for once it is to be closed.
  */
-const LONGEST_CLOSE = 3000;
+const LONGEST_WAIT = 3000;
 
 /** Opens and closes a port, at one rate after another, never twice at a time. It does not touch the streams. */
 export class PortOpener {
@@ -28,16 +29,21 @@ export class PortOpener {
 
   /**
    * Opens the port. Closes it first if it is open with other settings.
+   * @param stop aborts when the port is wanted no longer. A port that still opens later is closed then.
    * @throws ConnectionError `busy`, `unplugged` or `bad-settings`. Use {@link close} afterwards in any case.
    */
-  async open(settings: OpenedSettings): Promise<void> {
+  async open(settings: OpenedSettings, stop: AbortSignal): Promise<void> {
     if (this.#open && this.#open.baudRate === settings.baudRate) return;
     await this.close();
     const { baudRate, dataBits, stopBits, parity } = settings;
     try {
-      await this.port.open({ baudRate, dataBits, stopBits, parity, bufferSize: BUFFER_SIZE });
+      const opening = this.port.open({ baudRate, dataBits, stopBits, parity, bufferSize: BUFFER_SIZE });
+      if (!(await this.#settles(opening, stop))) {
+        opening.then(() => this.port.close()).catch(() => {});
+        return;
+      }
       this.#open = settings;
-      await this.#setSignals(settings);
+      await this.#settles(this.#setSignals(settings), stop);
     } catch (error) {
       throw this.#refusal(error);
     }
@@ -47,12 +53,25 @@ export class PortOpener {
   async close(): Promise<void> {
     if (!this.#open) return;
     this.#open = null;
+    await this.#settles(this.port.close(), AbortSignal.abort()).catch(() => {});
+  }
+
+  /** Waits for what the port was asked for. @returns false if it took too long after `stop`. */
+  async #settles(asked: Promise<void>, stop: AbortSignal): Promise<boolean> {
     let cancel: () => void = () => {};
-    const late = new Promise<void>((resolve) => {
-      cancel = this.#clock.after(LONGEST_CLOSE, resolve);
+    const late = new Promise<boolean>((resolve) => {
+      const count = (): void => {
+        cancel = this.#clock.after(LONGEST_WAIT, () => resolve(false));
+      };
+      if (stop.aborted) return count();
+      stop.addEventListener('abort', count, { once: true });
+      cancel = () => stop.removeEventListener('abort', count);
     });
-    await Promise.race([this.port.close().catch(() => {}), late]);
-    cancel();
+    try {
+      return await Promise.race([asked.then(() => true), late]);
+    } finally {
+      cancel();
+    }
   }
 
   async #setSignals({ dtr, rts }: OpenedSettings): Promise<void> {

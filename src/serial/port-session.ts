@@ -136,7 +136,7 @@ export class PortSession {
     else this.#tell(event, this.#opening(0, null));
     while (!this.#isOver) {
       try {
-        await this.#opener.open({ ...settings, baudRate });
+        await this.#opener.open({ ...settings, baudRate }, this.#over.signal);
         break;
       } catch (error) {
         if (!(error instanceof ConnectionError)) throw error;
@@ -243,7 +243,7 @@ export class PortSession {
     if (this.#isOver) return false;
     if (this.#opener.settings?.baudRate !== baudRate) await this.#endProbe();
     try {
-      await this.#opener.open({ ...this.#context.settings, baudRate });
+      await this.#opener.open({ ...this.#context.settings, baudRate }, this.#over.signal);
       return true;
     } catch (error) {
       if (!(error instanceof ConnectionError)) throw error;

@@ -1,5 +1,5 @@
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { type LinkState, type SerialLike, TimerLink } from '../../src/serial/index.js';
+import { DEFAULT_SETTINGS, type LinkState, type SerialLike, TimerLink } from '../../src/serial/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { canBeOpened, failure } from './bench.js';
 import { connectionOf, linkBench, on, portOf, sent, slowChooser, way } from './link-bench.js';
@@ -183,6 +183,41 @@ describe('stop()', () => {
     await clock.run(link.stop());
     expect(clock.now() - begin).toBe(3000);
     expect(link.state.status).toBe('off');
+  });
+
+  it.each(['open', 'setSignals'] as const)('ends although %s() of a port never settles', async (method) => {
+    const { clock, link, port, states } = linkBench();
+    port[method] = () => new Promise(() => {});
+    const connecting = link.connect(port, { ...DEFAULT_SETTINGS, dtr: true });
+    await clock.advance(60_000);
+    expect(way(states)).toBe('opening');
+    const begin = clock.now();
+    await clock.run(link.stop());
+    expect(clock.now() - begin).toBe(3000);
+    expect(link.state.status).toBe('off');
+    await connecting;
+    expect(port.device.opened).toBeNull();
+  });
+
+  it('closes a port that opens after it was given up, and can connect to it then', async () => {
+    const { clock, link, port, states } = linkBench();
+    const open = port.open.bind(port);
+    let answer = (): void => {};
+    port.open = async (options) => {
+      await new Promise<void>((resolve) => {
+        answer = resolve;
+      });
+      await open(options);
+    };
+    void link.connect(port);
+    await clock.advance(1000);
+    await clock.run(link.stop());
+    answer();
+    await clock.advance(0);
+    expect(port.device.opened).toBeNull();
+    port.open = open;
+    await clock.run(link.connect(port));
+    expect(way(states)).toBe('opening > closing > off > opening > searching > on');
   });
 
   it('closes a port that never takes the bytes it is given', async () => {
