@@ -24,7 +24,8 @@ export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
   if (!waiting || state.status === 'choosing') return null;
   const { said, step, canChoose, help } = waiting;
   if (state.status === 'closing') return <ProgressLine label={said.title} progress={null} />;
-  if (step === null && help === null) return <ProgressLine label={said.title} progress={null} onStop={onStop} />;
+  if (step === null && help === null && !canChoose)
+    return <ProgressLine label={said.title} progress={null} onStop={onStop} />;
   return (
     <div class="notices">
       <div class="notice waiting">

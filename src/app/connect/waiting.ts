@@ -2,6 +2,8 @@ import type { Heard, LinkState } from '../../serial/index.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { HelpCode } from './connection-help.js';
 
+/** How long a port may take to open, in seconds. A Bluetooth port takes some. */
+const OPENS = 5;
 /** How long a timer that is awake may take, in seconds. Until then the pilot has nothing to do. */
 const AWAKE = 2;
 /** From this many seconds on, the page asks to check the distance; later, whether this is the right adapter. */
@@ -28,7 +30,7 @@ export const NOTHING = { step: null, canChoose: false, help: null };
 
 /**
  * What to say while connecting; null once that has ended, well or not.
- * @param seconds since the first question to the timer.
+ * @param seconds since the port was opened, or since the first question to the timer.
  */
 export function waitingFor(state: LinkState, seconds: number): Waiting | null {
   const { link } = messages.value;
@@ -36,9 +38,9 @@ export function waitingFor(state: LinkState, seconds: number): Waiting | null {
     case 'choosing':
       return { ...NOTHING, said: link.stages.choosing };
     case 'opening':
-      return state.refusals === 0
-        ? { ...NOTHING, said: link.stages.opening }
-        : { ...NOTHING, said: link.refused, help: 'busy' };
+      if (state.refusals > 0) return { ...NOTHING, said: link.refused, help: 'busy' };
+      if (seconds < OPENS) return { ...NOTHING, said: link.stages.opening };
+      return { ...NOTHING, said: link.stages.openingLong, canChoose: true };
     case 'searching':
     case 'waiting': {
       const heard = state.status === 'waiting' ? state.heard : null;

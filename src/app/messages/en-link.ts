@@ -23,6 +23,10 @@ export const link = {
       advice: 'The browser shows the ports that it has found.',
     },
     opening: { title: 'Opening the port', advice: '' },
+    openingLong: {
+      title: 'The port takes long to open',
+      advice: 'Bluetooth: switch the adapter on and bring it near. Cable: unplug it, and plug it in again.',
+    },
     looking: (rate: number) => ({ title: 'Looking for the timer', advice: `Asking at ${rate} baud.` }),
     reading: { title: 'Reading the timer', advice: 'Hold it as it is.' },
     closing: { title: 'Closing the port', advice: '' },

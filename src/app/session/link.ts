@@ -16,7 +16,7 @@ import {
 import { answerOf } from '../browser/services.js';
 import type { Keeper, PortRecord } from '../storage/index.js';
 import { kindKey } from './record-keys.js';
-import { secondsAsked } from './wait-clock.js';
+import { secondsWaited } from './wait-clock.js';
 
 /**
  * How long a browser may take to list the plugged-in ports, in milliseconds: after a click, the right to ask for a port
@@ -59,8 +59,8 @@ export class Link {
    * Whether the link waits for a timer that does not answer, or for its adapter, until it is there or the pilot stops.
    */
   readonly waiting: ReadonlySignal<boolean> = computed(() => ['waiting', 'away'].includes(this.state.value.status));
-  /** Whole seconds since the first question to a timer that has not answered; 0 while none is asked. */
-  readonly waited: ReadonlySignal<number> = secondsAsked(this.#state);
+  /** Whole seconds that a port takes to open, or a timer to answer at all; 0 while neither is waited for. */
+  readonly waited: ReadonlySignal<number> = secondsWaited(this.#state);
   /** The plugged-in ports that the pilot has allowed before. */
   readonly ports: ReadonlySignal<readonly KnownPort[]> = this.#ports;
   /** The serial settings that the pilot has made; null: each port as it was last used. */

@@ -1,22 +1,28 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { LinkState } from '../../serial/index.js';
 
-const ASKING: ReadonlySet<LinkState['status']> = new Set(['searching', 'waiting']);
+/** What the link waits for. */
+const WAITS: Readonly<Partial<Record<LinkState['status'], 'port' | 'timer'>>> = {
+  opening: 'port',
+  searching: 'timer',
+  waiting: 'timer',
+};
 
 /**
- * How long a timer has been asked without an answer: whole seconds since the first question; 0 while no timer is asked.
+ * How long the link waits for the port to open, or for a timer to answer: whole seconds since it was opened or since
+ * the first question; 0 while it waits for neither.
  */
-export function secondsAsked(state: ReadonlySignal<LinkState>): ReadonlySignal<number> {
+export function secondsWaited(state: ReadonlySignal<LinkState>): ReadonlySignal<number> {
   const seconds = signal(0, { name: 'waitedSeconds' });
-  let asking = false;
+  let waitsFor: 'port' | 'timer' | undefined;
   let next: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
-    const isAsking = ASKING.has(state.value.status);
-    if (isAsking === asking) return;
-    asking = isAsking;
+    const now = WAITS[state.value.status];
+    if (now === waitsFor) return;
+    waitsFor = now;
     clearTimeout(next);
     seconds.value = 0;
-    if (!asking) return;
+    if (!now) return;
     const since = performance.now();
     const tick = (): void => {
       const passed = performance.now() - since;

@@ -112,6 +112,23 @@ describe('what to do while no timer answers', () => {
     return bench;
   }
 
+  it('says what to do when the port does not open, and Stop ends it', async () => {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    bench.port.open = () => new Promise(() => {});
+    fireEvent.click(button('Connect'));
+    await idle(4000);
+    expect([stage(), screen.queryByRole('button', { name: 'Choose another port' })]).toEqual([
+      'Opening the port',
+      null,
+    ]);
+    await idle(1500);
+    expect(stage()).toBe('The port takes long to open');
+    expect(button('Choose another port').disabled).toBe(false);
+    fireEvent.click(button('Stop'));
+    await idle(3500);
+    expect(button('Connect').disabled).toBe(false);
+  });
+
   it('fills the page and changes with the seconds: look, switch, distance, another adapter', async () => {
     await asleep();
     expect([stage(), current()]).toEqual(['Looking for the timer', undefined]);
