@@ -1,5 +1,5 @@
 import { type ReadonlySignal, useSignal } from '@preact/signals';
-import { useLayoutEffect } from 'preact/hooks';
+import { useLayoutEffect, useMemo } from 'preact/hooks';
 import { media } from '../browser/doors.js';
 
 /** A phone, upright or on its side: it has room for one thing at a time. */
@@ -16,15 +16,15 @@ export const LOW = '(min-height: 320px) and (max-height: 479.98px) and (min-widt
 
 /** Whether a media query matches. False where the browser does not tell. */
 export function useQuery(query: string): ReadonlySignal<boolean> {
-  const matches = useSignal(media(query)?.matches ?? false);
+  const list = useMemo(() => media(query), [query]);
+  const matches = useSignal(list?.matches ?? false);
   useLayoutEffect(() => {
-    const list = media(query);
     const note = (): void => {
       matches.value = list?.matches ?? false;
     };
     note();
     list?.addEventListener?.('change', note);
     return () => list?.removeEventListener?.('change', note);
-  }, [query, matches]);
+  }, [list, matches]);
   return matches;
 }
