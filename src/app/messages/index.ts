@@ -26,7 +26,10 @@ export type { Said } from './en-notices.js';
 /** What the parts of the page that are loaded first may say. A missing sentence does not compile. */
 export type Messages = typeof en;
 
-/** Their sentences. Nothing changes this signal: the page is in English. */
+/**
+ * Their sentences. Nothing changes this signal: the page is in English. Yet a component that reads a signal is drawn
+ * again with its parent only if a property changed, and components such as the groups of the line count on that.
+ */
 export const messages = signal<Messages>(en);
 
 export function slotLabel(identity: Identity, slot: number): string {
