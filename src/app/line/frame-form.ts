@@ -119,7 +119,7 @@ export class FrameForm {
     const maySelect = effect === 'unknown' || frame.code === COMMANDS.SETMEMORY.request;
     const { runner, editor, nextFlight, servoMoves, connection } = this.#session;
     const before = connection.value;
-    await runner.run('frame', async ({ client }) => {
+    await runner.run('frame', async ({ client }, options) => {
       batch(() => {
         this.#asking.value = null;
         this.#result.value = null;
@@ -127,7 +127,7 @@ export class FrameForm {
         // Until the reading below has told the current memory, nobody knows which one flies next.
         if (maySelect) nextFlight.leave(null);
       });
-      const answer = client.send(frame.code, frame.data);
+      const answer = client.send(frame.code, frame.data, options);
       if (effect !== 'reads') servoMoves.mayMove();
       this.#result.value = { reply: await answer };
     });

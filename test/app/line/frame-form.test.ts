@@ -197,6 +197,24 @@ describe('a frame by hand', () => {
     expect(form.step.value).toBe('edit');
   });
 
+  it('is not sent any more when the pilot stops it while the line is waited for', async () => {
+    const { form, session, timer, asked } = await atForm();
+    timer.core.sleep();
+    form.edit({ command: 'GETTIMERS' });
+    await run(form.send());
+    form.edit({ command: 'UNLOCK' });
+    await form.send();
+    // An answer to the request before may still come, so this one waits.
+    const sending = form.confirm();
+    await idle(200);
+    timer.core.press();
+    void session.runner.stop();
+    await run(sending);
+    await idle();
+    expect(asked()).not.toContain('UNLOCK');
+    expect([form.step.value, form.result.value]).toEqual(['edit', null]);
+  });
+
   it('does not itself report that the port is lost', async () => {
     const { form, adapter, session } = await atForm();
     form.edit({ command: 'GETTIMERS' });
