@@ -189,7 +189,10 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   /** A record that another tab has changed in the meantime is not deleted, even if that tab has not said so. */
   async #deleteUnchanged(): Promise<void> {
     const gone = this.#removed.peek();
+    const due = this.#deleting;
     const held = await Promise.all(gone.map(({ key }) => this.#keeper.load(key).catch(() => undefined)));
+    // More was removed in the meantime, and all waits for the ten seconds of that.
+    if (this.#deleting !== due) return;
     const changed = held.filter((now, at) => this.#isOther(gone[at] as T, now));
     const isChanged = (key: string): boolean => changed.some((now) => now?.key === key);
     this.#removed.value = this.#removed.peek().filter(({ key }) => !isChanged(key));
