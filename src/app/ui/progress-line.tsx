@@ -1,11 +1,14 @@
 import type { Progress } from '../../client/index.js';
+import { realClock } from '../../line/index.js';
 import { messages } from '../messages/index.js';
 import './progress-line.css';
 
 /** How a bad line delays the job; null on a good line, where nobody needs to know for how long a bad one is tried. */
 export function disturbedText(progress: ProgressLineProps['progress']): string | null {
   if (!progress?.repeats || !progress.endsBy) return null;
-  return messages.value.disturbed(progress.repeats, Math.max(0, Math.ceil((progress.endsBy - Date.now()) / 1000)));
+  // Not by the clock on the wall, which somebody can set, and which goes on while the computer sleeps.
+  const left = progress.endsBy - realClock.now();
+  return messages.value.disturbed(progress.repeats, Math.max(0, Math.ceil(left / 1000)));
 }
 
 interface ProgressLineProps {
