@@ -36,7 +36,8 @@ export interface WritePlan {
 export function planWrite(baseline: TimerProgram, goal: TimerProgram, moveServos = false): WritePlan {
   const asked = differences(baseline, goal).filter(({ to }) => to !== null);
   const requests = inOrder(changeRequests(baseline, goal), moveServos);
-  const { memory } = baseline;
+  // Not undefined, which would allow any memory.
+  const memory = baseline.memory ?? null;
   const isThrottleKnown = baseline.idleThrottle !== null || goal.idleThrottle !== null;
   const before: ReadingOptions = { strict: true, memory, known: baseline, idleThrottle: isThrottleKnown };
   // The memory of the baseline, not the one that the goal names as its source.

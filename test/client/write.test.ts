@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { wireTime } from '../../src/line/index.js';
+import type { TimerProgram } from '../../src/program/index.js';
 import { exchangeSize, type Request } from '../../src/protocol/index.js';
 import { type Bench, bench, contentOf, edited, names } from './bench.js';
 import { everyValueChanged } from './matrix.js';
@@ -92,6 +93,17 @@ describe('write program', () => {
       'GETSWVER',
       ...['GETSWVER', 'GETMEMORY', 'GETMEMORY', 'GETSWVER'],
     ]);
+  });
+
+  it('refuses a baseline without a memory, which plain JavaScript can give', async () => {
+    const { client, timer, run } = bench();
+    const { memory: _, ...rest } = await run(client.readProgram());
+    const baseline = rest as TimerProgram;
+    await expect(run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }))).rejects.toMatchObject({
+      code: 'other-memory',
+      details: { expected: null, found: 0 },
+    });
+    expect(sets(timer.core.answered)).toEqual([]);
   });
 
   it('stops as soon as another memory is current after the reading', async () => {
