@@ -54,9 +54,15 @@ export class ReturnWatch {
         this.#wake = new AbortController();
         if (signal.aborted) return null;
         const returned = this.#returned;
-        const found = returned && returned.connected !== false ? returned : await this.#find();
-        if (found) return signal.aborted ? null : found;
-        await pause(this.#clock, LOOK_EVERY, this.#wake.signal);
+        const waiting = pause(this.#clock, LOOK_EVERY, this.#wake.signal);
+        // A browser may never say which ports it has.
+        const isBack = returned && returned.connected !== false;
+        const found = isBack ? returned : await Promise.race([this.#find(), waiting]);
+        if (found) {
+          this.look();
+          return signal.aborted ? null : found;
+        }
+        await waiting;
       }
     } finally {
       signal.removeEventListener('abort', wake);
