@@ -31,7 +31,7 @@ const compare = {
 const modelBackups = {
   title: 'Backups',
   empty: 'Before each write, the page keeps here what the timer of this model holds.',
-  hint: 'The page keeps all backups of today, one for each day of the month before, and one for each month before that.',
+  hint: 'The page keeps all backups of the last two days, one for each of the 30 days before, one for each month before.',
   same: 'as the timer holds it now',
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')} from what it holds now`,
   sameThen: (when: string) => `as the timer held it ${when}`,

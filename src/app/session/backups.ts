@@ -15,7 +15,10 @@ export class Backups {
   readonly #modelOf: () => string | null;
   /** The keys of backups that the browser does not have, or not yet. */
   readonly #unsaved = new Set<string>();
+  /** The keys of the backups of the present timer. */
+  #ofTimer = new Set<string>();
   #deleting: ReturnType<typeof setTimeout> | undefined;
+  /** The time in the key of the newest backup, at least. */
   #last = 0;
 
   /** @param modelOf gives the id of the connected timer's model; null when it is not known. */
@@ -31,6 +34,9 @@ export class Backups {
   async load(): Promise<void> {
     const kept = await this.#keeper.all().catch(() => []);
     this.#list.value = this.#listed([...kept, ...this.list.value]);
+    // The clock may have been ahead then: keys keep the order in which the backups were made.
+    const newest = Date.parse(this.#list.peek()[0]?.key.split('/')[0] ?? '');
+    if (newest > this.#last) this.#last = newest;
     this.#thin();
   }
 
@@ -39,11 +45,13 @@ export class Backups {
    * @throws the error of the storage when it keeps nothing.
    */
   async add(program: TimerProgram, reason: Backup['reason'], simulated: boolean, savedAt = Date.now()): Promise<void> {
-    // Backups of the same millisecond keep their order.
+    // Backups of the same millisecond keep their order, also where the clock has gone back.
     this.#last = Math.max(this.#last + 1, savedAt);
-    const key = `${new Date(this.#last).toISOString()}/${program.memory ?? '?'}`;
+    // In another tab the time in the key may be the same then.
+    const key = `${new Date(this.#last).toISOString()}/${program.memory ?? '?'}/${savedAt}`;
     const model = this.#modelOf();
     const backup: Backup = { key, savedAt, reason, program, simulated, ...(model === null ? {} : { model }) };
+    this.#ofTimer.add(key);
     this.#list.value = [backup, ...this.list.value];
     await this.#save(backup);
     this.#thin();
@@ -54,14 +62,16 @@ export class Backups {
     for (const backup of this.#list.peek()) if (this.#unsaved.has(backup.key)) void this.#save(backup).catch(() => {});
   }
 
-  /**
-   * The model is now known to which the timer belongs: notes it in the backups of this connection.
-   * @param since milliseconds since 1970.
-   */
-  assign(model: string, since: number, simulated: boolean): void {
+  /** The timer is, or may be, another one from now on. */
+  anotherTimer(): void {
+    this.#ofTimer = new Set();
+  }
+
+  /** The model is now known to which the present timer belongs: notes it in the backups of that timer. */
+  assign(model: string): void {
     const own = this.#list
       .peek()
-      .filter((each) => each.model === undefined && each.savedAt >= since && each.simulated === simulated)
+      .filter((each) => each.model === undefined && this.#ofTimer.has(each.key))
       .map((each) => ({ ...each, model }));
     if (own.length === 0) return;
     this.#list.value = this.#listed([...this.#list.peek(), ...own]);

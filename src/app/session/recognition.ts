@@ -49,8 +49,6 @@ export class Recognition {
   readonly choices: ReadonlySignal<readonly Model[]>;
   /** Changes whenever the timer is, or may be, another one. */
   readonly timer: ReadonlySignal<number>;
-  /** When the present timer came, in milliseconds since 1970. */
-  since = 0;
   readonly #parts: RecognitionParts;
   /** The first reading of each memory on this connection, before this page has written into it. */
   readonly #evidence = signal<readonly TimerProgram[]>([], { name: 'evidence' });
@@ -188,7 +186,6 @@ export class Recognition {
   }
 
   #forget(evidence: readonly TimerProgram[]): void {
-    this.since = Date.now();
     batch(() => {
       this.#evidence.value = evidence;
       this.#held.value = NOTHING;

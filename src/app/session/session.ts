@@ -128,9 +128,11 @@ export class Session {
     this.opened = new OpenSetting(this, drafts);
     this.origin = new Origin(this);
     effect(() => {
+      if (this.recognition.timer.value > 0) this.backups.anotherTimer();
+    });
+    effect(() => {
       const found = this.recognition.found.value;
-      if (found?.kind !== 'said') return;
-      this.backups.assign(found.model.id, this.recognition.since, this.link.simulated.peek());
+      if (found?.kind === 'said') this.backups.assign(found.model.id);
     });
     this.servoUses = new ServoUses(
       computed(() => {

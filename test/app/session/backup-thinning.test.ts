@@ -46,13 +46,15 @@ describe('backups before writes, over three years', () => {
   const all = daily(1096);
   const kept = left(all);
 
-  it('are all kept from today', () => {
-    expect(kept.filter((each) => day(each) === new Date(NOW).toDateString())).toHaveLength(5);
+  it('are all kept from the last two days', () => {
+    for (const at of [NOW, NOW - DAY]) {
+      expect(kept.filter((each) => day(each) === new Date(at).toDateString())).toHaveLength(5);
+    }
   });
 
-  it('are kept for a month, the first of each day', () => {
-    const days = kept.filter(({ savedAt }) => savedAt < NOW - 16 * 3_600_000 && savedAt >= NOW - 31.5 * DAY);
-    expect(days).toHaveLength(31);
+  it('are kept for 30 days before that, the first of each day', () => {
+    const days = kept.filter(({ savedAt }) => savedAt < NOW - 1.5 * DAY && savedAt >= NOW - 31.5 * DAY);
+    expect(days).toHaveLength(30);
     for (const each of days) {
       const same = all.filter((other) => day(other) === day(each));
       expect(each.savedAt).toBe(Math.min(...same.map(({ savedAt }) => savedAt)));
@@ -63,7 +65,7 @@ describe('backups before writes, over three years', () => {
     const months = kept.filter(({ savedAt }) => savedAt < NOW - 32 * DAY);
     expect(new Set(months.map(month)).size).toBe(months.length);
     expect(months.length).toBeGreaterThanOrEqual(35);
-    expect(kept.length).toBeLessThan(5 + 31 + 38);
+    expect(kept.length).toBeLessThan(5 + 5 + 30 + 38);
   });
 
   it('are kept for each memory of each model', () => {
@@ -75,8 +77,8 @@ describe('backups before writes, over three years', () => {
       { at: at + 3, memory: 0 },
       { at: at + 4, model: 'Lancer', memory: 0 },
     ].map(backup);
-    const today = backup({ at: NOW });
-    expect(left([...made, today])).toEqual([...made.slice(0, 4), today]);
+    const later = [backup({ at: NOW - DAY }), backup({ at: NOW })];
+    expect(left([...made, ...later])).toEqual([...made.slice(0, 4), ...later]);
   });
 
   it('are all kept when the pilot has asked for them', () => {
@@ -100,6 +102,25 @@ describe('backups before writes, over three years', () => {
     const today = [1, 2, 3].map((hours) => backup({ at: NOW - hours * 3_600_000 }));
     expect(left(today, NOW + 4000 * DAY)).toEqual(today);
     expect(left(left(all, NOW + 4000 * DAY)), 'with the right clock again, the same backups are kept').toEqual(kept);
+  });
+
+  it.each([
+    ['ahead', NOW + 4000 * DAY],
+    ['behind', NOW - 4000 * DAY],
+  ])('are kept as after one more day when one is made while the clock is years %s', (_, wrong) => {
+    const next = left([...all, backup({ at: NOW + DAY })]).slice(0, -1);
+    const made = { ...backup({ at: wrong }), key: `${new Date(NOW + 1).toISOString()}/0` };
+    expect(next.slice(-6)).toEqual(kept.slice(-6));
+    expect(left([...kept, made], wrong), 'while it is wrong').toEqual([...next, made]);
+    expect(left([...next, made]), 'once it is right').toEqual([...next, made]);
+  });
+
+  it('are kept when the clock is years behind on each day of flying', () => {
+    const made = [40, 30, 20, 10, 0].flatMap((days) => [
+      backup({ at: NOW - days * DAY }),
+      { ...backup({ at: NOW - 4000 * DAY }), key: `${new Date(NOW - days * DAY + 1).toISOString()}/0` },
+    ]);
+    expect(left(made)).toEqual(made);
   });
 
   it('are at most 3000: the oldest are deleted', () => {
@@ -145,6 +166,40 @@ describe('thinning', () => {
 });
 
 describe('the list of backups', () => {
+  it('has the last one first, also after the clock was years ahead', async () => {
+    const store = new MemoryStore();
+    const ahead = NOW + 4000 * DAY;
+    await new Backups(store.backups).add(PROGRAM, 'write', false, ahead);
+    for (const at of [NOW, NOW + 1]) {
+      const list = new Backups(store.backups);
+      await list.load();
+      await list.add(PROGRAM, 'write', false, at);
+    }
+    const list = new Backups(store.backups);
+    await list.load();
+    expect(list.list.value.map(({ savedAt }) => savedAt)).toEqual([NOW + 1, NOW, ahead]);
+  });
+
+  it('keeps those of two tabs after the clock was years ahead', async () => {
+    const store = new MemoryStore();
+    await new Backups(store.backups).add(PROGRAM, 'write', false, NOW + 4000 * DAY);
+    const tabs = [new Backups(store.backups), new Backups(store.backups)];
+    await Promise.all(tabs.map((tab) => tab.load()));
+    await Promise.all(tabs.map((tab, each) => tab.add(PROGRAM, 'write', false, NOW + each)));
+    expect(store.backups.records.size).toBe(3);
+  });
+
+  it('gives the model to backups of this timer alone, whatever their time', async () => {
+    const store = new MemoryStore();
+    await new Backups(store.backups).add(PROGRAM, 'write', false, Date.now() + DAY);
+    const list = new Backups(store.backups);
+    await list.load();
+    list.anotherTimer();
+    await list.add(PROGRAM, 'write', false, Date.now() - DAY);
+    list.assign('Lancer');
+    expect(list.list.value.map(({ model }) => model)).toEqual(['Lancer', undefined]);
+  });
+
   it('is thinned when it is read, and in the storage', async () => {
     const store = new MemoryStore();
     for (const each of daily(60).map((old) => ({ ...old, savedAt: Date.now() - (NOW - old.savedAt) }))) {
@@ -161,10 +216,10 @@ describe('the list of backups', () => {
     let model: string | null = null;
     const list = new Backups(store.backups, () => model);
     await list.add(PROGRAM, 'write', false, 1000);
-    const since = Date.now();
+    list.anotherTimer();
     await list.add(PROGRAM, 'write', false);
     model = 'Lancer';
-    list.assign('Lancer', since, false);
+    list.assign('Lancer');
     await list.add(PROGRAM, 'write', false);
     expect(list.list.value.map((each) => each.model)).toEqual(['Lancer', 'Lancer', undefined]);
     expect([...store.backups.records.values()].filter((each) => each.model === 'Lancer')).toHaveLength(2);
