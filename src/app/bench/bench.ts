@@ -78,7 +78,7 @@ export class Bench {
       if (isSent) this.#done.value = { action, certain: false };
       throw error;
     }
-    if (this.#session.connection.peek() !== connection) return;
+    // The pilot may have disconnected meanwhile: it has happened all the same.
     batch(() => {
       this.#done.value = { action, certain: true };
       if (action.kind === 'move') this.stand.moved(connection, action.slot);

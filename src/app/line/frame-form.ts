@@ -1,4 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { TimerError } from '../../client/index.js';
 import {
   COMMANDS,
   type Command,
@@ -129,7 +130,13 @@ export class FrameForm {
       });
       const answer = client.send(frame.code, frame.data, options);
       if (effect !== 'reads') servoMoves.mayMove();
-      this.#result.value = { reply: await answer };
+      try {
+        this.#result.value = { reply: await answer };
+      } catch (error) {
+        const isLost = error instanceof TimerError && error.code === 'port-lost';
+        if (isLost && effect !== 'reads') this.#result.value = { reply: null };
+        throw error;
+      }
     });
     // The screen may be out of date, even when no reply came.
     if (mayStore && connection.value === before) await this.#session.reader.read();

@@ -12,7 +12,14 @@ export function SendFrame({ form, connected }: { readonly form: FrameForm; reado
   return (
     <details class="send-frame">
       <summary>{send.title}</summary>
-      {connected ? <Form form={form} /> : <p class="hint">{send.notConnected}</p>}
+      {connected ? (
+        <Form form={form} />
+      ) : (
+        <div>
+          <p class="hint">{send.notConnected}</p>
+          {form.result.value?.reply === null && <p role="status">{send.unanswered}</p>}
+        </div>
+      )}
     </details>
   );
 }

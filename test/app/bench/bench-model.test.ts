@@ -110,6 +110,18 @@ describe('the motor', () => {
     expect([timer.core.motorLocked, bench.done.value?.certain]).toEqual([false, false]);
   });
 
+  it('is said to be unlocked when the pilot disconnects before the answer', async () => {
+    const { bench, session, timer } = await safeBench();
+    const unlocking = bench.unlock();
+    await idle(0);
+    await run(session.timer.disconnect());
+    await run(unlocking);
+    expect([session.connection.value, timer.core.motorLocked]).toEqual([null, false]);
+    expect(bench.done.value).toEqual({ action: { kind: 'unlock' }, certain: true });
+    await run(session.timer.connect());
+    expect(bench.done.value).toBeNull();
+  });
+
   it('is unlocked on Q', async () => {
     const { bench, timer } = await safeBench();
     expect(await run(bench.unlock())).toBe(true);

@@ -423,6 +423,24 @@ describe('a frame by hand', () => {
     expect(screen.getByText(/Goes out as/).textContent).toContain('03 79 79 45 Unknown letter 79');
   });
 
+  it('that was lost with its adapter may have done what it asks for', async () => {
+    const { timer, adapter } = await opened();
+    await unfold('Send a frame by hand');
+    change('Frame', 'UNLOCK');
+    await idle();
+    await press('Send…');
+    timer.core.onAnswer = () => adapter.unplug();
+    await press('Yes, send it once');
+    const sentence = 'No reply came. What the frame asked for may have happened anyway.';
+    expect([timer.core.motorLocked, screen.queryByRole('button', { name: 'Send…' })]).toEqual([false, null]);
+    expect(screen.getByText(sentence), 'while the adapter is gone').toBeTruthy();
+    timer.core.onAnswer = undefined;
+    adapter.replug();
+    await idle();
+    expect(button('Send…')).toBeTruthy();
+    expect(screen.getByText(sentence), 'when it is back').toBeTruthy();
+  });
+
   it('is not offered without a connection', async () => {
     const bench = await appBench();
     await run(bench.session.timer.connect());
