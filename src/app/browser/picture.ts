@@ -1,4 +1,6 @@
 import { type PictureSize, pictureSize } from './picture-size.js';
+import { PATIENCE } from './read-file.js';
+import { answerOf } from './services.js';
 
 /**
  * Why a file is not accepted as a picture. `unreadable`: the browser cannot read it. `too-large`:
@@ -26,10 +28,10 @@ const LONG = 4;
 export async function decodedPicture(file: Blob, side: number): Promise<ImageBitmap | PictureFault> {
   if (file.size > LARGEST_FILE) return 'too-large';
   try {
-    const size = pictureSize(await file.slice(0, BEGINNING).arrayBuffer());
+    const size = pictureSize(await answerOf(() => file.slice(0, BEGINNING).arrayBuffer(), PATIENCE));
     if (!size) return 'unreadable';
     if (size.width * size.height > MOST_PIXELS) return 'too-large';
-    return await createImageBitmap(file, smallerBy(size, side));
+    return await answerOf(() => createImageBitmap(file, smallerBy(size, side)), PATIENCE);
   } catch {
     return 'unreadable';
   }

@@ -3,7 +3,7 @@ import { answerOf } from './services.js';
 /** A file of more bytes is not even read: no text here is that long. */
 const LARGEST = 100_000_000;
 /** How long a disk, or a network drive, may take to give a file, in milliseconds. */
-const PATIENCE = 60_000;
+export const PATIENCE = 60_000;
 
 /** Why a file could not be read as a text. */
 export type UnreadableFile = 'too-large' | 'no-text' | 'gone';

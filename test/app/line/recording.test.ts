@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { LineView } from '../../../src/app/line/line-view.js';
 import { captureText, parseRecording, RecordingError, readRecording } from '../../../src/app/line/recording.js';
 import { LineLog } from '../../../src/app/session/line-log.js';
@@ -135,6 +135,16 @@ describe('a recording', () => {
     await expect(readRecording(huge)).rejects.toMatchObject({ fault: 'too-large' });
     const gone = { name: 'x', size: 1, text: () => Promise.reject(new Error('gone')) } as File;
     await expect(readRecording(gone)).rejects.toMatchObject({ fault: 'unreadable' });
+  });
+
+  it('is not a file that its disk does not give within a minute', async () => {
+    vi.useFakeTimers();
+    onTestFinished(() => void vi.useRealTimers());
+    const silent = { name: 'x', size: 1, text: () => new Promise(() => {}) } as File;
+    const view = new LineView(new LineLog());
+    void view.load(silent);
+    await vi.advanceTimersByTimeAsync(61_000);
+    expect(view.fault.value?.fault).toBe('unreadable');
   });
 
   it('is shown in place of the line until the pilot goes back, and a bad file changes nothing', async () => {

@@ -1,5 +1,5 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { linkOf, sharedOf } from '../../../../src/app/session/setting-link.js';
 import { MODEL, SETTING } from '../../../program/library-examples.js';
 import { idle } from '../../bench/bench.js';
@@ -159,6 +159,19 @@ describe('a picture', () => {
     await reading();
     await choose();
     expect(dialog().getByRole('alert').textContent).toMatch(/holds no setting\. It says: https:\/\/elsewhere/);
+  });
+
+  it.each(['read', 'decoded'])('is reported when the file is not %s within a minute', async (what) => {
+    camera();
+    const silent = () => new Promise<never>(() => {});
+    if (what === 'read') {
+      const spy = vi.spyOn(Blob.prototype, 'arrayBuffer').mockImplementation(silent);
+      onTestFinished(() => spy.mockRestore());
+    } else vi.stubGlobal('createImageBitmap', silent);
+    await reading();
+    await choose();
+    await idle(61_000);
+    expect(dialog().getByRole('alert').textContent).toMatch(/could not be read as a picture/);
   });
 
   it('is reported when the file is not a picture', async () => {
