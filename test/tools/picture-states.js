@@ -539,7 +539,7 @@ export const states = {
       await page.evaluate(() => Object.defineProperty(window, 'showSaveFilePicker', { value: undefined }));
       await fill(page);
       await press(page, 'Export all…');
-      await page.getByText(/is in your downloads/).waitFor();
+      await page.getByText(/puts .* into your downloads/).waitFor();
     },
   },
   model: {

@@ -25,8 +25,9 @@ export const filesMessages = {
     saving: (name: string) => `Saving ${name}`,
     /** Saved to a file that the pilot has chosen. */
     saved: (name: string, what: string) => `Saved to ${apart(name)}: ${what}.`,
-    /** Given to the browser as a download. */
-    downloaded: (name: string, what: string) => `${apart(name)} is in your downloads: ${what}.`,
+    /** Given to the browser as a download. It does not say whether it has saved the file. */
+    downloaded: (name: string, what: string) =>
+      `This browser puts ${apart(name)} into your downloads: ${what}. Check that it is there.`,
     notWritten: (name: string) => `${name} could not be written. This browser puts it into your downloads instead.`,
     tooLarge: 'The library is too large for one file. Export its models one by one.',
     nothing: 'There is nothing to export yet.',

@@ -362,7 +362,9 @@ describe('an export', () => {
     expect(saved[0]?.name).toMatch(/^Sidus library \d{4}-\d\d-\d\d\.sidus\.json$/);
     const { library: read } = parseLibraryFile(await (saved[0]?.text() ?? ''));
     expect(read).toEqual(ALL);
-    notice(/^Sidus library .* is in your downloads: 1 model, 1 setting, 1 flight\.$/);
+    notice(
+      /^This browser puts Sidus library .* into your downloads: 1 model, 1 setting, 1 flight\. Check that it is there\.$/,
+    );
   });
 
   it('is of one model, or of one setting, under its name', async () => {
