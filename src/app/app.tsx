@@ -8,6 +8,7 @@ import type { FirstSteps as FirstStepsModel } from './help/first-steps.js';
 import { messages } from './messages/index.js';
 import type { AppModels } from './models.js';
 import * as parts from './parts.js';
+import { PrintMemories } from './print/print-memories.js';
 import { Header } from './shell/header.js';
 import { ViewFrame } from './shell/view-frame.js';
 import { ViewLinks } from './shell/view-links.js';
@@ -27,10 +28,14 @@ export function App({ models }: { readonly models: AppModels }) {
   const shown = views.shown.value;
   const isStart = !hasProgram && shown === 'program';
   // The same function at each drawing; otherwise the whole program would be drawn again.
-  const print = useCallback(() => {
-    models.printOrder.choose();
-    views.show('print');
-  }, [models, views]);
+  const print = useCallback(
+    (keys?: readonly string[]) => {
+      models.printOrder.choose(keys);
+      views.show('print');
+    },
+    [models, views],
+  );
+  const printProgram = useCallback(() => print(), [print]);
   // The title that the page came with.
   const title = useRef(document.title);
   useEffect(() => {
@@ -47,7 +52,7 @@ export function App({ models }: { readonly models: AppModels }) {
           {...{ session, write, memories, bench, follow, preferences, programPicture, saveSetting }}
           sharing={models.sharing}
           onExplain={help.explainNow}
-          onPrint={print}
+          onPrint={printProgram}
         />
       ) : (
         <StartScreen {...{ session, installation, platform }}>
@@ -57,6 +62,7 @@ export function App({ models }: { readonly models: AppModels }) {
     memories: () => (
       <parts.memories.Part
         {...{ session, memories, connect }}
+        print={<PrintMemories session={session} onPrint={print} />}
         following={follow.on.value}
         onProgram={() => views.show('program')}
       />

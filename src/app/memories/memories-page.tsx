@@ -17,10 +17,12 @@ export interface MemoriesPageProps {
   readonly onProgram: () => void;
   /** The button that connects a timer. */
   readonly connect: ComponentChildren;
+  /** The button that prints the memories. */
+  readonly print: ComponentChildren;
 }
 
 /** All memories of the timer at a glance, or two of them side by side; and the backups. */
-export function MemoriesPage({ session, memories, following, onProgram, connect }: MemoriesPageProps) {
+export function MemoriesPage({ session, memories, following, onProgram, connect, print }: MemoriesPageProps) {
   const { overview: words, memories: all, views } = messages.value;
   const compared = memories.compared.value;
   const place = useRef<HTMLDivElement>(null);
@@ -42,13 +44,16 @@ export function MemoriesPage({ session, memories, following, onProgram, connect 
       <div class="memories-head">
         <h1>{words.title}</h1>
         {baseline && baseline.memory !== null && (
-          <button
-            type="button"
-            disabled={!session.runner.ready.value}
-            onClick={() => memories.jobs.open({ kind: 'back-up' })}
-          >
-            {words.readAll}
-          </button>
+          <div class="buttons">
+            {print}
+            <button
+              type="button"
+              disabled={!session.runner.ready.value}
+              onClick={() => memories.jobs.open({ kind: 'back-up' })}
+            >
+              {words.readAll}
+            </button>
+          </div>
         )}
       </div>
       {baseline ? (

@@ -3,7 +3,7 @@ import { useEffect, useId, useRef } from 'preact/hooks';
 import type { TimerProgram } from '../../program/index.js';
 import { clockText, figureText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
-import { type Known, possibleValues } from '../session/known.js';
+import { type Known, lastRead, possibleValues } from '../session/known.js';
 import type { Session } from '../session/session.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
@@ -79,12 +79,6 @@ function Card({ session, memories, memory, current, count, known, onProgram }: C
       </article>
     </li>
   );
-}
-
-/** What a memory held at its last complete reading. */
-export function lastRead(known: Known): TimerProgram | null {
-  if (known.state === 'unread') return null;
-  return known.state === 'read' ? known.program : known.before;
 }
 
 /** “DT 3:00 min · motor stop 10.0 s”. After an interrupted write there may be two of each. */

@@ -1,12 +1,12 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
+import { lastRead } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { ProgramPair } from '../side-by-side/program-pair.js';
 import { BackHead } from '../ui/back-head.js';
 import { Select } from '../ui/choice.js';
 import type { Compared, Memories } from './memories.js';
-import { lastRead } from './memory-cards.js';
 import './memory-comparison.css';
 
 interface MemoryComparisonProps {

@@ -29,6 +29,7 @@ export const print = {
   choose: (chosen: number) => `Settings on this print: ${chosen}`,
   search: 'Search by model or setting',
   onScreen: 'The program on the screen',
+  asRead: (memory: string) => `${memory}, as last read`,
   noModel: 'No model',
   none: 'The library has no such setting.',
   empty: 'The library has no settings to print yet.',

@@ -1,7 +1,13 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 
-/** Stands for the program on the screen among the keys of settings. No other key has a space. */
+/** Stands for the program on the screen among the keys of settings. */
 export const ON_SCREEN = 'on screen';
+
+/** Stands for the last reading of a memory of the timer, counted from 0. */
+export const memoryKey = (memory: number): string => `memory ${memory}`;
+
+/** Whether it is the key of a setting in the library: none of those has a space. */
+export const isOfLibrary = (key: string): boolean => !key.includes(' ');
 
 /** Which settings to print. The other views need to know nothing else about printing. */
 export class PrintOrder {

@@ -11,11 +11,12 @@ interface PrintPickerProps {
   readonly print: Print;
 }
 
-/** Chooses what to print: any settings of the library, and the program on the screen. */
+/** Chooses what to print: any settings of the library, the program on the screen, and memories of the timer. */
 export function PrintPicker({ print }: PrintPickerProps) {
   const { order } = print;
   const { value: chosen } = order.keys;
   const { value: found } = print.found;
+  const { value: memories } = print.memories;
   useEffect(() => void print.load(), [print]);
   // With nothing to print, this is the next step.
   const isFirst = useMemo(
@@ -39,6 +40,9 @@ export function PrintPicker({ print }: PrintPickerProps) {
         {print.hasProgram.value && (
           <Choice name={words.onScreen} on={chosen.includes(ON_SCREEN)} onToggle={() => order.toggle(ON_SCREEN)} />
         )}
+        {memories.map(({ key, name }) => (
+          <Choice key={key} name={words.asRead(name)} on={chosen.includes(key)} onToggle={() => order.toggle(key)} />
+        ))}
         {listed.map((record) => (
           <Choice
             key={record.key}

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
-import type { SharedSetting } from '../../program/index.js';
+import type { SharedSetting, TimerProgram } from '../../program/index.js';
 import { tried } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { print as words } from '../messages/en-print.js';
@@ -10,8 +10,9 @@ import { qrLinkOf, sharedOf } from '../session/setting-link.js';
 import type { SettingRecord } from '../storage/index.js';
 import { type Copy, SHEET_PARTS, type SheetPart, sectionsOf } from './galley.js';
 import { leafOf, PAPERS, type Paper } from './paper.js';
-import { ON_SCREEN, type PrintOrder } from './print-order.js';
-import { type SheetSource, sheetOf } from './sheet.js';
+import { isOfLibrary, ON_SCREEN, type PrintOrder } from './print-order.js';
+import { readMemories } from './read-memories.js';
+import { memoryText, type SheetSource, sheetOf } from './sheet.js';
 
 /** Without the code: most pilots would rather write in its place. */
 const USUAL_PARTS: readonly SheetPart[] = ['timeline', 'notes', 'lines'];
@@ -43,6 +44,8 @@ export class Print {
   /** The settings that the search finds, sorted by model. */
   readonly found: ReadonlySignal<readonly SettingRecord[]>;
   readonly hasProgram: ReadonlySignal<boolean>;
+  /** The memories of the timer that were read. */
+  readonly memories: ReadonlySignal<readonly { readonly key: string; readonly name: string }[]>;
 
   /** @param page the address of the page, for the codes. */
   constructor(session: Session, order: PrintOrder, page: string) {
@@ -52,10 +55,13 @@ export class Print {
     const { library, editor } = session;
     this.hasProgram = computed(() => editor.working.value !== null);
     const sources = computed(() =>
-      order.keys.value.flatMap((key) => (key === ON_SCREEN ? this.#onScreen() : this.#kept(key)) ?? []),
+      order.keys.value.flatMap((key) => {
+        if (key === ON_SCREEN) return this.#onScreen() ?? [];
+        return (isOfLibrary(key) ? this.#kept(key) : this.#memory(key)) ?? [];
+      }),
     );
     this.missing = computed(() => {
-      const kept = order.keys.value.filter((key) => key !== ON_SCREEN);
+      const kept = order.keys.value.filter(isOfLibrary);
       return library.settings.loaded.value ? kept.filter((key) => !library.settings.get(key)).length : 0;
     });
     this.left = computed(() => Math.max(0, sources.value.length - MOST_SHEETS));
@@ -66,6 +72,10 @@ export class Print {
         const sheet = sheetOf(source, editor.shortDt.value);
         return { sheet, leaf, sections: sectionsOf(sheet, leaf, parts), hasLines: parts.has('lines') };
       });
+    });
+    this.memories = computed(() => {
+      const names = session.modelAtHand.value?.memoryNames;
+      return readMemories(session).map(({ key, memory }) => ({ key, name: memoryText(memory, names?.[memory] ?? '') }));
     });
     this.found = computed(() => {
       const wanted = this.#search.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -125,13 +135,31 @@ export class Print {
   }
 
   #onScreen(): SheetSource | null {
-    const { editor, servoUses, simulated, modelAtHand, opened } = this.#session;
+    const { editor, opened } = this.#session;
     const program = editor.working.value;
     if (!program) return null;
-    const atHand = modelAtHand.value;
     const setting = opened.shown.value?.setting;
+    return this.#ofTimer(ON_SCREEN, program, this.#standing(), setting);
+  }
+
+  #memory(key: string): SheetSource | null {
+    const read = readMemories(this.#session).find((each) => each.key === key);
+    if (!read) return null;
+    const { known, program } = read;
+    const { screen } = words;
+    return this.#ofTimer(key, program, known.state === 'read' ? screen.once(dateText(known.at)) : screen.not);
+  }
+
+  #ofTimer(
+    key: string,
+    program: TimerProgram,
+    origin: string,
+    setting?: Pick<SharedSetting, 'name' | 'note'> | null,
+  ): SheetSource {
+    const { servoUses, simulated, modelAtHand } = this.#session;
+    const atHand = modelAtHand.value;
     return {
-      key: ON_SCREEN,
+      key,
       program,
       model: {
         name: atHand?.name ?? '',
@@ -140,7 +168,7 @@ export class Print {
       },
       name: setting?.name ?? '',
       note: setting?.note ?? '',
-      origin: this.#standing(),
+      origin,
       simulated: simulated.value,
       link: this.#linkOf({
         name: setting?.name ?? timerName(program.identity),

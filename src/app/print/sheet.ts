@@ -110,7 +110,8 @@ function othersOf({ identity, idleThrottle, times: [first = 0] }: TimerProgram):
   ];
 }
 
-function memoryText(memory: number, name: string): string {
+/** “M1 “calm””, or “M1” without a name. */
+export function memoryText(memory: number, name: string): string {
   const { memoryName } = messages.value;
   return name === '' ? memoryName(memory) : `${memoryName(memory)} “${name}”`;
 }

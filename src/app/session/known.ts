@@ -13,6 +13,12 @@ export type Known =
    */
   | ({ readonly state: 'uncertain' } & Pick<UnfinishedWrite, 'before' | 'readAt' | 'goal'>);
 
+/** What a memory held at its last complete reading. */
+export function lastRead(known: Known): TimerProgram | null {
+  if (known.state === 'unread') return null;
+  return known.state === 'read' ? known.program : known.before;
+}
+
 /**
  * The possible values of a field, each once: none when nothing is known, one after a reading, up to two after an
  * interrupted write. A value that was never read is left out.

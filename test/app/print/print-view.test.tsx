@@ -1,5 +1,6 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import { formatTime } from '../../../src/app/editing/units.js';
 import { MODEL, SETTING } from '../../program/library-examples.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { connected, goTo, opened, press, type } from '../screen.js';
@@ -122,6 +123,45 @@ describe('the print view', () => {
     await goTo('print');
     expect(pages()).toHaveLength(2);
     expect(said()).not.toMatch(/Flights/);
+  });
+
+  it('prints the memories that were read, as the timer held them, from Memories', async () => {
+    const { session, memories, printOrder } = await connected();
+    await goTo('memories');
+    const button = () => screen.getByRole<HTMLButtonElement>('button', { name: 'Print…' });
+    void memories.readOnce(2);
+    await idle();
+    await goTo('program');
+    await type('DT time', '2:30');
+    await goTo('memories');
+    act(() => button().click());
+    await idle();
+    const values = (sheet: Element) => [
+      sheet.textContent?.match(/Memory ?(M\d)/)?.[1],
+      sheet.textContent?.match(/As last read|not in the timer|not certain/)?.[0],
+      rowsOf(sheet as HTMLElement)
+        .at(-1)
+        ?.split(' ')[1],
+    ];
+    const dtOf = (memory: number): string => {
+      const known = session.knowledge.of(memory);
+      return known.state === 'read' ? formatTime(known.program.times.at(-1) ?? 0) : '';
+    };
+    expect(sheets().map(values)).toEqual([
+      ['M1', 'As last read', dtOf(0)],
+      ['M3', 'As last read', dtOf(2)],
+    ]);
+    expect(dtOf(0)).not.toBe('2:30');
+    choose(/^The program on the screen/);
+    choose(/^M1, as last read/);
+    expect(sheets().map(values)).toEqual([
+      ['M3', 'As last read', dtOf(2)],
+      ['M1', 'not in the timer', '2:30'],
+    ]);
+    expect(screen.queryByRole('checkbox', { name: /^M2/ }), 'nobody has read M2').toBeNull();
+    act(() => printOrder.choose(['memory 1']));
+    expect(screen.getByText(/Nothing is chosen/)).toBeTruthy();
+    expect(screen.queryByText(/not in the library/)).toBeNull();
   });
 
   it('says what is missing, and that the print window did not open', async () => {
