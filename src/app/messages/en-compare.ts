@@ -31,7 +31,7 @@ const compare = {
 const modelBackups = {
   title: 'Backups',
   empty: 'Before each write, the page keeps here what the timer of this model holds.',
-  hint: 'The page keeps all backups of the last two days, one for each of the 30 days before, one for each month before.',
+  hint: 'All backups of the last two days stay, one for each of the 30 days before, and one for each earlier month.',
   same: 'as the timer holds it now',
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')} from what it holds now`,
   sameThen: (when: string) => `as the timer held it ${when}`,
