@@ -187,10 +187,6 @@ export const notes = {
     title: 'Your program does not fit this timer.',
     advice: 'It is for another class or layout, or a field has no value yet. The program is kept on this device.',
   },
-  'not-kept': {
-    title: 'This browser does not keep what you type.',
-    advice: 'Its storage is full or switched off. Write to the timer before you close the page.',
-  },
   unexpected: {
     title: 'Something went wrong in this page.',
     advice: 'Nothing more was sent. Load the page again. What you typed is kept.',

@@ -19,7 +19,6 @@ export type NoteCode =
   | 'made-restored'
   | 'made-laid'
   | 'made-put-away'
-  | 'not-kept'
   | 'unexpected';
 
 /** A message to the pilot, as a code. messages/ has the sentence. */
