@@ -38,8 +38,8 @@ function placesOf(models: AppModels): Places {
     printOrder.choose(keys);
     views.show('print');
   };
-  const sideBySide = (first: string, second?: string): void => {
-    comparedPair.show(first, second);
+  const sideBySide = (first: string): void => {
+    comparedPair.show(first, null);
     views.show('library', COMPARE);
   };
   return {

@@ -168,7 +168,7 @@ export function requireModel(value: unknown, path = 'model'): Model {
   return {
     id: id(of.id, `${path}.id`),
     name: text(of.name, `${path}.name`, LIMITS.name, 1),
-    timerClass: timerClass as string | null,
+    timerClass: timerClass,
     note: text(of.note, `${path}.note`, LIMITS.note),
     servos: list(of.servos, `${path}.servos`, 255).map((servo, at) => servoUse(servo, `${path}.servos[${at}]`)),
     memoryNames: list(of.memoryNames, `${path}.memoryNames`, 255).map((name, at) =>
@@ -255,9 +255,9 @@ export function requireProgram(value: unknown, path = 'program'): TimerProgram {
   const program: TimerProgram = {
     identity,
     memory: optional(of.memory, (given) => whole(given, `${path}.memory`, 0, identity.memories - 1)),
-    times: wholes(of.times, `${path}.times`, 256, 0, MAX_TIME),
+    times: wholes(of.times, `${path}.times`, 256, MAX_TIME),
     positions: list(of.positions, `${path}.positions`, 255).map((row, servo) =>
-      wholes(row, `${path}.positions[${servo}]`, 256, 0, 255),
+      wholes(row, `${path}.positions[${servo}]`, 256, 255),
     ),
     idleThrottle: optional(of.idleThrottle, (given) => whole(given, `${path}.idleThrottle`, 0, 255)),
   };

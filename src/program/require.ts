@@ -88,12 +88,12 @@ export function whole(value: unknown, path: string, min: number, max: number): n
   return measured(value, path, min, max) as number;
 }
 
-/** A list of whole numbers. The path of a number is made only for an error: a library has 100,000 numbers. */
-export function wholes(value: unknown, path: string, most: number, min: number, max: number): number[] {
+/** A list of whole numbers from 0 on. The path of a number is made only for an error: a library has 100,000 numbers. */
+export function wholes(value: unknown, path: string, most: number, max: number): number[] {
   return list(value, path, most).map((each, at) =>
-    Number.isInteger(each) && (each as number) >= min && (each as number) <= max
+    Number.isInteger(each) && (each as number) >= 0 && (each as number) <= max
       ? (each as number) + 0
-      : whole(each, `${path}[${at}]`, min, max),
+      : whole(each, `${path}[${at}]`, 0, max),
   );
 }
 

@@ -13,7 +13,7 @@ export class ComparedPair {
   readonly second: ReadonlySignal<string | null> = this.#second;
 
   /** Chooses by keys; null leaves the choice to the page. */
-  show(first: string | null, second: string | null = null): void {
+  show(first: string | null, second: string | null): void {
     batch(() => {
       this.#first.value = first;
       this.#second.value = second;

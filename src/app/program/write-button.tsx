@@ -12,14 +12,14 @@ interface WriteButtonProps {
   readonly session: Session;
   readonly write: WriteFlow;
   /** For places with little room. */
-  readonly brief?: boolean;
+  readonly brief: boolean;
 }
 
 /**
  * Opens the difference, and from there the write; without a timer it connects first. When a field prevents the write,
  * it goes to that field.
  */
-export function WriteButton({ session, write, brief = false }: WriteButtonProps) {
+export function WriteButton({ session, write, brief }: WriteButtonProps) {
   const { editor } = session;
   const isBlocked = useLateComputed(() => editor.blocked.value, editor.baseline);
   const count = useLateComputed(() => editor.changes.value.length, editor.baseline);

@@ -79,7 +79,7 @@ interface Compared {
 export function recognise(
   read: readonly TimerProgram[],
   models: readonly ModelHeld[],
-  templates: readonly TimerProgram[] = [],
+  templates: readonly TimerProgram[],
 ): Recognised {
   const memories = read.map((program) => comparedWith(program, models, templates));
   const excluded = new Set(memories.flatMap(({ other }) => other));

@@ -27,7 +27,7 @@ interface WriteDialogProps {
   readonly session: Session;
   readonly write: WriteFlow;
   /** Further buttons after a verified write. */
-  readonly after?: ComponentChildren;
+  readonly after: ComponentChildren;
 }
 
 /** One dialog for the whole write: difference, progress, result. */

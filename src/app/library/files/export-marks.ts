@@ -25,14 +25,13 @@ export class ExportMarks {
   readonly due: ReadonlySignal<ExportDue | null>;
   readonly #marks = signal(loadSetting(SETTING, schema) ?? { exportedAt: null, putOffAt: null });
 
-  /** @param now gives milliseconds since 1970. Called when something has changed. */
-  constructor(library: Pick<Library, 'models' | 'settings' | 'flights'>, now: () => number = Date.now) {
+  constructor(library: Pick<Library, 'models' | 'settings' | 'flights'>) {
     this.due = computed(() => {
       const { exportedAt, putOffAt } = this.#marks.value;
       const records = [library.models, library.settings, library.flights].flatMap(
         ({ list }): readonly { changedAt: number }[] => list.value,
       );
-      const at = now();
+      const at = Date.now();
       // A mark in the future was made with a wrong clock. The clock of another device may be a little ahead.
       const isRight = (mark: number | null): mark is number => mark !== null && mark <= at + DAY;
       const since = Math.max(0, ...[exportedAt, putOffAt].filter(isRight));

@@ -1,4 +1,3 @@
-import type { Flight } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
 import { filesMessages } from '../../messages/en-files.js';
 import { dateText, dayText, messages } from '../../messages/index.js';
@@ -195,7 +194,7 @@ function namesOf(entries: readonly Entry[]): string {
   const { import: words } = filesMessages;
   const names = entries.slice(0, NAMED).map(({ kind, entry }) => {
     if (kind === 'models') return words.itself;
-    return 'name' in entry ? entry.name : words.flightOf(dayText((entry as Flight).at));
+    return 'name' in entry ? entry.name : words.flightOf(dayText(entry.at));
   });
   const more = entries.length - names.length;
   return [...names, ...(more > 0 ? [words.more(more)] : [])].join(', ');

@@ -117,8 +117,8 @@ export class LibraryFiles {
   }
 
   /** Saves all of the library; see {@link export}. */
-  async exportAll(another = false): Promise<void> {
-    await this.export({ kind: 'all' }, ALL_NAME, another);
+  async exportAll(): Promise<void> {
+    await this.export({ kind: 'all' }, ALL_NAME);
   }
 
   /** Asks for a file and reads it. */
