@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import { act, fireEvent, screen, within } from '@testing-library/preact';
+import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { LibraryFiles } from '../../../../src/app/library/files/library-files.js';
 import { filesOf } from '../../../../src/app/library-files.js';
@@ -460,12 +460,12 @@ describe('an export', () => {
 
 describe('the reminder to export', () => {
   const old = Date.now() - 40 * DAY;
-  const many = Array.from({ length: 6 }, (_, at) => ({ ...SETTING, id: `s${at}`, name: `s${at}` }));
+  const six = Array.from({ length: 6 }, (_, at) => ({ ...SETTING, id: `s${at}`, name: `s${at}` }));
   const reminder = () => document.querySelector('.export-reminder')?.textContent ?? null;
 
-  async function season(changedAt: number): Promise<AppBench> {
+  async function season(changedAt: number, settings = six): Promise<AppBench> {
     const store = new MemoryStore();
-    for (const setting of many) {
+    for (const setting of settings) {
       store.settings.records.set(setting.id, { key: setting.id, order: 1, changedAt, setting });
     }
     return library({}, store);
@@ -479,9 +479,17 @@ describe('the reminder to export', () => {
     expect(reminder()).toBeNull();
   });
 
-  it('does not come for recent changes, or for few', async () => {
+  it('does not come for recent changes', async () => {
     await season(Date.now() - 20 * DAY);
     expect(reminder()).toBeNull();
+  });
+
+  it('comes for five entries, and not for fewer', async () => {
+    await season(old, six.slice(0, 4));
+    expect(reminder()).toBeNull();
+    cleanup();
+    await season(old, six.slice(0, 5));
+    expect(reminder()).toContain('5 entries of your library are only on this device.');
   });
 
   it('says how long ago the last export was', async () => {
@@ -499,7 +507,7 @@ describe('the reminder to export', () => {
 
   it('does not come for entries that a file has brought to an empty device', async () => {
     await library({});
-    const settings = many.map((each) => ({ ...each, at: old }));
+    const settings = six.map((each) => ({ ...each, at: old }));
     await drop(file(text({ ...ALL, settings, flights: [] }, Date.now() - DAY)));
     await press('Import 7');
     expect(reminder()).toBeNull();
