@@ -21,8 +21,8 @@ import {
   fieldsIn,
   type GridField,
   type GridRange,
-  gridKey,
   intervalAt,
+  intervalKey,
   programField,
   timeBefore,
 } from './grid.js';
@@ -55,7 +55,7 @@ export function setInterval(
 }
 
 function ofInterval(how: 'type' | 'step', slot: number, outcome: EditOutcome): Edit {
-  const group = groupOf(how, gridKey({ kind: 'interval', slot }));
+  const group = groupOf(how, intervalKey(slot));
   return { name: { code: 'interval', params: { slot } }, group, ...outcome };
 }
 

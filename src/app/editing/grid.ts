@@ -1,4 +1,4 @@
-import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
+import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
 
 /**
@@ -52,9 +52,9 @@ export function programField(field: GridField): CellField {
   return field.kind === 'interval' ? { kind: 'time', slot: field.slot } : field;
 }
 
-/** A short name of a cell's content, as {@link fieldKey} gives a value. */
-export function gridKey(field: GridField): string {
-  return field.kind === 'interval' ? `interval:${field.slot}` : fieldKey(field);
+/** A short name of the interval before a slot, as `fieldKey` gives one of a value. */
+export function intervalKey(slot: number): string {
+  return `interval:${slot}`;
 }
 
 /** The rectangle with these two corners, in either order. */

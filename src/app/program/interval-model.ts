@@ -2,7 +2,7 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { type Edit, stepSize } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { type StepOptions, setInterval, stepInterval } from '../editing/edits.js';
-import { gridKey, intervalAt } from '../editing/grid.js';
+import { intervalAt, intervalKey } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
 import { type Ambiguous, type Figure, formatInterval, readInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
@@ -57,7 +57,7 @@ export class IntervalModel implements EditedValue {
   });
 
   constructor(editor: Editor, slot: number) {
-    const key = gridKey({ kind: 'interval', slot });
+    const key = intervalKey(slot);
     this.#editor = editor;
     this.#slot = slot;
     this.#typing = groupOf('type', key);
