@@ -110,7 +110,8 @@ describe('after a write whose answer never came', () => {
     (after.timer.core.content.positions[1] as number[])[5] = 77;
     await press('Connect and read');
     expect(band()).toContain(SENTENCE);
-    expect(document.body.textContent).not.toContain('Timer holds what');
+    expect(screen.getByText(/neither old nor from that write/)).toBeTruthy();
+    expect(document.body.textContent).not.toContain('The timer holds');
     await press('It is another timer');
     expect(band()).toContain(SENTENCE.replace('M1', 'M1 of another F1Q 536'));
     expect(screen.queryByRole('button', { name: 'Connect and read' })).toBeNull();
