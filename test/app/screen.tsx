@@ -64,6 +64,12 @@ export function field(name: string): HTMLInputElement {
   return screen.getByRole<HTMLInputElement>('textbox', { name });
 }
 
+/** Presses a key where the focus is. */
+export async function key(key: string, held: KeyboardEventInit = {}): Promise<void> {
+  fireEvent.keyDown(document.activeElement ?? document.body, { key, ...held });
+  await idle();
+}
+
 export async function type(name: string, text: string): Promise<void> {
   const input = field(name);
   fireEvent.focus(input);

@@ -188,3 +188,13 @@ export async function run<T>(promise: Promise<T>): Promise<T> {
 export async function idle(ms = 20_000): Promise<void> {
   await vi.advanceTimersByTimeAsync(ms);
 }
+
+/** What was sent to write or to select something, by name and in order. */
+export function sets({ timer }: AppBench): string[] {
+  return timer.core.answered.map(({ name }) => name).filter((name) => name.startsWith('SET'));
+}
+
+/** The memories that were selected, in order. */
+export function selected({ timer }: AppBench): number[] {
+  return timer.core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
+}

@@ -3,6 +3,7 @@ import { options, type VNode } from 'preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { LinePanel } from '../../../src/app/line/line-panel.js';
 import { type AppBench, appBench, connectedBench, idle, run } from '../bench/bench.js';
+import { button, press } from '../screen.js';
 import { damage, lineError } from './line.js';
 
 /** The panel, open, of a pilot who has connected and read. */
@@ -22,15 +23,6 @@ async function unfold(title: string): Promise<void> {
   details.open = true;
   fireEvent(details, new Event('toggle'));
   await idle();
-}
-
-async function press(name: string): Promise<void> {
-  fireEvent.click(screen.getByRole('button', { name }));
-  await idle();
-}
-
-function button(name: string): HTMLButtonElement {
-  return screen.getByRole<HTMLButtonElement>('button', { name });
 }
 
 /** Each row as its cells, newest first. */

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Plan } from '../../../src/app/memories/plan.js';
 import { takeGoal } from '../../../src/app/write/finish-write.js';
 import type { ProgramField } from '../../../src/program/index.js';
-import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from '../bench/bench.js';
+import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run, selected } from '../bench/bench.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 
@@ -29,11 +29,6 @@ async function job({ memories, session }: AppBench, plan: Plan): Promise<void> {
 function ends({ memories }: AppBench): unknown {
   const { value } = memories.jobs.current;
   return value?.step === 'done' ? value.outcome.ends.map(({ memory, state }) => [memory, state]) : value?.step;
-}
-
-/** The memories that were selected, in order. */
-function selected({ timer }: AppBench): number[] {
-  return timer.core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
 }
 
 function contents({ timer }: AppBench) {

@@ -1,18 +1,13 @@
 import { screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import type { TimerProgram } from '../../../src/program/index.js';
-import { type AppBench, idle, run } from '../bench/bench.js';
+import { idle, run, selected } from '../bench/bench.js';
 import { button, connected, field, fly, lookAt, press, type } from '../screen.js';
 
 /** What is read aloud of each memory, and which of them is shown. */
 function choices(): string[] {
   const radios = within(screen.getByRole('group', { name: 'Memory' })).getAllByRole<HTMLInputElement>('radio');
   return radios.map((radio) => `${radio.checked ? '* ' : ''}${radio.getAttribute('aria-label')}`);
-}
-
-/** The memories that were selected, in order. */
-function selected({ timer }: AppBench): number[] {
-  return timer.core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
 }
 
 const said = () => screen.getAllByRole('alert').map(({ textContent }) => textContent);

@@ -1,7 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { idle } from '../bench/bench.js';
-import { connected, field } from '../screen.js';
+import { connected, field, key } from '../screen.js';
 
 /** What a finger does: it comes down, and the focus goes where it may. */
 async function tap(name: string, pointerType = 'touch'): Promise<void> {
@@ -27,11 +27,6 @@ async function press(...keys: string[]): Promise<void> {
     fireEvent.click(key);
     await idle();
   }
-}
-
-async function key(key: string, held: KeyboardEventInit = {}): Promise<void> {
-  fireEvent.keyDown(document.activeElement ?? document.body, { key, ...held });
-  await idle();
 }
 
 /** Fields of the program for which a keyboard of the screen would come up. */

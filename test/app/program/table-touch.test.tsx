@@ -1,12 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it } from 'vitest';
 import { idle } from '../bench/bench.js';
-import { connected, field, press } from '../screen.js';
-
-async function key(key: string, held: KeyboardEventInit = {}): Promise<void> {
-  fireEvent.keyDown(document.activeElement ?? document.body, { key, ...held });
-  await idle();
-}
+import { connected, field, key, press } from '../screen.js';
 
 /** A finger, or what else points, goes over a field from point to point. */
 async function draw(

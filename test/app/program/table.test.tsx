@@ -4,7 +4,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { parseTime } from '../../../src/app/editing/units.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from '../bench/bench.js';
-import { button, field, fly, late } from '../screen.js';
+import { button, field, fly, key, late } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
@@ -18,11 +18,6 @@ async function connected(options: BenchOptions = {}): Promise<AppBench> {
 
 async function press(name: string | RegExp): Promise<void> {
   fireEvent.click(button(name));
-  await idle();
-}
-
-async function key(key: string, held: KeyboardEventInit = {}): Promise<void> {
-  fireEvent.keyDown(document.activeElement ?? document.body, { key, ...held });
   await idle();
 }
 

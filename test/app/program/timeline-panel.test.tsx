@@ -1,26 +1,13 @@
-import { act, fireEvent, render, screen, within } from '@testing-library/preact';
+import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { options, type VNode } from 'preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
-import { App } from '../../../src/app/app.js';
 import { formatTime } from '../../../src/app/editing/units.js';
 import { Theme } from '../../../src/app/settings/theme.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
-import { type AppBench, appBench, idle } from '../bench/bench.js';
-import { late } from '../screen.js';
+import { type AppBench, idle } from '../bench/bench.js';
+import { connected, late } from '../screen.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 4 };
-
-async function opened(): Promise<AppBench> {
-  const app = await appBench();
-  render(<App models={app.models} />);
-  await press('Connect');
-  return app;
-}
-
-async function press(name: string | RegExp): Promise<void> {
-  fireEvent.click(screen.getByRole('button', { name }));
-  await idle();
-}
 
 const dtOf = ({ identity }: AppBench['editor']): number => identity.value?.functions ?? 0;
 const handle = (name: string): Element => screen.getByRole('slider', { name });
@@ -50,7 +37,7 @@ afterEach(() => localStorage.clear());
 
 describe('the timeline', () => {
   it('shows the program on the screen, with what the timer holds behind it once they differ', async () => {
-    const { editor } = await opened();
+    const { editor } = await connected();
     expect(handle('DT time').getAttribute('aria-valuetext')).toBe('3:00');
     expect(behind()).toBeUndefined();
     editor.type(S1, '99');
@@ -59,7 +46,7 @@ describe('the timeline', () => {
   });
 
   it('edits the program, with one undo step for each movement', async () => {
-    const { editor } = await opened();
+    const { editor } = await connected();
     const before = Number(editor.textOf(S1));
     await key('Function 4, S1', 'ArrowUp');
     await key('Function 4, S1', 'ArrowUp');
@@ -75,7 +62,7 @@ describe('the timeline', () => {
     ['goes on', (held) => fireEvent.keyDown(held, { key: 'ArrowLeft' })],
     ['is put back', (held) => fireEvent.keyDown(held, { key: 'Escape' })],
   ])('a movement that %s changes nothing in a program that has come meanwhile', async (_, end) => {
-    const { editor } = await opened();
+    const { editor } = await connected();
     const dt = () => editor.working.value?.times[dtOf(editor)];
     const held = handle('DT time');
     fireEvent.keyDown(held, { key: 'ArrowLeft' });
@@ -95,13 +82,13 @@ describe('the timeline', () => {
   });
 
   it('brings that servo to the front whose field has the focus', async () => {
-    await opened();
+    await connected();
     act(() => screen.getByRole('textbox', { name: 'Function 4, S3' }).focus());
     await soon(() => screen.queryByRole('slider', { name: 'Function 4, S3' })).not.toBeNull();
   });
 
   it('marks in the table the cell of the handle that has the focus, or that the mouse is over', async () => {
-    await opened();
+    await connected();
     const marked = () =>
       [...document.querySelectorAll('td.marked input')].map((input) => input.getAttribute('aria-label'));
     expect(marked()).toEqual([]);
@@ -118,7 +105,7 @@ describe('the timeline', () => {
   });
 
   it('draws only the old and the new row of the table for that', async () => {
-    await opened();
+    await connected();
     act(() => (handle('Function 4, S1') as SVGElement).focus());
     await idle(100);
     const drawn: string[] = [];
@@ -141,7 +128,7 @@ describe('the timeline', () => {
     // Past the end that the flight has had until then.
     ['much later', '5:00 min', ({ editor }: AppBench) => editor.type({ kind: 'time', slot: dtOf(editor) }, '5:00')],
   ])('shows in the preview the mark that is moved %s, and never another one', async (_, clock, move) => {
-    const app = await opened();
+    const app = await connected();
     act(() => (handle('DT time') as SVGElement).focus());
     const facts = document.querySelector('.preview-facts') as Element;
     await soon(() => facts.querySelector('.preview-dt')).not.toBeNull();
@@ -158,7 +145,7 @@ describe('the timeline', () => {
   });
 
   it('has the preview drawn once for several keys, when they rest', async () => {
-    const { editor } = await opened();
+    const { editor } = await connected();
     // Preact tells its tools by this option of each component that it draws.
     const hooks = options as { __r?: ((vnode: VNode) => void) | undefined };
     const { __r: tell } = hooks;
@@ -181,7 +168,7 @@ describe('the timeline', () => {
   });
 
   it('is as it was left when the view comes back', async () => {
-    const app = await opened();
+    const app = await connected();
     app.editor.type(S1, '99');
     await idle();
     fireEvent.change(screen.getByRole('combobox', { name: 'Compare with' }), { target: { value: 'nothing' } });
@@ -202,7 +189,7 @@ describe('the timeline', () => {
   });
 
   it('can show a backup behind it, or nothing', async () => {
-    const app = await opened();
+    const app = await connected();
     const backup = { ...app.editor.baseline.value, times: app.editor.baseline.value?.times.map((time) => time + 1) };
     await app.session.backups.add(backup as Parameters<typeof app.session.backups.add>[0], 'write', false);
     app.editor.type(S1, '99');
@@ -217,7 +204,7 @@ describe('the timeline', () => {
   });
 
   it('shows the model at the same time: that of the selected cell, the pointer, or the played flight', async () => {
-    const app = await opened();
+    const app = await connected();
     const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
     const happened = () => preview.getByText(/^(Launch|.* at .*)$/).textContent;
     expect(happened()).toBe('Launch');
@@ -232,7 +219,7 @@ describe('the timeline', () => {
   });
 
   it('stays where the pilot seeks in the preview right after a cell was selected', async () => {
-    await opened();
+    await connected();
     const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
     act(() => (handle('Function 6, S1') as SVGElement).focus());
     await late();
@@ -244,7 +231,7 @@ describe('the timeline', () => {
   it.each(['Play', 'Next mark', 'Previous mark'])(
     'begins at the cell that was selected a moment before %s was clicked, as it now is',
     async (name) => {
-      const { editor, models } = await opened();
+      const { editor, models } = await connected();
       const { player } = models.programPicture;
       const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
       const click = async (): Promise<number> => {
@@ -269,7 +256,7 @@ describe('the timeline', () => {
   );
 
   it("uses the pilot's names for the servos", async () => {
-    const app = await opened();
+    const app = await connected();
     const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
     const lanes = () => screen.getAllByRole('button', { name: /^S\d/ }).map((lane) => lane.getAttribute('aria-label'));
     expect(preview.getByText(/^A guess, not to scale\./)).toBeTruthy();
@@ -315,7 +302,7 @@ describe('the colours', () => {
   });
 
   it('are chosen on the page', async () => {
-    const app = await opened();
+    const app = await connected();
     app.models.views.show('settings');
     await idle(0);
     const sun = screen.getByRole<HTMLInputElement>('radio', { name: 'Sun' });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { finishWrite, takeGoal } from '../../../src/app/write/finish-write.js';
 import type { ProgramField } from '../../../src/program/index.js';
-import { type AppBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+import { type AppBench, connectedBench, idle, MemoryStore, reloaded, run, sets } from '../bench/bench.js';
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
@@ -15,10 +15,6 @@ function notice({ session }: AppBench): string | undefined {
 
 function offer({ session }: AppBench) {
   return session.recovery.offer.value;
-}
-
-function sets({ timer }: AppBench): string[] {
-  return timer.core.answered.map(({ name }) => name).filter((name) => name.startsWith('SET'));
 }
 
 /** What the three values are that the pilot has edited. */

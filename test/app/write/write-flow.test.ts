@@ -2,7 +2,7 @@ import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { finishWrite } from '../../../src/app/write/finish-write.js';
 import type { ValueReport, WriteReport } from '../../../src/client/index.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
-import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
+import { type AppBench, connectedBench, idle, reloaded, run, sets } from '../bench/bench.js';
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
 const STOP: ProgramField = { kind: 'time', slot: 0 };
@@ -18,10 +18,6 @@ async function reviewed(): Promise<AppBench> {
   await run(bench.write.open());
   bench.session.safety.confirm();
   return bench;
-}
-
-function sets({ timer }: AppBench): string[] {
-  return timer.core.answered.map(({ name }) => name).filter((name) => name.startsWith('SET'));
 }
 
 describe('a write', () => {
