@@ -16,6 +16,7 @@ test('where colours are forced on the page, what is chosen and ticked can be see
     new Set(await strokes(app.page.locator('.servo-line.front path'))),
     'the lines have the colour of the text',
   ).toEqual(new Set([ink]));
+  expect(await grounds(app.page.locator('.link-state.on'), '::before'), 'the dot of a timer is filled').toEqual([ink]);
   await app.page.locator('.presets button', { hasText: '3 min' }).click();
   const presets = await grounds(app.page.locator('.presets button'));
   expect(presets.filter((ground) => ground === chosen)).toHaveLength(1);
@@ -36,6 +37,8 @@ test('where colours are forced on the page, what is chosen and ticked can be see
     .locator('.program-exits button')
     .evaluateAll((all) => all.map((each) => each.getBoundingClientRect()).map(({ left, right }) => [left, right]));
   expect(ways[1]?.[0], 'buttons with an edge stand apart').toBeGreaterThan(ways[0]?.[1] ?? 0);
+  const { right } = await app.page.locator('.checks').evaluate((each) => each.getBoundingClientRect());
+  expect(ways[1]?.[1], 'and not over the edge').toBeLessThanOrEqual(right);
 
   await app.page.goto(new URL('#bench', app.page.url()).href);
   await expect.poll(() => grounds(app.page.locator('.switch-track'), '::before')).toEqual([ink]);
