@@ -208,6 +208,42 @@ test('on a tablet in the sun what is known does not stand word below word', asyn
   expect(height).toBeLessThan(80);
 });
 
+test('the dot of a timer stands before its name in the strip of a tablet', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 820, height: 1180 } });
+  await app.connect();
+  const state = app.page.locator('.link-state');
+  expect(
+    await state.evaluate((each) => each.clientHeight / Number.parseFloat(getComputedStyle(each).lineHeight)),
+  ).toBeLessThan(2);
+});
+
+test.each([
+  ['a desktop', { viewport: { width: 1280, height: 800 } }],
+  ['a small phone', { ...PHONE, viewport: { width: 360, height: 740 } }],
+] as const)('each of 16 memories is in sight on %s', async (device, options) => {
+  const app = await AppPage.open({ bench: { granted: true, identity: { memories: 16 } }, ...options });
+  await app.connect();
+  if (device === 'a small phone') await app.page.locator('.strip-figures').click();
+  const choices = app.page.locator('.memories label');
+  await expect.poll(() => choices.count()).toBe(16);
+  const cut = await choices.evaluateAll(
+    (all) =>
+      all.filter((each) => {
+        const { left, top, width, height } = each.getBoundingClientRect();
+        return !each.contains(document.elementFromPoint(left + width - 4, top + height / 2));
+      }).length,
+  );
+  expect(cut).toBe(0);
+  if (device === 'a small phone') await app.page.keyboard.press('Escape');
+  await app.goTo('Memories');
+  await app.button('Copy to…: M1').click();
+  const button = (memory: string) => app.page.locator('.picks').getByText(memory, { exact: true });
+  await button('M16').waitFor();
+  const ends = await Promise.all(['M2', 'M16'].map((memory) => button(memory).boundingBox()));
+  expect(ends[1]?.y, 'M16 stands below M2, in the page').toBeGreaterThan(ends[0]?.y ?? 0);
+  await app.expectNoSidewaysScrolling();
+});
+
 test('in the sun the strip of a phone on its side stays one line beside the keys for a finger', async () => {
   const app = await AppPage.open({ ...PHONE, viewport: { width: 844, height: 390 }, before: IN_SUN });
   await app.button('Try a simulated F1Q timer').tap();
