@@ -262,6 +262,19 @@ describe('nothing is cut off or covered', () => {
     });
   });
 
+  test('in a table of many servos, an old value and the new one', async () => {
+    const app = await AppPage.open({
+      viewport: { width: 1366, height: 800 },
+      bench: { granted: true, identity: { functions: 20, servos: 8 } },
+    });
+    await app.connect();
+    await app.type('Function 19 time', '1:30.25');
+    await app.type('DT time', '10:00');
+    await app.type('Function 9, S1', '120');
+    await app.page.locator('.old-value').nth(2).waitFor();
+    expect(await app.page.evaluate(hidden)).toEqual([]);
+  });
+
   test('at 320 px, during a reading over a disturbed line', async () => {
     const app = await AppPage.open({ viewport: { width: 320, height: 800 }, bench: { damage: 0.1 } });
     await app.button('Connect').click();
