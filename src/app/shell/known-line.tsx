@@ -43,7 +43,7 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
   // The same, for the room on a phone.
   const short = {
     open: strip.notCertain,
-    differs: strip.shortChanges(tried + count + unfinished),
+    differs: strip.shortChanges(tried + count || unfinished),
     known: strip.asInTimer,
     once: kept ? strip.ofSetting(kept.changes) : editor.madeAt.value === null ? strip.asRead : strip.made,
   }[state];

@@ -23,3 +23,16 @@ it('tried values are “in the timer” only as long as it is certain what the t
   );
   expect(screen.queryByText(/tried in the timer/)).toBeNull();
 });
+
+it('on a phone counts what Write writes, not a time that cannot be read yet', async () => {
+  const app = await connectedBench();
+  const { container } = render(<App models={app.models} />);
+  const short = () => container.querySelector('.changes-short')?.textContent;
+  app.editor.type({ kind: 'time', slot: 3 }, 'x');
+  await idle();
+  expect(short()).toBe('1');
+  app.editor.type({ kind: 'position', servo: 1, slot: 4 }, '70');
+  app.editor.type({ kind: 'position', servo: 1, slot: 5 }, '71');
+  await idle();
+  expect(short()).toBe('2');
+});
