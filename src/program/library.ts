@@ -168,7 +168,7 @@ export function requireModel(value: unknown, path = 'model'): Model {
   return {
     id: id(of.id, `${path}.id`),
     name: text(of.name, `${path}.name`, LIMITS.name, 1),
-    timerClass: timerClass,
+    timerClass,
     note: text(of.note, `${path}.note`, LIMITS.note),
     servos: list(of.servos, `${path}.servos`, 255).map((servo, at) => servoUse(servo, `${path}.servos[${at}]`)),
     memoryNames: list(of.memoryNames, `${path}.memoryNames`, 255).map((name, at) =>
