@@ -44,6 +44,8 @@ for (const [name, { reach, bench }] of Object.entries(states)) {
       }
       await page.goto(server.url);
       await reach(page);
+      // The timeline follows the field a frame later, the preview and the notes when the keys have rested for 0.4 s.
+      await page.waitForTimeout(800);
       const devtools = await context.newCDPSession(page);
       const { data } = await devtools.send('Page.captureScreenshot', { format: 'webp', quality: 60 });
       writeFileSync(new URL(`${file}.webp`, folder), Buffer.from(data, 'base64'));
