@@ -238,12 +238,14 @@ describe('a write', () => {
     expect([core.content.times[10], bench.editor.changes.value]).toEqual([24000, []]);
   });
 
-  it('says so when the plug is pulled before it begins', async () => {
+  it('goes with the connection when the plug is pulled before it begins', async () => {
     const bench = await reviewed();
     bench.adapter.unplug();
     await idle();
     await run(bench.write.start());
-    expect(bench.write.current.value?.step, 'the difference is no longer shown').not.toBe('review');
+    expect(bench.write.current.value, 'the difference is no longer shown').toBeNull();
+    expect(bench.session.link.state.value).toMatchObject({ status: 'away', unplugged: true });
+    expect([sets(bench), bench.editor.changes.value.length]).toEqual([[], 3]);
   });
 
   it('says so when an unexpected error comes', async () => {
