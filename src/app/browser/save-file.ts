@@ -1,4 +1,5 @@
-import { service } from './services.js';
+import { PATIENCE } from './read-file.js';
+import { answerOf, service } from './services.js';
 
 /** How long a browser may take to begin a download, in milliseconds. */
 const BEGUN = 10_000;
@@ -35,10 +36,18 @@ export async function chooseFile(
 
 /**
  * Replaces the whole content of a file, or changes nothing.
- * @throws the error of the browser: the disk is full, or writing is not allowed.
+ * @throws the error of the browser: the disk is full, or writing is not allowed; an Error when the disk, or a network
+ * drive, does not take it.
  */
 export async function writeFile(file: ChosenFile, text: string): Promise<void> {
-  const stream = await file.createWritable();
-  await stream.write(text);
-  await stream.close();
+  const opening = file.createWritable();
+  try {
+    const stream = await answerOf(() => opening, PATIENCE);
+    await answerOf(() => stream.write(text), PATIENCE);
+    await answerOf(() => stream.close(), PATIENCE);
+  } catch (error) {
+    // A drive that comes back later must not put this over what was saved since.
+    opening.then((stream) => stream.abort()).catch(() => {});
+    throw error;
+  }
 }

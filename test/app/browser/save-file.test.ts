@@ -1,0 +1,49 @@
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { PATIENCE } from '../../../src/app/browser/read-file.js';
+import { type ChosenFile, writeFile } from '../../../src/app/browser/save-file.js';
+
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+/** A file on a drive that hangs at one step until it is mended. It notes what was done. */
+function hanging(at: string): { file: ChosenFile; done: string[]; mend: () => void } {
+  const done: string[] = [];
+  let mend = (): void => {};
+  const mended = new Promise<void>((resolve) => {
+    mend = resolve;
+  });
+  const step = async (name: string): Promise<void> => {
+    if (name === at) await mended;
+    done.push(name);
+  };
+  const stream = {
+    write: () => step('write'),
+    close: () => step('close'),
+    abort: () => step('abort'),
+  } as Partial<FileSystemWritableFileStream> as FileSystemWritableFileStream;
+  const createWritable = (): Promise<FileSystemWritableFileStream> => step('open').then(() => stream);
+  return { file: { name: 'a.sidus', createWritable }, done, mend: () => mend() };
+}
+
+it('writes all of it', async () => {
+  const { file, done } = hanging('nowhere');
+  await writeFile(file, 'a');
+  expect(done).toEqual(['open', 'write', 'close']);
+});
+
+it.each([
+  { at: 'open', all: ['open', 'abort'] },
+  { at: 'write', all: ['open', 'abort', 'write'] },
+  { at: 'close', all: ['open', 'write', 'abort', 'close'] },
+])('gives up a drive that hangs at $at after a minute, and takes back what it comes to later', async ({ at, all }) => {
+  const { file, done, mend } = hanging(at);
+  const ended = vi.fn();
+  void writeFile(file, 'a').catch(ended);
+  await vi.advanceTimersByTimeAsync(PATIENCE - 1);
+  expect(ended).not.toHaveBeenCalled();
+  await vi.advanceTimersByTimeAsync(1);
+  expect(ended).toHaveBeenCalledOnce();
+  mend();
+  await vi.advanceTimersByTimeAsync(0);
+  expect(done).toEqual(all);
+});
