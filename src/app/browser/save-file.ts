@@ -37,7 +37,7 @@ export async function chooseFile(
 /**
  * Replaces the whole content of a file, or changes nothing.
  * @throws the error of the browser: the disk is full, or writing is not allowed; an Error when the disk, or a network
- * drive, does not take it.
+ * drive, does not take it within a minute for each step. If it hangs at the last one, it may still take it later.
  */
 export async function writeFile(file: ChosenFile, text: string): Promise<void> {
   const opening = file.createWritable();
@@ -46,7 +46,7 @@ export async function writeFile(file: ChosenFile, text: string): Promise<void> {
     await answerOf(() => stream.write(text), PATIENCE);
     await answerOf(() => stream.close(), PATIENCE);
   } catch (error) {
-    // A drive that comes back later must not put this over what was saved since.
+    // A drive that comes back later must not put this over what was saved since. A close that has begun goes on.
     opening.then((stream) => stream.abort()).catch(() => {});
     throw error;
   }
