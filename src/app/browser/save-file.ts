@@ -34,17 +34,45 @@ export async function chooseFile(
   }
 }
 
+/** For each file, the end of its last write: also of a step that was given up and goes on. */
+const ends = new WeakMap<ChosenFile, Promise<unknown>>();
+
 /**
- * Replaces the whole content of a file, or changes nothing.
+ * Replaces the whole content of a file, or changes nothing. Several writes reach the file in the order of the calls.
  * @throws the error of the browser: the disk is full, or writing is not allowed; an Error when the disk, or a network
  * drive, does not take it within a minute for each step. If it hangs at the last one, it may still take it later.
  */
 export async function writeFile(file: ChosenFile, text: string): Promise<void> {
+  const before = ends.get(file) ?? Promise.resolve();
+  const steps: Promise<unknown>[] = [before];
+  const written = writeAfter(before, file, text, steps);
+  ends.set(
+    file,
+    written.catch(() => {}).then(() => Promise.allSettled(steps)),
+  );
+  await written;
+}
+
+/** @param steps takes each step that was begun. */
+async function writeAfter(
+  before: Promise<unknown>,
+  file: ChosenFile,
+  text: string,
+  steps: Promise<unknown>[],
+): Promise<void> {
+  const begin = <T>(step: () => Promise<T>): Promise<T> =>
+    answerOf(() => {
+      const begun = step();
+      steps.push(begun);
+      return begun;
+    }, PATIENCE);
+  // An earlier write that hangs holds this one up no longer than a step of its own would.
+  await answerOf(() => before, PATIENCE);
   const opening = file.createWritable();
   try {
-    const stream = await answerOf(() => opening, PATIENCE);
-    await answerOf(() => stream.write(text), PATIENCE);
-    await answerOf(() => stream.close(), PATIENCE);
+    const stream = await begin(() => opening);
+    await begin(() => stream.write(text));
+    await begin(() => stream.close());
   } catch (error) {
     // A drive that comes back later must not put this over what was saved since. A close that has begun goes on.
     opening.then((stream) => stream.abort()).catch(() => {});

@@ -48,3 +48,30 @@ it.each([
   await vi.advanceTimersByTimeAsync(0);
   expect(done).toEqual(all);
 });
+
+it('lets a second text wait until the first is in the file, so that the newer one stays', async () => {
+  const { file, done, mend } = hanging('close');
+  const first = writeFile(file, 'a');
+  const second = writeFile(file, 'b');
+  await vi.advanceTimersByTimeAsync(PATIENCE - 1);
+  expect(done).toEqual(['open', 'write']);
+  mend();
+  await Promise.all([first, second]);
+  expect(done).toEqual(['open', 'write', 'close', 'open', 'write', 'close']);
+});
+
+it('does not write over a close that was given up and may still land', async () => {
+  const { file, done, mend } = hanging('close');
+  const first = vi.fn();
+  void writeFile(file, 'a').catch(first);
+  await vi.advanceTimersByTimeAsync(PATIENCE);
+  expect(first).toHaveBeenCalledOnce();
+  const second = vi.fn();
+  void writeFile(file, 'b').catch(second);
+  await vi.advanceTimersByTimeAsync(PATIENCE);
+  expect(second).toHaveBeenCalledOnce();
+  expect(done).toEqual(['open', 'write', 'abort']);
+  mend();
+  await writeFile(file, 'c');
+  expect(done).toEqual(['open', 'write', 'abort', 'close', 'open', 'write', 'close']);
+});
