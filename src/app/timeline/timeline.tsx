@@ -147,6 +147,7 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
   if (!held) told.current = program;
   const description = useMemo(() => descriptionOf(told.current), [told.current, timeline]);
   const { height } = measures;
+  const width = plot + measures.left + measures.right;
   const least = `max(var(--picture), ${leastHeightOf(program)}px)`;
   return (
     <section
@@ -168,8 +169,9 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
         {/* biome-ignore lint/a11y/useSemanticElements: a picture with handles in it is no fieldset */}
         <svg
           ref={svg}
-          width={plot + measures.left + measures.right}
+          width={width}
           height={height}
+          viewBox={`0 0 ${width} ${height}`}
           role="group"
           tabindex={0}
           aria-label={timeline.picture}
