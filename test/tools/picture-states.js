@@ -90,6 +90,31 @@ async function follow(page) {
   await page.getByText('1 tried in the timer').first().waitFor();
 }
 
+/** Opens the large figures, behind which a phone keeps what has no room beside its table. @param {Page} page */
+async function showFigures(page) {
+  const figures = page.locator('.strip-figures[aria-expanded=false]');
+  if (await figures.isVisible()) await figures.click();
+}
+
+/** Shows the picture of the program, which takes the place of the table on a phone. @param {Page} page */
+async function showPicture(page) {
+  const picture = page.getByRole('button', { name: 'Picture', exact: true });
+  if (await picture.isVisible()) await picture.click();
+}
+
+/** @param {Page} page */
+async function disconnect(page) {
+  const button = page.getByRole('button', { name: 'Disconnect' }).first();
+  if (!(await button.isVisible())) await showFigures(page);
+  await button.click();
+}
+
+/** @param {Page} page @param {string} memory */
+async function lookAt(page, memory) {
+  if (!(await page.locator('.memories').isVisible())) await showFigures(page);
+  await page.getByRole('radio', { name: memory }).check({ force: true });
+}
+
 /** For a page in which a workbench replaces the browser's serial ports. @param {Page} page */
 async function connectPort(page) {
   await press(page, 'Connect');
@@ -209,6 +234,7 @@ export const states = {
       await enter(page, 'Function 3 time', '10.5');
       await enter(page, 'Function 5, S1', '999');
       await enter(page, 'DT time', '0:50');
+      await showPicture(page);
       await page.getByRole('heading', { name: 'Checks' }).scrollIntoViewIfNeeded();
     },
   },
@@ -238,7 +264,9 @@ export const states = {
     title: 'Presets for DT',
     reach: async (page) => {
       await connect(page);
-      await press(page, 'Change presets');
+      const presets = page.getByRole('button', { name: 'Change presets' }).first();
+      if (!(await presets.isVisible())) await showFigures(page);
+      await presets.click();
     },
   },
   write: {
@@ -277,6 +305,7 @@ export const states = {
     title: 'Flight preview',
     reach: async (page) => {
       await connect(page);
+      await showPicture(page);
       await page.locator('.preview').scrollIntoViewIfNeeded();
     },
   },
@@ -284,6 +313,7 @@ export const states = {
     title: 'What the servos move',
     reach: async (page) => {
       await connect(page);
+      await showPicture(page);
       await press(page, 'Name the servos…');
     },
   },
@@ -326,7 +356,7 @@ export const states = {
     title: 'A memory that is looked at',
     reach: async (page) => {
       await connect(page);
-      await page.getByRole('radio', { name: 'M3' }).check({ force: true });
+      await lookAt(page, 'M3');
       await press(page, 'Look at M3');
       await page.getByRole('heading', { name: /^M3, read / }).waitFor();
     },
@@ -335,17 +365,17 @@ export const states = {
     title: 'Another memory flies next than at connect, before disconnecting',
     reach: async (page) => {
       await connect(page);
-      await page.getByRole('radio', { name: 'M3' }).check({ force: true });
+      await lookAt(page, 'M3');
       await press(page, 'Make M3 fly next');
       await page.getByText('M3 flies next. When you connected it was M1.').waitFor();
-      await press(page, 'Disconnect');
+      await disconnect(page);
     },
   },
   disconnected: {
     title: 'Not connected, with changes',
     reach: async (page) => {
       await change(page);
-      await press(page, 'Disconnect');
+      await disconnect(page);
       await page.getByText('2 changes').waitFor();
     },
   },
@@ -363,7 +393,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
-      await page.getByText(/^No answer for 1[0-9] s/).waitFor();
+      await page.getByText(/^No answer for 1[0-9]\s/).waitFor();
     },
   },
   'waiting-help': {
@@ -372,7 +402,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
-      await page.getByText(/^No answer for 1[0-9] s/).waitFor();
+      await page.getByText(/^No answer for 1[0-9]\s/).waitFor();
       await page.getByText('What to do').click();
     },
   },

@@ -1,24 +1,43 @@
-// Takes pictures of the built page: each state of picture-states.js on a desktop and a phone, in each theme.
-//   npm run pictures              all of them, into dist/pictures with an index.html to look at
+// Takes pictures of the built page: each state of picture-states.js in each theme.
+//   npm run pictures              on a desktop and a phone, into dist/pictures with an index.html to look at
+//   npm run pictures -- --sizes   in all seven sizes
 //   npm run pictures -- --docs    the few that README and docs show, into docs/pictures
 //   npm run pictures -- --manifest    those for browsers that install the page, into public/screenshots
-// Names of states as further arguments take only these. Needs a built page: npm run build:site
+// Names of states as further arguments take only these. A state that cannot be reached is named at the end, and the
+// program fails. Needs a built page: npm run build:site
 
 import { mkdirSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import process from 'node:process';
 import { chromium } from 'playwright';
 import { launchOptions } from './browser.js';
 import { inDocs, inManifest, states } from './picture-states.js';
 import { serve } from './serve.js';
 import { workbenchScript } from './workbench-script.js';
 
-const sizes = { desktop: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } };
-const themes = /** @type {const} */ (['light', 'dark', 'sun']);
+/** @typedef {Readonly<Record<string, { width: number, height: number, touch?: boolean }>>} Sizes */
+/** @type {Sizes} */
+const sizes = {
+  desktop: { width: 1280, height: 800 },
+  phone: { width: 390, height: 844, touch: true },
+};
+/** @type {Sizes} */
+const furtherSizes = {
+  'small-phone': { width: 360, height: 740, touch: true },
+  'side-phone': { width: 844, height: 390, touch: true },
+  tablet: { width: 820, height: 1180, touch: true },
+  laptop: { width: 1366, height: 650 },
+  wide: { width: 1440, height: 900 },
+};
+const themes = ['light', 'dark', 'sun'];
 
-const only = process.argv.slice(2).filter((argument) => !argument.startsWith('--'));
+const args = process.argv.slice(2);
+const only = args.filter((argument) => !argument.startsWith('--'));
+const taken = args.includes('--sizes') ? { ...sizes, ...furtherSizes } : sizes;
 /** The folder and the list of pictures, by their names there. */
-const [place, chosen] = process.argv.includes('--manifest')
+const [place, chosen] = args.includes('--manifest')
   ? ['../../public/screenshots/', new Map(Object.entries(inManifest).map(([name, picture]) => [picture, name]))]
-  : process.argv.includes('--docs')
+  : args.includes('--docs')
     ? ['../../docs/pictures/', new Map(inDocs.map((picture) => [picture, picture]))]
     : ['../../dist/pictures/', null];
 const folder = new URL(place, import.meta.url);
@@ -26,37 +45,60 @@ const server = await serve();
 const browser = await chromium.launch(launchOptions());
 const workbench = await workbenchScript();
 mkdirSync(folder, { recursive: true });
-for (const [name, { reach, bench }] of Object.entries(states)) {
-  if (only.length > 0 && !only.includes(name)) continue;
-  for (const [size, viewport] of Object.entries(sizes)) {
-    for (const theme of themes) {
-      const picture = `${name}-${size}-${theme}`;
-      const file = chosen ? chosen.get(picture) : picture;
-      if (file === undefined) continue;
-      const context = await browser.newContext({ viewport, hasTouch: size === 'phone', reducedMotion: 'reduce' });
-      const page = await context.newPage();
-      await page.addInitScript((chosen) => localStorage.setItem('sidus-timer/theme', JSON.stringify(chosen)), theme);
-      if (bench) {
-        await page.addInitScript((given) => {
-          window.workbenchOptions = given;
-        }, bench);
-        await page.addInitScript(workbench);
-      }
-      await page.goto(server.url);
-      await reach(page);
-      // The timeline follows the field a frame later, the preview and the notes when the keys have rested for 0.4 s.
-      await page.waitForTimeout(800);
-      const devtools = await context.newCDPSession(page);
-      const { data } = await devtools.send('Page.captureScreenshot', { format: 'webp', quality: 60 });
-      writeFileSync(new URL(`${file}.webp`, folder), Buffer.from(data, 'base64'));
-      await context.close();
-    }
-  }
-  console.log(name);
-}
+
+const jobs = Object.keys(states)
+  .filter((name) => only.length === 0 || only.includes(name))
+  .flatMap((name) => Object.keys(taken).map((size) => ({ name, size })));
+/** @type {string[]} */
+const failed = [];
+// A state that waits for its timer leaves the processor to another.
+await Promise.all(Array.from({ length: availableParallelism() + 1 }, work));
 await browser.close();
 await server.close();
 if (!chosen) writeFileSync(new URL('index.html', folder), album());
+if (failed.length > 0) console.error(`No picture of ${failed.length} states:\n${failed.join('\n')}`);
+process.exitCode = failed.length > 0 ? 1 : 0;
+
+async function work() {
+  for (let job = jobs.shift(); job; job = jobs.shift()) {
+    const { name, size } = job;
+    await take(name, size).catch((error) => failed.push(`${name}, ${size}: ${error.message}`));
+  }
+}
+
+/** Takes a state in each theme. @param {string} name @param {string} size */
+async function take(name, size) {
+  const wanted = themes.filter((theme) => !chosen || chosen.has(`${name}-${size}-${theme}`));
+  const { [name]: state } = states;
+  const { [size]: screen } = taken;
+  if (wanted.length === 0 || !state || !screen) return;
+  const { touch: hasTouch = false, ...viewport } = screen;
+  const context = await browser.newContext({ viewport, hasTouch, reducedMotion: 'reduce' });
+  try {
+    const page = await context.newPage();
+    if (state.bench) {
+      await page.addInitScript((given) => {
+        window.workbenchOptions = given;
+      }, state.bench);
+      await page.addInitScript(workbench);
+    }
+    await page.goto(server.url);
+    await state.reach(page);
+    const devtools = await context.newCDPSession(page);
+    for (const theme of wanted) {
+      // The styles look at nothing else.
+      await page.evaluate((shown) => document.documentElement.setAttribute('data-theme', shown), theme);
+      // The timeline follows the field a frame later, the preview and the notes when the keys have rested for 0.4 s.
+      await page.waitForTimeout(800);
+      const { data } = await devtools.send('Page.captureScreenshot', { format: 'webp', quality: 60 });
+      const picture = `${name}-${size}-${theme}`;
+      writeFileSync(new URL(`${chosen?.get(picture) ?? picture}.webp`, folder), Buffer.from(data, 'base64'));
+    }
+    console.log(`${name}, ${size}`);
+  } finally {
+    await context.close();
+  }
+}
 
 /** All pictures on one page. */
 function album() {
@@ -64,7 +106,7 @@ function album() {
     themes.map((theme) => `<img src="${name}-${size}-${theme}.webp" alt="${size}, ${theme}" height="480">`).join('\n');
   const parts = Object.entries(states).map(
     ([name, { title }]) =>
-      `<h2>${title}</h2>\n${Object.keys(sizes)
+      `<h2>${title}</h2>\n${Object.keys(taken)
         .map((size) => `<p>${row(name, size)}</p>`)
         .join('\n')}`,
   );
