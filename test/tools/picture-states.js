@@ -215,7 +215,9 @@ export const states = {
     title: 'A field being edited',
     reach: async (page) => {
       await change(page);
-      await page.getByRole('textbox', { name: 'Function 4, S2', exact: true }).click();
+      const field = page.getByRole('textbox', { name: 'Function 4, S2', exact: true });
+      // A finger brings the keys of a phone.
+      await ((await page.evaluate(() => navigator.maxTouchPoints > 0)) ? field.tap() : field.click());
     },
   },
   range: {
