@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { StepOptions } from '../editing/edits.js';
 import type { Ambiguous, Figure } from '../editing/units.js';
 import type { Selection } from './selection.js';
@@ -44,11 +44,18 @@ export interface HeldField {
 export class Hand {
   readonly #held = signal<HeldField | null>(null);
   readonly #isTouch = signal(false);
+  /**
+   * Whether a finger has come down after keys or a mouse, and its tap has not ended. A sheet that opened now for the
+   * field of the keys would lie under the finger, and take the tap that was meant for something else.
+   */
+  readonly #isArriving = signal(false);
 
   /** Whether a finger or a pen was used last. */
   readonly isTouch: ReadonlySignal<boolean> = this.#isTouch;
   /** The field of the sheet; null while there is no sheet. */
-  readonly field: ReadonlySignal<HeldField | null> = computed(() => (this.isTouch.value ? this.#held.value : null));
+  readonly field: ReadonlySignal<HeldField | null> = computed(() =>
+    this.isTouch.value && !this.#isArriving.value ? this.#held.value : null,
+  );
 
   /** @param isTouch what is likely before the pilot has done anything. */
   constructor(isTouch: boolean) {
@@ -58,22 +65,33 @@ export class Hand {
   /** Follows what the pilot works with. @returns a function that ends this. */
   follow({ documentElement }: Document): () => void {
     const point = ({ pointerType }: PointerEvent): void => {
-      this.#isTouch.value = pointerType !== 'mouse';
+      const isTouch = pointerType !== 'mouse';
+      batch(() => {
+        if (isTouch && !this.#isTouch.value) this.#isArriving.value = this.#held.value !== null;
+        this.#isTouch.value = isTouch;
+      });
     };
     const press = (): void => {
       this.#isTouch.value = false;
     };
-    documentElement.addEventListener('pointerdown', point, { capture: true });
-    documentElement.addEventListener('keydown', press, { capture: true });
-    return () => {
-      documentElement.removeEventListener('pointerdown', point, { capture: true });
-      documentElement.removeEventListener('keydown', press, { capture: true });
+    const arrive = (): void => {
+      this.#isArriving.value = false;
     };
+    const end = new AbortController();
+    const options = { capture: true, signal: end.signal };
+    documentElement.addEventListener('pointerdown', point, options);
+    documentElement.addEventListener('keydown', press, options);
+    // Before a click, the focus has gone where the tap leads. A swipe ends without a click.
+    for (const type of ['click', 'pointercancel']) documentElement.addEventListener(type, arrive, options);
+    return () => end.abort();
   }
 
   /** A field has got the focus. */
   hold(field: HeldField): void {
-    this.#held.value = field;
+    batch(() => {
+      this.#held.value = field;
+      this.#isArriving.value = false;
+    });
   }
 
   /** A field has lost the focus. */

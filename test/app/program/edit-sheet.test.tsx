@@ -3,10 +3,11 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import { idle } from '../bench/bench.js';
 import { connected, field, key } from '../screen.js';
 
-/** What a finger does: it comes down, and the focus goes where it may. */
+/** What a finger does: it comes down, the focus goes where it may, and the tap ends as a click. */
 async function tap(name: string, pointerType = 'touch'): Promise<void> {
   fireEvent.pointerDown(field(name), { pointerType });
   field(name).focus();
+  fireEvent.click(field(name));
   await idle();
 }
 
@@ -66,6 +67,30 @@ describe('the sheet', () => {
     await key('ArrowDown');
     expect([document.activeElement, sheets()]).toEqual([field('Function 5, S2'), 0]);
     await tap('Function 5, S2');
+    expect(sheets()).toBe(1);
+  });
+
+  it('does not come under a finger that comes down after keys: it may mean something else', async () => {
+    await connected();
+    await key('ArrowDown');
+    field('Function 4, S2').focus();
+    await key('1');
+    const write = screen.getByRole('button', { name: /^Write/ });
+    fireEvent.pointerDown(write, { pointerType: 'touch' });
+    await idle();
+    expect(sheets()).toBe(0);
+    write.focus();
+    fireEvent.click(write);
+    await idle();
+    expect(sheets()).toBe(0);
+    // A swipe over the field that the keys have left selected ends without a click.
+    field('Function 4, S2').focus();
+    await key('2');
+    fireEvent.pointerDown(field('Function 4, S2'), { pointerType: 'touch' });
+    await idle();
+    expect(sheets()).toBe(0);
+    fireEvent.pointerCancel(field('Function 4, S2'), { pointerType: 'touch' });
+    await idle();
     expect(sheets()).toBe(1);
   });
 
