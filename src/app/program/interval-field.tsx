@@ -31,7 +31,7 @@ export function IntervalField({ editor, selection, hand, slot, label }: Interval
   const { value: problem } = model.notes;
   const { value: either } = model.either;
   // The sheet shows everything else about the field.
-  const isHeld = focused.value && hand.isTouch.value;
+  const isHeld = focused.value && hand.field.value !== null;
   const notesId = `interval-notes-${slot}`;
   const step: OnStep = (direction, options) => model.step(direction, options);
   /** The text goes away with the focus, unless the focus goes to the field's own question. */

@@ -43,7 +43,7 @@ export function ValueField(props: ValueFieldProps) {
   const { spoken, was, old, notes } = useAfter(marks, editor.baseline.value);
   const state = isChanged ? 'changed' : isConfirmed ? 'confirmed' : '';
   // The sheet shows everything else about the field.
-  const isHeld = focused.value && hand.isTouch.value;
+  const isHeld = focused.value && hand.field.value !== null;
   const isLong = text.length > LONG;
   const hasOld = !isLarge && was !== null;
   const id = (what: string): string => `${place}-${what}-${key}`;
