@@ -1,3 +1,4 @@
+import { useSignal } from '@preact/signals';
 import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
 import { dotted } from '../messages/dotted.js';
@@ -148,9 +149,13 @@ function understood(result: number): string {
   return result < 60 ? text : words.readAs(text, measureText(result));
 }
 
+/** A round that a button tells is not told again in the field for others. */
 function Round({ form }: { readonly form: FlightForm }) {
   const { form: words } = flightMessages;
   const { round } = form.flight.value;
+  // While it is typed: “1” may become “12”.
+  const typed = useSignal('');
+  const isTold = round in words.rounds && round !== typed.value;
   return (
     <fieldset class="flight-field flight-rounds">
       <legend>{words.round}</legend>
@@ -172,8 +177,14 @@ function Round({ form }: { readonly form: FlightForm }) {
           aria-label={words.round}
           placeholder={words.otherRound}
           maxLength={LIMITS.round}
-          value={round}
-          onInput={({ currentTarget }) => form.setRound(currentTarget.value)}
+          value={isTold ? '' : round}
+          onInput={({ currentTarget }) => {
+            typed.value = currentTarget.value;
+            form.setRound(typed.value);
+          }}
+          onBlur={() => {
+            typed.value = '';
+          }}
         />
       </span>
     </fieldset>

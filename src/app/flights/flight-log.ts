@@ -24,7 +24,7 @@ export class FlightLog {
   readonly held: ReadonlySignal<TimerProgram | null>;
   /** The program that can be logged now: the one above, or under the result of a write what that write has verified. */
   readonly flyable: ReadonlySignal<TimerProgram | null>;
-  /** The key of the flight that was last logged on this page; null once it was undone. */
+  /** The key of the flight that was last logged on this page; null once it was undone, or filled in. */
   readonly logged: ReadonlySignal<string | null>;
   /** Whether the browser failed to keep that flight. */
   readonly unkept: ReadonlySignal<boolean>;
@@ -110,7 +110,9 @@ export class FlightLog {
     this.#filling.value = key;
   }
 
+  /** Closes the form. A flight that was open in it is no longer new: “Undo” would remove what was filled in, too. */
   close(): void {
+    if (this.#filling.peek() === this.#logged.peek()) this.#logged.value = null;
     this.#filling.value = null;
   }
 

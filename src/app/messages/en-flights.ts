@@ -85,7 +85,7 @@ export const flightMessages = {
     model: 'Model',
     flown: 'What was flown',
     flownCaption: 'Times and positions that the timer held',
-    undo: 'Put back as it was',
+    undo: 'Undo these entries',
     remove: 'Delete',
     done: 'Done',
     unreadable: {

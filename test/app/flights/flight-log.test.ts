@@ -146,6 +146,18 @@ describe('one tap', () => {
     expect([logged(app), kept(app)]).toEqual([[flight], [flight]]);
   });
 
+  it('is no longer called new once it was open in the form: the next one can be logged, and undo cannot remove it', async () => {
+    const app = await connectedBench();
+    app.flights.flying();
+    await idle(0);
+    const { id } = latest(app);
+    app.flights.fillIn(id);
+    expect(app.flights.logged.value).toBe(id);
+    app.flights.close();
+    app.flights.undo();
+    expect([app.flights.logged.value, logged(app).length]).toEqual([null, 1]);
+  });
+
   it('stays on the screen while the browser keeps nothing, and is kept when it does again', async () => {
     const app = await connectedBench();
     app.store.broken = true;

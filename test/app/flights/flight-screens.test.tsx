@@ -127,6 +127,30 @@ describe('the log', () => {
     expect([rows().length, screen.queryByRole('dialog')]).toEqual([2, null]);
   });
 
+  it('offers the next flight once the last one is filled in, and shows its round once', async () => {
+    const app = await connected();
+    await toLog(app);
+    await press('Flying this');
+    button('Fill in').focus();
+    await press('Fill in');
+    await press('2');
+    const other = form().getByRole<HTMLInputElement>('textbox', { name: 'Round' });
+    const pressed = (name: string) => form().getByRole('button', { name, pressed: true });
+    expect([pressed('2'), other.value]).toEqual([button('2'), '']);
+    other.focus();
+    fill('Round', '1');
+    expect([pressed('1'), other.value], 'the field keeps what is typed').toEqual([button('1'), '1']);
+    fill('Round', '12');
+    expect([form().queryAllByRole('button', { pressed: true }), other.value]).toEqual([[], '12']);
+    await press('Done');
+    expect([screen.queryByText(/^Flight logged/), screen.queryByRole('button', { name: 'Undo' })]).toEqual([
+      null,
+      null,
+    ]);
+    expect(document.activeElement).toBe(button('Flying this'));
+    expect(flights(app).map(({ round }) => round)).toEqual(['12']);
+  });
+
   it('leads to the text that cannot be read, and Escape closes the form', async () => {
     const app = await season();
     act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
