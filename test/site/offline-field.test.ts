@@ -55,7 +55,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await page.evaluate(() => location.assign('#library'));
   await importFile(app, 'friend.sidus.json', file.replaceAll('"windy"', '"windy, by a friend"'));
   await page.getByRole('heading', { name: 'Import friend.sidus.json' }).waitFor();
-  await page.getByRole('dialog').getByText('Keep both', { exact: true }).first().click();
+  await page.getByRole('dialog').getByRole('combobox').selectOption('Keep both');
   await app.button(/^Import \d+$/).click();
   await app.text(/^Imported from friend\.sidus\.json: /).waitFor();
   await page.evaluate((to) => location.assign(to), hash);

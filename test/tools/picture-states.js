@@ -549,9 +549,9 @@ export const states = {
       await press(page, 'Dismiss');
       await drop(
         page,
-        example.replaceAll('"calm morning"', '"windy morning"').replaceAll('2026-11-20T', '2026-11-28T'),
+        example.replaceAll('"calm morning"', '"windy morning"').replaceAll('2026-11-18T', '2026-11-24T'),
       );
-      await page.getByText('What differs').waitFor();
+      await page.getByText('Newer in the file').waitFor();
     },
   },
   imported: {

@@ -47,15 +47,17 @@ export const filesMessages = {
     ways: { newer: 'Take the newer', both: 'Keep both', skip: 'Leave out' },
     /** For a model without differences: in place of the first choice. */
     bring: 'Import',
+    /** The same where neither is newer. */
+    keep: 'Keep what is here',
     /** The facts of a model: its name, notes, servos. */
     itself: 'the model itself',
     flightOf: (day: string) => `flight of ${day}`,
     more: (count: number) => `and ${count} more`,
     /** What happens to entries that differ. */
     wayText: {
-      newer: 'What is newer here stays as it is.',
+      newer: 'What is newer here, or has the same date, stays as it is.',
       both: 'Both stay. The one from the file gets a number after its name.',
-      skip: 'Nothing of these models is imported.',
+      skip: 'Nothing is imported for a model that is left out.',
     },
     loose: 'Without a model',
     unknownModel: 'A model that is not here',
@@ -65,8 +67,15 @@ export const filesMessages = {
       same: (what: string) => `The same: ${what}`,
       fileNewer: (what: string) => `Newer in the file: ${what}`,
       deviceNewer: (what: string) => `Newer here: ${what}`,
+      sameDate: (what: string) => `Differs, same date: ${what}`,
+      /** An entry that has another name here than in the file. */
+      fileName: (here: string, file: string) => `${apart(file)} (here: ${apart(here)})`,
+      hereName: (here: string, file: string) => `${apart(here)} (in the file: ${apart(file)})`,
     },
-    take: (count: number) => `Import ${count}`,
+    take: (count: number) => (count === 0 ? 'Nothing to import' : `Import ${count}`),
+    /** Why there is nothing to import, and what to do. */
+    allStays: 'What is here stays: nothing in the file is newer. Choose “Keep both” to import it, too.',
+    allLeftOut: 'Everything in the file is left out.',
     shut: 'The browser cannot read the library now. An import could replace newer settings with older ones.',
     importing: (name: string, done: number, of: number) => `Importing ${apart(name)}: ${done} of ${of}`,
     done: (what: string, name: string) => `Imported from ${apart(name)}: ${what}.`,

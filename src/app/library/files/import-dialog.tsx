@@ -1,11 +1,12 @@
 import { CodecError } from '../../../protocol/index.js';
+import { apart } from '../../messages/apart.js';
 import { filesMessages } from '../../messages/en-files.js';
 import { dateText, dayText, messages } from '../../messages/index.js';
 import { Select } from '../../ui/choice.js';
 import { Modal } from '../../ui/modal.js';
 import { Problem } from '../../ui/problem.js';
 import { SegmentChoice } from '../../ui/segment-choice.js';
-import { countOf, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
+import { countOf, differs, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
 import type { FileRefusal, ImportStep, LibraryFiles } from './library-files.js';
 import './import-dialog.css';
 
@@ -96,8 +97,11 @@ function Plan({ files, onTaken, step }: PlanProps) {
   const { all, of } = step.ways.value;
   const counts = groups.map((group) => takenOf(group, of.get(group.id) ?? all).length);
   const total = counts.reduce((sum, count) => sum + count, 0);
-  const isNothing = groups.every((group) => takenOf(group, 'both').length === 0);
-  const differs = groups.some(({ entries }) => entries.some(({ standing }) => standing.endsWith('newer')));
+  const bringing = groups.filter((group) => takenOf(group, 'both').length > 0);
+  const isNothing = bringing.length === 0;
+  const differing = groups.filter(({ entries }) => entries.some(differs));
+  const single = differing.length === 1 ? differing[0] : undefined;
+  const isLeftOut = bringing.every(({ id }) => (of.get(id) ?? all) === 'skip');
   const { shut } = files;
   return (
     <>
@@ -105,7 +109,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
         {words.import.lead(dateText(step.writtenAt), step.writtenBy)} {words.import.holds(words.counted(step.holds))}
       </p>
       {step.ignored > 0 && <p class="hint">{words.import.ignored(step.ignored)}</p>}
-      {differs && (
+      {differing.length > 1 && (
         <div class="import-ways">
           <SegmentChoice
             name="import-way"
@@ -123,7 +127,9 @@ function Plan({ files, onTaken, step }: PlanProps) {
           <GroupRow key={group.id} {...{ files, group }} way={of.get(group.id) ?? all} />
         ))}
       </ul>
+      {single && <p class="hint">{words.import.wayText[of.get(single.id) ?? all]}</p>}
       {isNothing && groups.length > 0 && <p role="status">{words.import.nothing}</p>}
+      {!isNothing && total === 0 && <p role="status">{isLeftOut ? words.import.allLeftOut : words.import.allStays}</p>}
       <Problem text={shut && !isNothing && words.import.shut} />
       <div class="buttons">
         <button type="button" class={isNothing ? '' : 'quiet'} onClick={() => files.dismiss()}>
@@ -159,14 +165,17 @@ function GroupRow({ files, group, way }: GroupRowProps) {
   const name = group.name || (group.id === null ? words.loose : words.unknownModel);
   const of = (standing: Entry['standing']): readonly Entry[] =>
     group.entries.filter((entry) => entry.standing === standing);
-  const differs = of('file-newer').length + of('device-newer').length > 0;
+  const isDiffering = group.entries.some(differs);
+  const hasNewer = of('file-newer').length + of('device-newer').length > 0;
   const lines = [
     [counted(countOf(of('new'))), words.group.fresh],
-    [namesOf(of('file-newer')), words.group.fileNewer],
-    [namesOf(of('device-newer')), words.group.deviceNewer],
+    [namesOf(of('file-newer'), words.group.fileName), words.group.fileNewer],
+    [namesOf(of('device-newer'), words.group.hereName), words.group.deviceNewer],
+    [namesOf(of('same-date'), words.group.hereName), words.group.sameDate],
     [counted(countOf(of('same'))), words.group.same],
   ] as const;
-  const ways: readonly Way[] = differs ? WAYS : WAYS.filter((each) => each !== 'both');
+  const ways: readonly Way[] = isDiffering ? WAYS : WAYS.filter((each) => each !== 'both');
+  const newer = hasNewer ? words.ways.newer : isDiffering ? words.keep : words.bring;
   return (
     <li class={way === 'skip' ? 'import-skipped' : undefined}>
       <div>
@@ -177,7 +186,7 @@ function GroupRow({ files, group, way }: GroupRowProps) {
         <Select
           name={words.group.way(name)}
           choices={ways}
-          nameOf={(each) => (each === 'newer' && !differs ? words.bring : words.ways[each])}
+          nameOf={(each) => (each === 'newer' ? newer : words.ways[each])}
           chosen={ways.includes(way) ? way : 'newer'}
           onChoose={(each) => files.choose(each, group)}
         />
@@ -189,12 +198,14 @@ function GroupRow({ files, group, way }: GroupRowProps) {
 /** How many entries are named. */
 const NAMED = 3;
 
-/** The names of the entries that differ. */
-function namesOf(entries: readonly Entry[]): string {
+/** The names of the entries that differ. @param named both names of one, here and in the file, if they differ. */
+function namesOf(entries: readonly Entry[], named: (here: string, file: string) => string): string {
   const { import: words } = filesMessages;
-  const names = entries.slice(0, NAMED).map(({ kind, entry }) => {
+  const names = entries.slice(0, NAMED).map(({ kind, entry, here }) => {
     if (kind === 'models') return words.itself;
-    return 'name' in entry ? entry.name : words.flightOf(dayText(entry.at));
+    if (!('name' in entry)) return words.flightOf(dayText(entry.at));
+    const name = here && 'name' in here ? here.name : entry.name;
+    return name === entry.name ? apart(name) : named(name, entry.name);
   });
   const more = entries.length - names.length;
   return [...names, ...(more > 0 ? [words.more(more)] : [])].join(', ');

@@ -18,7 +18,10 @@ export interface Records {
 }
 export type Kind = keyof Records;
 
-/** What to do with entries that differ: keep the newer one, keep both, or skip everything of this model. */
+/**
+ * What to do with entries that differ: keep the newer one, or that of the device if both have the same date; keep both;
+ * or skip everything of this model.
+ */
 export const WAYS = ['newer', 'both', 'skip'] as const;
 export type Way = (typeof WAYS)[number];
 
@@ -31,7 +34,9 @@ export interface Entry<K extends Kind = Kind> {
   readonly facts: EntryFacts;
   /** When it was last changed, if the file says so; else when the file was written. */
   readonly changedAt: number;
-  readonly standing: 'new' | 'same' | 'file-newer' | 'device-newer';
+  /** The device's entry of the same id; null for none. */
+  readonly here: EntryOf[K] | null;
+  readonly standing: 'new' | 'same' | 'file-newer' | 'device-newer' | 'same-date';
 }
 
 /** The entries of a file that belong to one model, or to none. */
@@ -42,6 +47,9 @@ export interface Group {
   readonly name: string;
   readonly entries: readonly Entry[];
 }
+
+/** Whether it differs from the device's entry of the same id. */
+export const differs = ({ standing }: Entry): boolean => standing !== 'new' && standing !== 'same';
 
 /** How many entries of each kind. */
 export type EntryCounts = Readonly<Record<Kind, number>>;
@@ -60,7 +68,7 @@ export function groupsOf({ library, facts, writtenAt }: LibraryFile, held: Recor
     const entry = withPlainNames(given);
     const changedAt = known.changedAt ?? ('at' in entry ? entry.at : writtenAt);
     const standing = standingOf(entry, changedAt, here);
-    groupOf(id).entries.push({ kind, entry, facts: known, changedAt, standing });
+    groupOf(id).entries.push({ kind, entry, facts: known, changedAt, here: here?.entry ?? null, standing });
   };
   for (const model of library.models) {
     const here = heldModels.get(model.id);
@@ -92,6 +100,7 @@ function standingOf<K extends Kind>(entry: EntryOf[K], changedAt: number, here?:
   if (!here) return 'new';
   // An old record may hold what names may not hold today.
   if (isSame(entry, withPlainNames(here.entry))) return 'same';
+  if (changedAt === here.changedAt) return 'same-date';
   return changedAt > here.changedAt ? 'file-newer' : 'device-newer';
 }
 

@@ -44,6 +44,13 @@ async function drop(...files: File[]): Promise<boolean> {
 }
 
 const dialog = () => within(screen.getByRole('dialog'));
+/** Chooses what to do with what differs in a model. */
+async function choose(model: string, way: string): Promise<void> {
+  const choice = dialog().getByRole('combobox', { name: `${model}: what to do with it` });
+  const value = within(choice).getByRole<HTMLOptionElement>('option', { name: way }).value;
+  act(() => void fireEvent.change(choice, { target: { value } }));
+  await idle(0);
+}
 const notice = (words: RegExp) => screen.getByText(words).closest('.notice') as HTMLElement;
 const kept = ({ store }: AppBench) => ({
   models: [...store.models.records.values()].map(({ model }) => model),
@@ -104,28 +111,66 @@ describe('an import', () => {
   it.each([
     ['Take the newer', 'Import 1', ['windy']],
     ['Keep both', 'Import 1', ['calm morning', 'windy (2)']],
-    ['Leave out', 'Import 0', ['calm morning']],
+    ['Leave out', 'Nothing to import', ['calm morning']],
   ])('with “%s” offers %s', async (way, offer, names) => {
     const app = await library();
     await drop(file(text({ ...ALL, settings: [windy] })));
-    dialog().getByText('Newer in the file: windy');
+    dialog().getByText('Newer in the file: windy (here: calm morning)');
     dialog().getByText('The same: 1 model, 1 flight');
-    act(() => void fireEvent.click(dialog().getByRole('radio', { name: way })));
-    await idle(0);
-    expect(button(offer).disabled).toBe(offer === 'Import 0');
+    expect(dialog().queryByRole('radio'), 'one choice for one model').toBeNull();
+    await choose('Lancer 07', way);
+    expect(button(offer).disabled).toBe(offer === 'Nothing to import');
+    expect(dialog().queryAllByText('Everything in the file is left out.')).toHaveLength(way === 'Leave out' ? 1 : 0);
     fireEvent.click(button(offer));
     await idle();
     expect(kept(app).settings.map(({ name }) => name)).toEqual(names);
     expect(kept(app).models).toEqual([MODEL]);
   });
 
+  it('of a setting that is newer here brings nothing, and says so with its name here', async () => {
+    const app = await library();
+    await drop(file(text({ ...ALL, settings: [{ ...windy, at: 1 }] })));
+    dialog().getByText('Newer here: calm morning (in the file: windy)');
+    expect(button('Nothing to import').disabled).toBe(true);
+    dialog().getByText(/^What is here stays: nothing in the file is newer\./);
+    await choose('Lancer 07', 'Keep both');
+    await press('Import 1');
+    expect(kept(app).settings.map(({ name }) => name)).toEqual(['calm morning', 'windy (2)']);
+  });
+
+  it('of a setting that differs with the same date calls neither newer, and lets the pilot choose', async () => {
+    const app = await library();
+    const at = app.session.library.settings.list.value[0]?.changedAt ?? 0;
+    await drop(file(text({ ...ALL, settings: [{ ...windy, at }] })));
+    dialog().getByText('Differs, same date: calm morning (in the file: windy)');
+    const names = [...dialog().getByRole('combobox').querySelectorAll('option')].map(({ text }) => text);
+    expect(names).toEqual(['Keep what is here', 'Keep both', 'Leave out']);
+    expect(button('Nothing to import').disabled).toBe(true);
+    await choose('Lancer 07', 'Keep both');
+    await press('Import 1');
+    expect(kept(app).settings.map(({ name }) => name)).toEqual(['calm morning', 'windy (2)']);
+  });
+
+  it('asks once for all models when several differ', async () => {
+    const other = { ...MODEL, id: 'b', name: 'Vega' };
+    const app = await library({ ...ALL, models: [MODEL, other] });
+    const vega: Kept['models'][number] = { ...other, note: 'new' };
+    await drop(file(text({ ...ALL, models: [MODEL, vega], settings: [windy] }, Date.now() + DAY)));
+    dialog().getByText('What differs');
+    act(() => void fireEvent.click(dialog().getByRole('radio', { name: 'Leave out' })));
+    await idle(0);
+    expect(button('Nothing to import').disabled).toBe(true);
+    act(() => void fireEvent.click(dialog().getByRole('radio', { name: 'Take the newer' })));
+    await idle(0);
+    await press('Import 2');
+    expect(kept(app).models.map(({ note }) => note)).toEqual([MODEL.note, 'new']);
+  });
+
   it('can be different for one model', async () => {
     const other = { ...MODEL, id: 'b', name: 'Vega' };
     const app = await library();
     await drop(file(text({ ...ALL, models: [MODEL, other], settings: [windy] })));
-    const choice = dialog().getByRole('combobox', { name: 'Lancer 07: what to do with it' });
-    act(() => void fireEvent.change(choice, { target: { value: 'skip' } }));
-    await idle(0);
+    await choose('Lancer 07', 'Leave out');
     await press('Import 1');
     expect(kept(app).models.map(({ name }) => name)).toEqual(['Lancer 07', 'Vega']);
     expect(kept(app).settings).toEqual([SETTING]);

@@ -57,10 +57,10 @@ describe('what a file would bring', () => {
     expect(standings(groupsOf(fileOf(HELD), again))[0]).toContain('models same');
   });
 
-  it('differs, and one of the two is newer; with equal times, that of the device', () => {
+  it('differs, and one of the two is newer, or both have the same date', () => {
     for (const [at, standing] of [
       [1001, 'file-newer'],
-      [1000, 'device-newer'],
+      [1000, 'same-date'],
       [999, 'device-newer'],
     ] as const) {
       expect(standings(groupsOf(fileOf(changed('windy', at)), HELD))[0]).toContain(`settings ${standing}`);
@@ -98,8 +98,10 @@ describe('an import', () => {
 
   it.each([
     ['newer', 1001, ['calm-morning windy 7']],
+    ['newer', 1000, []],
     ['newer', 999, []],
     ['both', 1001, ['made calm (2)']],
+    ['both', 1000, ['made calm (2)']],
     ['both', 999, ['made calm (2)']],
     ['skip', 1001, []],
   ] as const)('with “%s” at %i takes %j', (way, at, taken) => {
