@@ -3,7 +3,7 @@ import { encodeLink, LINK_MARK } from '../../src/program/index.js';
 import { SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
-import { isWellMade, showTheme } from './well-made.js';
+import { isWellMade, showTheme, THEMES } from './well-made.js';
 
 const { program, name, at, tags } = SETTING;
 const SHARED = { name, note: 'Turns left after 12 s. '.repeat(20), at, tags, program, modelName: 'Lancer 07' };
@@ -68,6 +68,43 @@ test('the QR code of a setting can be read from the screen, in every theme', asy
       await note.waitFor();
       await reader.button('Do not keep').click();
       await note.waitFor({ state: 'hidden' });
+    }
+  }
+});
+
+test('the whole code and the link are in sight at once, on every size and in every theme', async () => {
+  const app = await AppPage.open();
+  await app.trySimulated('F1Q');
+  await app.button('Share…').click();
+  await app.page.getByRole('img', { name: 'QR code of “F1Q M1”' }).waitFor();
+  for (const [width, height] of [
+    [390, 844],
+    [360, 740],
+    [844, 390],
+    [820, 1180],
+    [1280, 800],
+    [1366, 650],
+    [1440, 900],
+  ] as const) {
+    await app.resize({ width, height });
+    for (const theme of THEMES) {
+      await showTheme(app, theme);
+      const [code, link, copy, close] = await Promise.all(
+        [
+          app.page.locator('.qr-code svg'),
+          app.field('Link'),
+          app.button('Copy link'),
+          app.page.getByRole('dialog').getByRole('button', { name: 'Close' }),
+        ].map(async (part) => {
+          const box = await part.boundingBox();
+          return { top: box?.y ?? 0, bottom: (box?.y ?? 0) + (box?.height ?? 0), width: box?.width ?? 0 };
+        }),
+      );
+      const where = `${width} x ${height}, ${theme}`;
+      for (const part of [code, link, copy]) expect(part?.bottom, where).toBeLessThanOrEqual(close?.top ?? 0);
+      expect(Math.min(code?.top ?? 0, link?.top ?? 0), where).toBeGreaterThan(0);
+      expect(close?.bottom, where).toBeLessThanOrEqual(height);
+      expect(code?.width, `${where}: a camera needs some pixels for each square`).toBeGreaterThan(159);
     }
   }
 });

@@ -10,7 +10,7 @@ export const share = {
     copy: 'Copy link',
     send: 'Share…',
     sendFailed: 'The browser could not share it. Copy the link instead.',
-    scan: 'Point the camera of the other device at this code, or send the link below.',
+    scan: 'Point the camera of the other device at this code, or send the link.',
     qr: (name: string) => `QR code of “${name}”`,
     cut: 'The end of the note does not fit in the QR code. The link holds the whole note.',
     tooLong: 'This setting is too long for a QR code. Send the link.',

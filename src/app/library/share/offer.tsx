@@ -30,33 +30,31 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
   };
   return (
     <>
-      <p>{words.lead}</p>
-      {qr ? (
-        <div class="share-code">
-          <p>{words.scan}</p>
-          <QrCode text={qr.link} label={words.qr(shared.name)} />
-          {qr.isCut && <p class="hint">{words.cut}</p>}
+      <div class="share-offer">
+        <div class="share-words">
+          <p>{words.lead}</p>
+          {qr ? <p>{words.scan}</p> : <p class="hint">{words.tooLong}</p>}
         </div>
-      ) : (
-        <p class="hint">{words.tooLong}</p>
-      )}
-      <div class="share-link">
-        <label for={id}>{words.link}</label>
-        <input
-          id={id}
-          type="text"
-          readOnly
-          value={link}
-          onFocus={({ currentTarget }) => currentTarget.select()}
-          spellcheck={false}
-        />
-        <div class="buttons">
-          <CopyButton label={words.copy} text={() => link} />
-          {canSend() && (
-            <button type="button" onClick={() => void sendIt()}>
-              {words.send}
-            </button>
-          )}
+        {qr && <QrCode text={qr.link} label={words.qr(shared.name)} />}
+        <div class="share-link">
+          <label for={id}>{words.link}</label>
+          <input
+            id={id}
+            type="text"
+            readOnly
+            value={link}
+            onFocus={({ currentTarget }) => currentTarget.select()}
+            spellcheck={false}
+          />
+          <div class="buttons">
+            <CopyButton label={words.copy} text={() => link} />
+            {canSend() && (
+              <button type="button" onClick={() => void sendIt()}>
+                {words.send}
+              </button>
+            )}
+          </div>
+          {qr?.isCut && <p class="hint">{words.cut}</p>}
         </div>
       </div>
       <Problem text={failed.value && words.sendFailed} />
