@@ -47,31 +47,77 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
   }
   return (
     <>
-      <Shown shared={shared} />
+      <Head shared={shared} />
+      {/* Above the values: where it would go must be in sight with the button that keeps it. */}
+      {!received.kept.value && <Place session={session} received={received} shared={shared} />}
+      <Values shared={shared} />
       <Ways {...props} received={received} shared={shared} />
     </>
   );
 }
 
-function Shown({ shared }: { readonly shared: SharedSetting }) {
+function Head({ shared }: { readonly shared: SharedSetting }) {
   const { received: words } = share;
-  const { program: table, servoName } = messages.value;
-  const { program, name, modelName, note, tags, at } = shared;
+  const { program, name, modelName, at } = shared;
   const { identity } = program;
   return (
+    <div class="received-head">
+      <p class="received-name">
+        <strong>{name}</strong> {modelName && words.from(modelName)}
+      </p>
+      <p class="hint">
+        {dotted([
+          words.timer(timerName(identity), identity.firmware, identity.functions - 1, identity.servos),
+          words.dated(dateText(at)),
+        ])}
+      </p>
+      <p class="hint">{words.lead}</p>
+    </div>
+  );
+}
+
+type PlaceProps = Pick<ReceivedSettingProps, 'session'> & {
+  readonly received: Received;
+  readonly shared: SharedSetting;
+};
+
+/** Under which model it would be kept, or that it is kept already. */
+function Place({ session, received, shared }: PlaceProps) {
+  const { received: words } = share;
+  const id = useId();
+  const { library } = session;
+  const known = received.known.value;
+  return (
     <>
-      <div class="received-head">
-        <p class="received-name">
-          <strong>{name}</strong> {modelName && words.from(modelName)}
-        </p>
-        <p class="hint">
-          {dotted([
-            words.timer(timerName(identity), identity.firmware, identity.functions - 1, identity.servos),
-            words.dated(dateText(at)),
-          ])}
-        </p>
-        <p class="hint">{words.lead}</p>
+      {known && <p role="status">{words.known(nameOf(session, known.setting.model, known.setting.name))}</p>}
+      <div class="received-place">
+        <label for={id}>{words.modelChoice}</label>
+        <select
+          id={id}
+          value={received.place.value}
+          onChange={({ currentTarget }) => received.choosePlace(currentTarget.value)}
+        >
+          {shared.modelName && <option value={NEW_MODEL}>{words.newModel(shared.modelName)}</option>}
+          <option value={NO_MODEL}>{words.noModel}</option>
+          {library.models.list.value
+            .filter(({ model }) => !model.archived)
+            .map(({ key, model }) => (
+              <option key={key} value={key}>
+                {model.name}
+              </option>
+            ))}
+        </select>
       </div>
+    </>
+  );
+}
+
+function Values({ shared }: { readonly shared: SharedSetting }) {
+  const { received: words } = share;
+  const { program: table, servoName } = messages.value;
+  const { program, note, tags } = shared;
+  return (
+    <>
       <KeyFigures program={program} />
       <div class="received-lanes">
         <SmallLanes program={program} names={program.positions.map((_, servo) => servoName(servo))} />
@@ -86,18 +132,16 @@ function Shown({ shared }: { readonly shared: SharedSetting }) {
   );
 }
 
-type WaysProps = ReceivedSettingProps & { readonly received: Received; readonly shared: SharedSetting };
+type WaysProps = ReceivedSettingProps & PlaceProps;
 
 /** What the pilot can do with it. */
 function Ways({ session, sharing, received, shared, onProgram, onLibrary }: WaysProps) {
   const { received: words } = share;
-  const id = useId();
   const failed = useSignal(false);
   const { opened, connection, library, editor } = session;
   const obstacle = opened.obstacle(shared.program);
   // Until then the models are not known, and one might be made twice.
   const isLoaded = library.models.loaded.value && library.settings.loaded.value;
-  const known = received.known.value;
   const kept = received.kept.value;
   const open = async (): Promise<void> => {
     const setting = received.setting();
@@ -108,35 +152,15 @@ function Ways({ session, sharing, received, shared, onProgram, onLibrary }: Ways
   };
   return (
     <>
-      {known && !kept && <p role="status">{words.known(nameOf(session, known.setting.model, known.setting.name))}</p>}
-      {kept ? (
-        <div class={kept.isSaved ? 'notice good' : 'notice bad'} role="status">
-          <p>{kept.isSaved ? words.kept(shared.name) : words.notKept(shared.name)}</p>
-        </div>
-      ) : (
-        <div class="received-place">
-          <label for={id}>{words.modelChoice}</label>
-          <select
-            id={id}
-            value={received.place.value}
-            onChange={({ currentTarget }) => received.choosePlace(currentTarget.value)}
-          >
-            {shared.modelName && <option value={NEW_MODEL}>{words.newModel(shared.modelName)}</option>}
-            <option value={NO_MODEL}>{words.noModel}</option>
-            {library.models.list.value
-              .filter(({ model }) => !model.archived)
-              .map(({ key, model }) => (
-                <option key={key} value={key}>
-                  {model.name}
-                </option>
-              ))}
-          </select>
-        </div>
-      )}
       {obstacle !== null && <p class="hint">{words.obstacles[obstacle]}</p>}
       {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten(connection.value !== null)}</p>}
       <Problem text={failed.value && words.notOpened} />
-      <div class="buttons">
+      <div class="buttons received-ways">
+        {kept && (
+          <p class={kept.isSaved ? 'received-kept' : 'received-kept bad-text'} role="status">
+            {kept.isSaved ? words.kept(shared.name) : words.notKept(shared.name)}
+          </p>
+        )}
         <button type="button" class="quiet" onClick={() => sharing.close()}>
           {kept ? messages.value.close : words.discard}
         </button>

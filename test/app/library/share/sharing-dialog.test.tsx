@@ -63,6 +63,10 @@ describe('a setting that comes by link', () => {
     await comes(bench);
     expect(dialog().getByText('calm morning')).toBeTruthy();
     expect(dialog().getByText(/of Lancer 07/)).toBeTruthy();
+    const place = dialog().getByRole('combobox', { name: 'Keep it under' });
+    const values = dialog().getByRole('table');
+    const order = place.compareDocumentPosition(values);
+    expect(order, 'where it would go stands above the values').toBe(Node.DOCUMENT_POSITION_FOLLOWING);
     const rows = dialog()
       .getAllByRole('row')
       .map((row) => [...row.children].map((cell) => cell.textContent).join(' '));
