@@ -8,7 +8,7 @@ export const ROUND_MAXIMUM = 180;
 
 export interface Totals {
   readonly flights: number;
-  /** Seconds; null when no flight has a result. */
+  /** Seconds; null when fewer than two flights have a result. */
   readonly best: number | null;
   readonly average: number | null;
   /** How many flights of numbered rounds have a result, and how many of those reached the maximum. */
@@ -67,8 +67,9 @@ export function totalsOf(records: readonly FlightRecord[]): Totals {
     rounds += 1;
     if (flight.result >= ROUND_MAXIMUM) maxima += 1;
   }
-  const none = timed === 0;
-  return { flights: records.length, best: none ? null : best, average: none ? null : sum / timed, rounds, maxima };
+  // Of a single result, best and average would be that result.
+  const isFew = timed < 2;
+  return { flights: records.length, best: isFew ? null : best, average: isFew ? null : sum / timed, rounds, maxima };
 }
 
 /** Whether it was a numbered round. A fly-off goes on past the maximum. */

@@ -31,6 +31,8 @@ export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps)
     onAll();
   };
   const records = filtered(flights.list.value, { ...NO_FILTER, ...only }, 0);
+  // A setting stands beside its model, which says that there is none.
+  if ('setting' in of && records.length === 0 && !flights.failed.value) return null;
   return (
     <section class="flights-of">
       <h2>{words.title}</h2>

@@ -121,7 +121,7 @@ export const flightMessages = {
   },
   /** On the page of a model or a setting. */
   section: {
-    none: 'No flight with it is logged yet.',
+    none: 'No flight logged yet.',
     all: 'All its flights',
   },
 };

@@ -126,6 +126,11 @@ describe('the totals', () => {
       recordOf({ id: '5', result: 40.5 }),
     ];
     expect(totalsOf(log)).toEqual({ flights: 5, best: 300, average: 175, rounds: 2, maxima: 1 });
+    expect(totalsOf(log.slice(4)), 'a single result is no best and no average').toMatchObject({
+      flights: 1,
+      best: null,
+      average: null,
+    });
     expect(totalsOf([])).toEqual({ flights: 0, best: null, average: null, rounds: 0, maxima: 0 });
   });
 
