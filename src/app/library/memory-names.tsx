@@ -25,20 +25,22 @@ export function MemoryNames({ session, record, onChange }: MemoryNamesProps) {
   return (
     <fieldset class="memory-names">
       <legend>{words.memories}</legend>
-      {Array.from({ length: count }, (_, memory) => (
-        <TextField
-          key={memory}
-          label={memoryName(memory)}
-          value={names[memory] ?? ''}
-          longest={LIMITS.name}
-          asKept={plainName}
-          onSave={(text) => {
-            const now = session.library.models.get(record.key)?.model.memoryNames ?? names;
-            const length = Math.max(now.length, memory + 1);
-            onChange(Array.from({ length }, (_, at) => (at === memory ? text : (now[at] ?? ''))));
-          }}
-        />
-      ))}
+      <div>
+        {Array.from({ length: count }, (_, memory) => (
+          <TextField
+            key={memory}
+            label={memoryName(memory)}
+            value={names[memory] ?? ''}
+            longest={LIMITS.name}
+            asKept={plainName}
+            onSave={(text) => {
+              const now = session.library.models.get(record.key)?.model.memoryNames ?? names;
+              const length = Math.max(now.length, memory + 1);
+              onChange(Array.from({ length }, (_, at) => (at === memory ? text : (now[at] ?? ''))));
+            }}
+          />
+        ))}
+      </div>
       <p class="hint">{words.memoriesHint}</p>
     </fieldset>
   );

@@ -10,6 +10,7 @@ import { SmallLanes } from '../timeline/small-lanes.js';
 import { BackSign } from '../ui/back-sign.js';
 import { Choice } from '../ui/choice.js';
 import { KeyFigures } from '../ui/key-figures.js';
+import { TimesTable } from '../ui/slot-table.js';
 import { addressOf, addressPath, NO_MODEL } from './place.js';
 import type { Places } from './places.js';
 import { asTags, tagsText } from './tags.js';
@@ -32,7 +33,7 @@ interface SettingPageProps {
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
   const words = libraryMessages;
-  const { servoName } = messages.value;
+  const { program: table, servoName } = messages.value;
   const { library } = session;
   const way = back !== null && (
     <a class="library-back" href={addressOf(back)}>
@@ -82,6 +83,10 @@ export function SettingPage(props: SettingPageProps) {
         <OpenButton {...props} record={record} />
         {places.settingButtons(record, model)}
       </div>
+      {/* With many servos it scrolls, also by keyboard. */}
+      <section class="setting-table" tabindex={0} aria-label={table.tableCaption}>
+        <TimesTable program={program} caption={table.tableCaption} />
+      </section>
       {places.settingSections(record, model)}
       <TextField
         label={words.setting.name}
