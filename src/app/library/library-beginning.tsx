@@ -1,6 +1,7 @@
 import { libraryMessages } from '../messages/en-library.js';
 import type { Session } from '../session/session.js';
 import type { Browse } from './browse.js';
+import { EmptyWords } from './empty-words.js';
 import { foundText } from './model-list.js';
 import { SettingList } from './setting-list.js';
 import './library-beginning.css';
@@ -15,7 +16,7 @@ interface LibraryBeginningProps {
  * it is for.
  */
 export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
-  const { empty, models } = libraryMessages;
+  const { models } = libraryMessages;
   const found = browse.found.value;
   if (found !== null) {
     return (
@@ -39,10 +40,8 @@ export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
   if (session.library.models.list.value.length > 0) return <p class="hint library-none">{models.choose}</p>;
   return (
     <div class="library-none">
+      <EmptyWords session={session} />
       <Sample />
-      <h2>{empty.title}</h2>
-      <p>{empty.lead}</p>
-      <p class="hint">{empty.hint}</p>
     </div>
   );
 }
@@ -52,6 +51,7 @@ function Sample() {
   const { sample } = libraryMessages.empty;
   return (
     <div class="library-sample" aria-hidden="true">
+      <span class="hint">{sample.title}</span>
       <p>
         <b>{sample.model}</b> <span>{sample.about}</span>
       </p>

@@ -7,6 +7,7 @@ import type { ModelRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
 import { Arrange, ArrangeButton } from './arrange.js';
 import type { Browse } from './browse.js';
+import { EmptyWords } from './empty-words.js';
 import { NewModelDialog } from './new-model-dialog.js';
 import { addressOf, NO_MODEL } from './place.js';
 import type { Places } from './places.js';
@@ -50,7 +51,11 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
       />
       {found === null || foundBeside ? (
         <>
-          {isEmpty && alone && !library.unread.value && <p class="hint">{words.empty.lead}</p>}
+          {isEmpty && alone && !library.unread.value && (
+            <div class="library-empty">
+              <EmptyWords session={session} />
+            </div>
+          )}
           <Models {...{ session, browse, chosen }} />
           <div class="buttons">
             <button type="button" onClick={() => (making.value = true)}>

@@ -49,6 +49,7 @@ export const libraryMessages = {
     title: 'No model yet',
     /** An example of how it looks. */
     sample: {
+      title: 'Example',
       model: 'Lancer 07',
       about: 'F1Q · 3 settings',
       settings: [
@@ -57,8 +58,10 @@ export const libraryMessages = {
         ['trimming', 'DT 20 s'],
       ],
     },
-    lead: 'A model holds its settings: programs that you keep under a name, with notes, on this device alone.',
+    lead: 'A model holds its settings: programs that you keep under a name, with notes, only on this device.',
     hint: 'Make a model, or save the program on the screen.',
+    /** Without a program on the screen. */
+    hintWithout: 'Make a model, or read a timer and save its program.',
   },
   search: {
     label: 'Search settings',
@@ -78,7 +81,7 @@ export const libraryMessages = {
     archived: 'archived',
     noClass: 'class not given',
     choose: 'Choose a model',
-    latest: 'Changed last',
+    latest: 'Last changed',
   },
   list: {
     open: 'on the screen',
@@ -120,7 +123,7 @@ export const libraryMessages = {
     unarchive: 'Take out of the archive',
     remove: 'Delete the model',
     withSettings: (count: number) =>
-      `If you delete the model, you also delete its ${plural(count, 'setting', 'settings')}. Undo brings all back.`,
+      `If you delete the model, you also delete its ${count === 1 ? 'setting' : `${count}\u00a0settings`}. Undo brings all back.`,
   },
   setting: {
     open: 'Open',
@@ -130,7 +133,7 @@ export const libraryMessages = {
     note: 'Note',
     notePlace: 'Note: what changed, how it flew',
     tags: 'Tags',
-    tagsHint: 'Words with commas between them, for example: calm, fly-off.',
+    tagsHint: 'Words, separated by commas. For example: calm, fly-off.',
     from: {
       typed: 'typed',
       timer: 'read from a timer',
@@ -143,7 +146,7 @@ export const libraryMessages = {
     timer: (name: string, firmware: string | null, functions: number, servos: number) =>
       [
         name,
-        firmware === null ? null : `firmware ${firmware}`,
+        firmware === null ? null : `firmware\u00a0${firmware}`,
         plural(functions, 'function', 'functions'),
         plural(servos, 'servo', 'servos'),
       ]

@@ -1,5 +1,6 @@
-import { fireEvent, screen, within } from '@testing-library/preact';
+import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it, onTestFinished, vi } from 'vitest';
+import { SETTING } from '../../program/library-examples.js';
 import { idle, MemoryStore, run } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
 import { manyRecords } from './many.js';
@@ -25,10 +26,15 @@ async function write(name: string, text: string): Promise<void> {
   await idle(0);
 }
 
-it('is empty at first, and says what a model is for', async () => {
-  await opened();
+it('is empty at first, and says what a model is for and how to begin', async () => {
+  const app = await opened();
   await goTo('library');
   await idle();
+  screen.getByText('No model yet');
+  screen.getByText('Make a model, or read a timer and save its program.');
+  act(() => app.session.onScreen.make(SETTING.program));
+  await idle(0);
+  screen.getByText('Make a model, or save the program on the screen.');
   expect(screen.getByRole('button', { name: 'New model…' })).toBeTruthy();
   expect(screen.queryByRole('link', { name: /setting/ })).toBeNull();
 });
