@@ -15,6 +15,7 @@ interface PrintPickerProps {
 export function PrintPicker({ print }: PrintPickerProps) {
   const { order } = print;
   const { value: chosen } = order.keys;
+  const isScreenAlone = print.hasProgram.value && chosen.length === 1 && chosen[0] === ON_SCREEN;
   const { value: found } = print.found;
   const { value: memories } = print.memories;
   useEffect(() => void print.load(), [print]);
@@ -28,7 +29,7 @@ export function PrintPicker({ print }: PrintPickerProps) {
   const listed = [...first, ...found.filter(({ key }) => !chosen.includes(key))].slice(0, Math.max(MOST, first.length));
   return (
     <details class="print-picker" open={isFirst}>
-      <summary>{words.choose(print.copies.value.length)}</summary>
+      <summary>{isScreenAlone ? words.chosenScreen : words.choose(print.copies.value.length)}</summary>
       <input
         type="search"
         aria-label={words.search}

@@ -175,7 +175,9 @@ function Positions({ row, stages, lane, layout }: PositionsProps) {
         if (passing !== 'held' || (slot > 0 && position === row[slot - 1])) return null;
         const moves = stages.find((later) => later.slot > slot && row[later.slot] !== position);
         const x = layout.x(from);
-        if ((moves ? layout.x(moves.from) : layout.box.right) - x < POSITION_ROOM) return null;
+        // The last one may stand in the margin.
+        const until = moves ? layout.x(moves.from) : layout.box.right + RIGHT;
+        if (until - x < POSITION_ROOM) return null;
         const y = layout.y(lane, position);
         const isAbove = y - upper > POSITION_HEIGHT;
         return (

@@ -1,7 +1,7 @@
 import { checkProgram, type Model, type ServoUse, slotKind, type TimerProgram } from '../../program/index.js';
 import { intervalAt } from '../editing/grid.js';
 import { formatInterval, formatTime } from '../editing/units.js';
-import { dutyName, fieldLabel, findingText, messages, slotLabel, timerName } from '../messages/index.js';
+import { dutyName, fieldLabel, figureOf, findingText, messages, slotLabel, timerName } from '../messages/index.js';
 import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
 
 /** The source of a sheet. */
@@ -143,7 +143,7 @@ function rowsOf(program: TimerProgram): SheetRow[] {
     key: 'motor',
     kind: 'motor',
     label: words.motorStop,
-    time: formatTime(stop),
+    time: figureOf(identity, { kind: 'time', slot: 0 }, stop).text,
     after: '',
     positions: [],
   };

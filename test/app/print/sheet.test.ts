@@ -49,7 +49,7 @@ describe('a setting sheet', () => {
     expect(linesOf(SETTING.program)).toEqual([
       'Start 0  15 15',
       'Function 1 0.30 0.30 25 15',
-      'Motor stop 10.00',
+      'Motor stop 10.0',
       'Function 2 10.50 10.20 40 60',
       'Function 3 13.00 2.50 55 70',
       'DT 3:00 2:47 115 115',
@@ -59,7 +59,7 @@ describe('a setting sheet', () => {
     const same = programOf('Q', [30, 30, 18_000], [[1, 2, 3]]);
     expect(linesOf(same), 'at an equal time the motor stop comes first').toEqual([
       'Start 0  1',
-      'Motor stop 0.30',
+      'Motor stop 0.3',
       'Function 1 0.30 0.30 2',
       'DT 3:00 2:59.70 3',
     ]);
