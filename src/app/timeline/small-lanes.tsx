@@ -1,5 +1,6 @@
 import type { TimerProgram } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
+import { messages } from '../messages/index.js';
 import { RUN_OUT, rounded, stretchedScale } from './scale.js';
 import { servoClass } from './servo-class.js';
 import './small-lanes.css';
@@ -27,6 +28,9 @@ export function SmallLanes({ program, names }: SmallLanesProps) {
   const dt = times[identity.functions] ?? 0;
   const scale = stretchedScale(times.slice(1), SPACING);
   const x = (time: number): number => rounded(scale.place(time) * WIDTH);
+  /** In per cent of the width. */
+  const share = (time: number): number => rounded(scale.place(time) * 100);
+  const { program: words } = messages.value;
   const end = x(dt + RUN_OUT);
   const motor = identity.timerClass === 'Q' ? (times[0] ?? 0) : 0;
   const height = LANE * positions.length;
@@ -57,6 +61,14 @@ export function SmallLanes({ program, names }: SmallLanesProps) {
           {names.map((name) => (
             <span key={name}>{name}</span>
           ))}
+          <span class="small-of-dt" style={{ insetInlineEnd: `${100 - share(dt)}%` }}>
+            {words.dt}
+          </span>
+          {motor > 0 && (
+            <span class="small-of-motor" style={{ insetInlineStart: `min(${share(motor)}%, 100% - 4rem)` }}>
+              {words.motor}
+            </span>
+          )}
         </div>
       )}
     </div>

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import type { TimerProgram } from '../../program/index.js';
-import { figureText, messages, slotLabel } from '../messages/index.js';
+import { formatTime } from '../editing/units.js';
+import { messages, momentText, slotLabel } from '../messages/index.js';
 import { SlotHead } from './slot-head.js';
 import './slot-table.css';
 
@@ -46,11 +47,11 @@ export function SlotTable({ program, caption, headings, rows, children }: SlotTa
  * The motor stop stands beside it.
  */
 export function TimesTable({ program, caption }: Pick<SlotTableProps, 'program' | 'caption'>) {
-  const { time: heading, origin } = messages.value.program;
-  const { identity, times } = program;
-  const rows = times.map((time, slot) => ({
+  const { program: words, times } = messages.value;
+  const heading = `${words.time}\u00a0${times.units.s}`;
+  const rows = program.times.map((time, slot) => ({
     slot,
-    cells: [slot === 0 ? origin : figureText(identity, { kind: 'time', slot }, time)],
+    cells: [slot === 0 ? words.origin : time < 6000 ? formatTime(time) : momentText(time)],
   }));
   return <SlotTable program={program} caption={caption} headings={[heading]} rows={rows} />;
 }
