@@ -86,7 +86,7 @@ describe('copying', () => {
     await app.text('Copied.').waitFor();
     const text = await app.page.evaluate(() => navigator.clipboard.readText());
     expect(text.split('\n')[1]).toMatch(/^# Sidus Timer \d+\.\d+\.\d+$/);
-    expect(text).toContain('# Timer: F1Q, firmware 536, 10 functions, 4 memories, 3 servos');
+    expect(text).toContain('# Timer: F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos');
     expect(parseCapture(text)).toHaveLength(14);
   });
 

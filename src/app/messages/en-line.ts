@@ -129,7 +129,7 @@ export const line = {
   reserved: (time: string) => `reserved ${time}`,
   functions: (times: readonly string[]) => `functions ${times.join(' ')}`,
   identity: (name: string, firmware: string, functions: number, memories: number, servos: number) =>
-    `${name}, firmware ${firmware}, ${plural(functions, 'function', 'functions')}, ${plural(memories, 'memory', 'memories')}, ${plural(servos, 'servo', 'servos')}`,
+    `${name}, firmware ${firmware}, ${plural(functions, 'function', 'functions')} and DT, ${plural(memories, 'memory', 'memories')}, ${plural(servos, 'servo', 'servos')}`,
   memoryUnsaid: 'It does not say which.',
   idleThrottle: (value: number) => `${value}, unit unknown`,
   idleThrottleUnsaid: 'It gives no value.',

@@ -139,7 +139,7 @@ export const about = {
   kind: 'Timer',
   layout: 'Layout',
   layoutOf: (functions: number, memories: number, servos: number) =>
-    `${functions} functions, ${memories} memories, ${servos} servos`,
+    `${functions - 1} functions and DT, ${memories} memories, ${servos} servos`,
   port: 'Port',
   rate: 'Rate',
   repeats: 'Requests repeated',

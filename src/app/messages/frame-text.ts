@@ -12,7 +12,7 @@ import {
   type Request,
 } from '../../protocol/index.js';
 import { formatTime } from '../editing/units.js';
-import { messages, slotLabel, timerName } from './index.js';
+import { figureText, messages, slotLabel, timerName } from './index.js';
 
 /** The parts of a line entry that its words need. */
 export type Seen = Pick<LineEntry, 'direction' | 'frame' | 'rejected' | 'error'>;
@@ -44,10 +44,10 @@ export function describeFrame({ frame, rejected, error }: Seen, layout: LayoutOp
   }
 }
 
-/** The identity of a timer: “F1Q, firmware 536, 10 functions, 4 memories, 3 servos”. */
+/** The identity of a timer: “F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos”. */
 export function identityText(identity: Identity): string {
   const { firmware, functions, memories, servos } = identity;
-  return messages.value.line.identity(timerName(identity), firmware, functions, memories, servos);
+  return messages.value.line.identity(timerName(identity), firmware, functions - 1, memories, servos);
 }
 
 /** A byte as two hex digits, as in the table of commands. */
@@ -108,11 +108,11 @@ function replyText(reply: Reply, { identity }: LayoutOptions): string {
 function timesText(identity: Identity, times: readonly number[]): string {
   const { line } = messages.value;
   const shown = times.map(formatTime);
-  const first = shown[0] as string;
+  const figure = (slot: number): string => figureText(identity, { kind: 'time', slot }, times[slot] as number);
   const functions = shown.filter((_, slot) => slotKind(identity, slot) === 'function');
   return [
-    line.dt(shown.at(-1) as string),
-    identity.timerClass === 'Q' ? line.motorStop(first) : line.reserved(first),
+    line.dt(figure(times.length - 1)),
+    identity.timerClass === 'Q' ? line.motorStop(figure(0)) : line.reserved(shown[0] as string),
     ...(functions.length > 0 ? [line.functions(functions)] : []),
   ].join(', ');
 }

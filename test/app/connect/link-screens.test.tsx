@@ -261,7 +261,7 @@ describe('about this timer', () => {
     expect(screen.getByText('It answers “read times” with the letter of “write times”.')).toBeTruthy();
     expect(screen.queryByText('Nothing so far: it has done all that was asked in the usual way.')).toBeNull();
     const facts = screen.getAllByRole('definition').map(({ textContent }) => textContent);
-    expect(facts).toContain('10 functions, 4 memories, 3 servos');
+    expect(facts).toContain('9 functions and DT, 4 memories, 3 servos');
     expect(facts.some((fact) => fact?.startsWith('FTDI adapter'))).toBe(true);
   });
 

@@ -74,12 +74,12 @@ describe('the rows', () => {
     expect(newest?.[0]).toMatch(/^\d\d:\d\d:\d\d\.\d{3}$/);
     expect(newest?.slice(1)).toEqual([
       'from the timer',
-      'Identify, reply · GETSWVER F1Q, firmware 536, 10 functions, 4 memories, 3 servos',
+      'Identify, reply · GETSWVER F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos',
       '00 00 00 00 00 0c 6c 51 35 33 36 20 0a 04 03 20 ac 45',
     ]);
     expect(messagesShown()).toContain('Read idle throttle, reply · GETLOWRPM 30, unit unknown');
     expect(messagesShown().at(-2)).toBe(
-      'Identify, reply · GETSWVER F1Q, firmware 536, 10 functions, 4 memories, 3 servos',
+      'Identify, reply · GETSWVER F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos',
     );
   });
 
@@ -226,7 +226,7 @@ describe('the tools', () => {
     expect(screen.getByText('Copied.')).toBeTruthy();
     expect(written.mock.calls[0]?.[0].split('\n').filter((line) => !line.startsWith('# Sidus Timer'))).toEqual([
       '# Sidus capture 1',
-      '# Timer: F1Q, firmware 536, 10 functions, 4 memories, 3 servos',
+      '# Timer: F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos',
       '',
       '# Which memory · GETMEMORY',
       expect.stringMatching(/^0\.000 > 00 00 00 00 00 03 71 71 45$/),

@@ -43,7 +43,7 @@ describe('a saved line', () => {
       '',
       '# Identify · GETSWVER',
       '0.000 > 00 00 00 00 00 03 6b 6b 45',
-      '# Identify, reply · GETSWVER: F1B, firmware 536, 10 functions, 4 memories, 3 servos',
+      '# Identify, reply · GETSWVER: F1B, firmware 536, 9 functions and DT, 4 memories, 3 servos',
       '0.052 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45',
       '# Line error: framing: A byte did not end as it should: the rate is wrong, or the signal is weak.',
       '# Noise: These bytes belong to no frame.',

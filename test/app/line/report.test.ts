@@ -38,7 +38,7 @@ describe('a report', () => {
       '# Browser: Chromium 140, Linux',
       '# Page: in a browser tab',
       '# Port: ftdi, usb:0403:6001, 19200 8N1, RTS low',
-      '# Timer: F1B, firmware 536, 10 functions, 4 memories, 3 servos',
+      '# Timer: F1B, firmware 536, 9 functions and DT, 4 memories, 3 servos',
       '# Found: memory-unknown; times-rounded slot 3 sent 1005 held 1000',
       '# Assumed: bigEndianTimes false',
       '# Line: 12 to the timer, 10 from the timer, 2 damaged, 1 line error, 3 repeats',
@@ -80,7 +80,7 @@ describe('a report', () => {
     const program = editor.working.value;
     for (let i = 0; i < 20; i++) await run(session.reader.read());
     const text = reportText(gatherFacts(session));
-    expect(text).toContain('# Timer: F1Q, firmware 536, 10 functions, 4 memories, 3 servos\n');
+    expect(text).toContain('# Timer: F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos\n');
     expect(text).toContain('# Found: memory-unknown\n');
     const { entries, replayable } = parseRecording('report', text);
     expect(entries).toHaveLength(60);

@@ -16,12 +16,12 @@ describe('what a frame says', () => {
     [
       'the times of Q',
       came({ name: 'GETTIMERS', times }),
-      'Read times, reply · GETTIMERS: DT 3:00, motor stop 10.00, functions 10.50 12.00 14.00 16.00 18.00 20.00 22.00 24.00 26.00',
+      'Read times, reply · GETTIMERS: DT 3:00 min, motor stop 10.0 s, functions 10.50 12.00 14.00 16.00 18.00 20.00 22.00 24.00 26.00',
     ],
     [
       'times to be written',
       sent({ name: 'SETTIMERS', times }),
-      'Write times · SETTIMERS: DT 3:00, motor stop 10.00, functions 10.50 12.00 14.00 16.00 18.00 20.00 22.00 24.00 26.00',
+      'Write times · SETTIMERS: DT 3:00 min, motor stop 10.0 s, functions 10.50 12.00 14.00 16.00 18.00 20.00 22.00 24.00 26.00',
     ],
     [
       'a position',
@@ -42,7 +42,7 @@ describe('what a frame says', () => {
     [
       'what the timer is',
       came({ name: 'GETSWVER', identity: Q }),
-      'Identify, reply · GETSWVER: F1Q, firmware 536, 10 functions, 4 memories, 3 servos',
+      'Identify, reply · GETSWVER: F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos',
     ],
     ['where to move', sent({ name: 'MOVETOFUNC', function: 0 }), 'Move servos · MOVETOFUNC: Start'],
     ['a memory', came({ name: 'GETMEMORY', memory: 1 }), 'Which memory, reply · GETMEMORY: M2'],
@@ -91,7 +91,9 @@ describe('what a frame says', () => {
   });
 
   it('calls the first time reserved where it is not the motor stop', () => {
-    expect(describeFrame(came({ name: 'GETTIMERS', times }), { identity: B536 })).toContain('DT 3:00, reserved 10.00,');
+    expect(describeFrame(came({ name: 'GETTIMERS', times }), { identity: B536 })).toContain(
+      'DT 3:00 min, reserved 10.00,',
+    );
   });
 
   it('depends on what is known of the timer', () => {
