@@ -54,7 +54,7 @@ async function opened(before?: () => void): Promise<AppPage> {
 
 async function takeAll(app: AppPage): Promise<void> {
   await app.button('Import 45').click();
-  await app.text(/^Imported from .*: 3 models, 12 settings, 30 flights\.$/).waitFor();
+  await app.text(/^Imported from .*: 3\smodels, 12\ssettings, 30\sflights\.$/).waitFor();
 }
 
 /** The library as in a file of the page, each list in the order of its ids. */
@@ -237,7 +237,7 @@ describe('where the browser has files', () => {
     await page.getByRole('heading', { name: 'Import sent.sidus' }).waitFor();
     await takeAll(app);
     await app.button('Export all…').click();
-    await app.text(/^Saved to mine\.sidus\.json/).waitFor();
+    await app.text(/^Saved to “mine\.sidus\.json/).waitFor();
     await page.getByRole('link', { name: /^Vega 12/ }).click();
     await app.button('Archive').click();
     await app.button('Save to mine.sidus.json').click();

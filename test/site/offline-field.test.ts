@@ -57,7 +57,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await page.getByRole('heading', { name: 'Import friend.sidus.json' }).waitFor();
   await page.getByRole('dialog').getByRole('combobox').selectOption('Keep both');
   await app.button(/^Import \d+$/).click();
-  await app.text(/^Imported from friend\.sidus\.json: /).waitFor();
+  await app.text(/^Imported from “friend\.sidus\.json”: /).waitFor();
   await page.evaluate((to) => location.assign(to), hash);
   await page.getByRole('dialog', { name: 'A setting from a link' }).getByText('windy', { exact: true }).waitFor();
   await app.button('Do not keep').click();

@@ -181,7 +181,7 @@ class Device {
     await importFile(this.app, 'from the lost one.sidus.json', text);
     await this.app.text('In it: 3 models, 12 settings, 30 flights.').waitFor();
     await this.app.button('Import 45').click();
-    await this.app.text(/^Imported from .*: 3 models, 12 settings, 30 flights\.$/).waitFor();
+    await this.app.text(/^Imported from .*: 3\smodels, 12\ssettings, 30\sflights\.$/).waitFor();
   }
 
   /** What the pilot sees: the order of models and settings, and what was typed about them. */

@@ -1,16 +1,20 @@
 import type { CodecErrorCode } from '../../protocol/index.js';
 import { apart } from './apart.js';
+import { whole } from './dotted.js';
 import { plural } from './plural.js';
 
 /** “2 models, 1 setting”: only kinds that there are. */
 const counted = ({ models, settings, flights }: { models: number; settings: number; flights: number }): string =>
   [
-    models > 0 && plural(models, 'model', 'models'),
-    settings > 0 && plural(settings, 'setting', 'settings'),
-    flights > 0 && plural(flights, 'flight', 'flights'),
+    models > 0 && whole(plural(models, 'model', 'models')),
+    settings > 0 && whole(plural(settings, 'setting', 'settings')),
+    flights > 0 && whole(plural(flights, 'flight', 'flights')),
   ]
     .filter(Boolean)
     .join(', ');
+
+/** “Sidus library 2026-11-25.sidus.json”, whose date does not break. A long name must be able to. */
+const fileName = (name: string): string => `“${apart(name.length > 40 ? name : name.replaceAll('-', '-\u2060'))}”`;
 
 const BROKEN = 'A value in the file cannot be right.';
 
@@ -22,13 +26,14 @@ export const filesMessages = {
     one: 'Export…',
     again: (name: string) => `Save to ${name}`,
     another: 'Export to another file…',
-    saving: (name: string) => `Saving ${name}`,
+    saving: (name: string) => `Saving ${fileName(name)}`,
     /** Saved to a file that the pilot has chosen. */
-    saved: (name: string, what: string) => `Saved to ${apart(name)}: ${what}.`,
+    saved: (name: string, what: string) => `Saved to ${fileName(name)}: ${what}.`,
     /** Given to the browser as a download. It does not say whether it has saved the file. */
     downloaded: (name: string, what: string) =>
-      `This browser puts ${apart(name)} into your downloads: ${what}. Check that it is there.`,
-    notWritten: (name: string) => `${name} could not be written. This browser puts it into your downloads instead.`,
+      `This browser puts ${fileName(name)} into your downloads: ${what}. Check that it is there.`,
+    notWritten: (name: string) =>
+      `${fileName(name)} could not be written. This browser puts it into your downloads instead.`,
     tooLarge: 'The library is too large for one file. Export its models one by one.',
     nothing: 'There is nothing to export yet.',
     failed: 'The file could not be made. Load the page again and try once more.',
@@ -77,8 +82,8 @@ export const filesMessages = {
     allStays: 'What is here stays: nothing in the file is newer. Choose “Keep both” to import it, too.',
     allLeftOut: 'Everything in the file is left out.',
     shut: 'The browser cannot read the library now. An import could replace newer settings with older ones.',
-    importing: (name: string, done: number, of: number) => `Importing ${apart(name)}: ${done} of ${of}`,
-    done: (what: string, name: string) => `Imported from ${apart(name)}: ${what}.`,
+    importing: (name: string, done: number, of: number) => `Importing ${fileName(name)}: ${done} of ${of}`,
+    done: (what: string, name: string) => `Imported from ${fileName(name)}: ${what}.`,
     unkept: 'This browser could not store all of it. What you see is lost when you close this page.',
     undo: 'Undo the import',
     undone: 'The import was undone.',

@@ -1,5 +1,6 @@
 import type { SettingSource } from '../../program/index.js';
 import { apart } from './apart.js';
+import { whole } from './dotted.js';
 import { plural } from './plural.js';
 
 /** The fields of a model, a setting or a flight on which two tabs may disagree. */
@@ -146,9 +147,9 @@ export const libraryMessages = {
     timer: (name: string, firmware: string | null, functions: number, servos: number) =>
       [
         name,
-        firmware === null ? null : `firmware\u00a0${firmware}`,
-        plural(functions, 'function', 'functions'),
-        plural(servos, 'servo', 'servos'),
+        firmware === null ? null : whole(`firmware ${firmware}`),
+        whole(plural(functions, 'function', 'functions')),
+        whole(plural(servos, 'servo', 'servos')),
       ]
         .filter(Boolean)
         .join(', '),

@@ -1,3 +1,4 @@
+import { whole } from './dotted.js';
 import { obstacles, pictureFaults } from './en-library.js';
 import { plural } from './plural.js';
 
@@ -21,7 +22,7 @@ export const share = {
     lead: 'So far this page only shows it. Nothing is kept, and nothing is written to a timer.',
     dated: (date: string) => `Last changed ${date}`,
     timer: (timer: string, firmware: string, functions: number, servos: number) =>
-      `${timer}, ${firmware === '000' ? '' : `firmware\u00a0${firmware}, `}${plural(functions, 'function', 'functions')}, ${plural(servos, 'servo', 'servos')}`,
+      `${timer}, ${firmware === '000' ? '' : `firmware\u00a0${firmware}, `}${whole(plural(functions, 'function', 'functions'))}, ${whole(plural(servos, 'servo', 'servos'))}`,
     tags: (tags: readonly string[]) => `Tags: ${tags.join(', ')}`,
     known: (name: string) => `The library has these values already: ${name}.`,
     modelChoice: 'Keep it under',

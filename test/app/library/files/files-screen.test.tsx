@@ -81,7 +81,7 @@ describe('an import', () => {
     await press('Import 3');
     expect(kept(app)).toEqual(ALL);
     expect(screen.queryByRole('dialog')).toBeNull();
-    expect(notice(/^Imported from lancer/).textContent).toContain('1 model, 1 setting, 1 flight');
+    expect(notice(/^Imported from “lancer/).textContent).toContain('1\u00a0model, 1\u00a0setting, 1\u00a0flight');
     await press('Undo the import');
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
     notice(/^The import was undone\.$/);
@@ -95,7 +95,7 @@ describe('an import', () => {
     expect(dialog().getByRole('heading', { name: 'Import lancernosj.sidus' })).toBeTruthy();
     dialog().getByText(/^Written .* by Sidus Timer\. In it: 1 model, 1 setting, 1 flight\.$/);
     await press('Import 3');
-    notice(/^Imported from lancernosj\.sidus: /);
+    notice(/^Imported from “lancernosj\.sidus”: /);
   });
 
   it('of entries that are there already has nothing to do', async () => {
@@ -262,11 +262,11 @@ describe('an import', () => {
     await click('Export all…');
     held[0]?.();
     await idle(0);
-    notice(/^Imported from first/);
+    notice(/^Imported from “first/);
     await click('Undo the import');
     held[1]?.();
     await idle(0);
-    notice(/^Imported from second/);
+    notice(/^Imported from “second/);
     expect(app.session.library.settings.list.value.map(({ key }) => key)).toEqual(['second']);
     await click('Undo the import');
     expect(app.session.library.settings.list.value).toEqual([]);
@@ -408,7 +408,7 @@ describe('an export', () => {
     const { library: read } = parseLibraryFile(await (saved[0]?.text() ?? ''));
     expect(read).toEqual(ALL);
     notice(
-      /^This browser puts Sidus library .* into your downloads: 1 model, 1 setting, 1 flight\. Check that it is there\.$/,
+      /^This browser puts “Sidus library .*” into your downloads: 1 model, 1 setting, 1 flight\. Check that it is there\.$/,
     );
   });
 
@@ -471,7 +471,7 @@ describe('an export', () => {
         types: [{ accept: { 'application/json': ['.sidus.json', '.sidus'] } }],
       },
     ]);
-    notice(/^Saved to my library\.sidus\.json: 1 model/);
+    notice(/^Saved to “my library\.sidus\.json”: 1 model/);
     await app.session.library.keepModel({ ...MODEL, note: 'changed' });
     await press('Save to my library.sidus.json');
     expect(asked).toHaveLength(1);
@@ -497,7 +497,7 @@ describe('an export', () => {
     const { fill } = picker(['on a full disk']);
     fill();
     await press('Export all…');
-    notice(/^on a full disk could not be written/);
+    notice(/^“on a full disk” could not be written/);
     expect(saved).toHaveLength(1);
     button('Export all…');
   });
