@@ -1,15 +1,16 @@
 import { useSignal } from '@preact/signals';
 import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { print as words } from '../messages/en-print.js';
-import { dateText } from '../messages/index.js';
+import { dateText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { BackSign } from '../ui/back-sign.js';
 import { Problem } from '../ui/problem.js';
 import type { SetLeaf } from './galley.js';
 import { LeafPage, useLeaves } from './leaf-page.js';
 import { leavesOn, type Paper } from './paper.js';
 import { Print } from './print.js';
 import { PrintChoices } from './print-choices.js';
-import type { PrintOrder } from './print-order.js';
+import { isOfLibrary, ON_SCREEN, type PrintOrder } from './print-order.js';
 import { PrintPicker } from './print-picker.js';
 import './print-view.css';
 
@@ -23,6 +24,8 @@ export interface PrintViewProps {
 /** The setting sheets as the printer will print them. */
 export function PrintView({ session, order, onPrint }: PrintViewProps) {
   const print = useMemo(() => new Print(session, order, location.href), [session, order]);
+  // The choice may change later; the way back stays.
+  const from = useMemo(() => homeOf(order.keys.peek()[0]), [order]);
   const { leaves, galley } = useLeaves(print.copies.value);
   const printed = useMemo(() => dateText(Date.now()), [leaves]);
   const failed = useSignal(false);
@@ -33,7 +36,13 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
   return (
     <>
       <div class="print-tools">
-        <h1>{words.title}</h1>
+        <div class="print-head">
+          <a href={`#${from}`}>
+            <BackSign />
+            {messages.value.views.names[from]}
+          </a>
+          <h1>{words.title}</h1>
+        </div>
         <p class="hint">{words.lead}</p>
         <PrintChoices print={print} />
         {left > 0 && <p role="status">{words.left(left)}</p>}
@@ -62,6 +71,11 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
       {galley}
     </>
   );
+}
+
+/** The view in which the first of what is printed is at home. */
+function homeOf(key: string = ON_SCREEN): 'library' | 'memories' | 'program' {
+  return isOfLibrary(key) ? 'library' : key === ON_SCREEN ? 'program' : 'memories';
 }
 
 /** The pages on each sheet of paper. */

@@ -41,6 +41,23 @@ describe('the print view', () => {
     expect(sheet?.textContent, 'there is a line to write the name of the model on').toMatch(/^Model/);
   });
 
+  it('leads back to where the first of what it prints is at home', async () => {
+    const app = await connected();
+    const back = (name: string) =>
+      screen.getByRole('main').querySelector(`.print-head a[href="#${name}"]`)?.textContent;
+    await goTo('print');
+    expect(back('program')).toBe('Program');
+    screen.getByText('On this print: the program on the screen');
+    await goTo('program');
+    app.models.printOrder.choose(['memory 1']);
+    await goTo('print');
+    expect(back('memories')).toBe('Memories');
+    await goTo('program');
+    app.models.printOrder.choose(['some-setting']);
+    await goTo('print');
+    expect(back('library')).toBe('Library');
+  });
+
   it('is opened by Ctrl+P where a sheet can be printed; elsewhere, and over a dialog, the browser prints', async () => {
     const { views } = await connected();
     const hit = (): boolean => {
