@@ -83,7 +83,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   const flown = form.getByRole('table', { name: 'Times and positions that the timer held' });
   await expect
     .poll(() => flown.getByRole('row', { name: /^DT/ }).innerText(), { message: 'a copy, whatever was written since' })
-    .toContain('20 s');
+    .toContain('20.00');
   await isWellMade(app, 'the form of a flight');
   await form.getByRole('button', { name: 'Delete' }).click();
   await page.getByText('No flight fits this filter.').waitFor();

@@ -16,6 +16,17 @@ const counted = ({ models, settings, flights }: { models: number; settings: numb
 /** “Sidus library 2026-11-25.sidus.json”, whose date does not break. A long name must be able to. */
 const fileName = (name: string): string => `“${apart(name.length > 40 ? name : name.replaceAll('-', '-\u2060'))}”`;
 
+const ENTRY = { models: 'Model', settings: 'Setting', flights: 'Flight' };
+
+/** A place in a library file: the number of its entry from 1, and empty texts for what there is not. */
+interface Place {
+  readonly kind: keyof typeof ENTRY;
+  readonly number: number;
+  readonly name: string;
+  readonly slot: string;
+  readonly field: string;
+}
+
 const BROKEN = 'A value in the file cannot be right.';
 
 /** The library as files: export, import, and the reminder to export. */
@@ -94,7 +105,17 @@ export const filesMessages = {
     title: (name: string) => `${name} cannot be imported`,
     nothing: 'Nothing was imported.',
     line: (line: number, column: number) => `Line ${line}, column ${column}.`,
-    field: (path: string) => `Entry: ${path}.`,
+    /** Where a fault stands: “Setting “calm morning”, function 2, time.” */
+    place: ({ kind, number, name, slot, field }: Place) =>
+      [
+        `${ENTRY[kind]} ${name === '' ? `${number} in the file` : `“${apart(name)}”`}`,
+        /^\d/.test(slot) ? `function ${slot}` : slot,
+        field.replace(/^positions\[(\d+)\]$/, (_, servo) => `S${Number(servo) + 1}`),
+      ]
+        .filter(Boolean)
+        .join(', ')
+        .concat('.'),
+    again: 'Export it again, or ask the sender for it.',
     between: (min: number, max: number) => `It must be ${min} to ${max}.`,
     characters: (min: number, max: number) => `It must have ${min} to ${max} characters.`,
     files: {

@@ -8,6 +8,7 @@ import { Problem } from '../../ui/problem.js';
 import { SegmentChoice } from '../../ui/segment-choice.js';
 import { countOf, differs, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
 import type { FileRefusal, ImportStep, LibraryFiles } from './library-files.js';
+import type { PlaceInFile } from './place-in-file.js';
 import './import-dialog.css';
 
 interface ImportDialogProps {
@@ -33,7 +34,7 @@ export function ImportDialog({ files, onTaken }: ImportDialogProps) {
           <CloseButton files={files} text={messages.value.cancel} />
         </>
       )}
-      {current?.step === 'refused' && <Refused files={files} why={current.why} />}
+      {current?.step === 'refused' && <Refused {...{ files }} why={current.why} place={current.place ?? null} />}
       {current?.step === 'plan' && <Plan {...{ files, onTaken }} step={current} />}
     </Modal>
   );
@@ -49,27 +50,40 @@ function CloseButton({ files, text }: { readonly files: LibraryFiles; readonly t
   );
 }
 
+interface RefusedProps {
+  readonly files: LibraryFiles;
+  readonly why: FileRefusal;
+  readonly place: PlaceInFile | null;
+}
+
 /** Why a file was refused, and where in it the fault stands. */
-function Refused({ files, why }: { readonly files: LibraryFiles; readonly why: FileRefusal }) {
+function Refused({ files, why, place }: RefusedProps) {
   const { refused: words } = filesMessages;
   return (
     <>
       <p role="alert">{why instanceof CodecError ? reasonOf(why) : words.files[why]}</p>
-      {why instanceof CodecError && <PlaceInFile why={why} />}
-      <p>{words.nothing}</p>
+      {why instanceof CodecError && <Place why={why} place={place} />}
+      <p>
+        {words.nothing} {why instanceof CodecError && isDamaged(why) && words.again}
+      </p>
       <CloseButton files={files} text={messages.value.close} />
     </>
   );
 }
 
-function PlaceInFile({ why: { code, field, details } }: { readonly why: CodecError }) {
+/** Whether it is a library file that another try may bring whole. */
+function isDamaged({ code, field }: CodecError): boolean {
+  return code !== 'newer-version' && code !== 'too-large' && field !== 'format' && field !== 'encoding';
+}
+
+/** The place as a pilot knows it, and where it stands in the text. */
+function Place({ why, place }: { readonly why: CodecError; readonly place: PlaceInFile | null }) {
   const { refused: words } = filesMessages;
-  const { line, column } = details;
-  if (line === undefined || column === undefined || field === 'format' || code === 'newer-version') return null;
-  const isPath = code !== 'bad-file' && field !== '';
+  const { line, column } = why.details;
+  if (line === undefined || column === undefined || !isDamaged(why)) return null;
   return (
     <p class="hint import-place">
-      {words.line(line, column)} {isPath && words.field(field)}
+      {place && words.place(place)} {words.line(line, column)}
     </p>
   );
 }

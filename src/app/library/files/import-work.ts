@@ -4,6 +4,7 @@ import { CodecError } from '../../../protocol/index.js';
 import { plainName } from '../../session/plain-names.js';
 import { isSame } from '../../storage/index.js';
 import { type EntryCounts, type Group, groupsOf, type Records } from './import-plan.js';
+import { type PlaceInFile, placeInFile } from './place-in-file.js';
 
 /** The content of a file. */
 interface Found {
@@ -15,7 +16,10 @@ interface Found {
 }
 
 /** Reads the text of a file and compares it with the library. */
-export function lookInto(text: string, held: () => Records): Found | { readonly refused: CodecError } {
+export function lookInto(
+  text: string,
+  held: () => Records,
+): Found | { readonly refused: CodecError; readonly place: PlaceInFile | null } {
   try {
     const file = parseLibraryFile(text);
     const { models, settings, flights } = file.library;
@@ -25,8 +29,8 @@ export function lookInto(text: string, held: () => Records): Found | { readonly 
     const { writtenAt, ignored } = file;
     return { writtenAt, writtenBy: plainName(file.writtenBy), ignored: ignored.length, holds, groups };
   } catch (error) {
-    if (error instanceof CodecError) return { refused: error };
-    throw error;
+    if (!(error instanceof CodecError)) throw error;
+    return { refused: error, place: placeInFile(text, error.field) };
   }
 }
 

@@ -12,11 +12,18 @@ import { ExportMarks } from './export-marks.js';
 import { type EntryCounts, type Group, type Records, recordsOf, type Way } from './import-plan.js';
 import { lookInto, undoOf } from './import-work.js';
 import { type FilePart, type Made, partOf, textOf } from './library-text.js';
+import type { PlaceInFile } from './place-in-file.js';
 
 /** The state of an import. */
 export type ImportStep =
   | { readonly step: 'reading'; readonly name: string }
-  | { readonly step: 'refused'; readonly name: string; readonly why: FileRefusal }
+  | {
+      readonly step: 'refused';
+      readonly name: string;
+      readonly why: FileRefusal;
+      /** Null outside of all entries. */
+      readonly place?: PlaceInFile | null;
+    }
   | ({ readonly step: 'plan'; readonly name: string; readonly writtenAt: number; readonly writtenBy: string } & {
       readonly ignored: number;
       readonly holds: EntryCounts;
@@ -142,7 +149,7 @@ export class LibraryFiles {
     try {
       await this.#load();
       const found = lookInto(read.text, () => this.#records());
-      if ('refused' in found) return show({ step: 'refused', name, why: found.refused });
+      if ('refused' in found) return show({ step: 'refused', name, why: found.refused, place: found.place });
       this.#ways.value = { all: 'newer', of: new Map() };
       show({ step: 'plan', name, ...found, ways: this.#ways });
     } catch {

@@ -326,12 +326,17 @@ describe('what cannot be imported', () => {
     [
       text().replace('"0.30"', '"700.00"'),
       'A value is out of its range. It must be 0 to 655.35.',
-      'Line 36, column 34. Entry: settings[0].program.slots[1].time.',
+      'Setting “calm morning”, function 1, time. Line 36, column 34.',
+    ],
+    [
+      text().replace('"positions": [115, 115]', '"positions": [115, 1150]'),
+      'A value is out of its range. It must be 0 to 255.',
+      'Setting “calm morning”, DT, S2. Line 39, column 64.',
     ],
     [
       text().replace('"name": "Lancer 07"', '"name": ""'),
       'A value is out of its range. It must have 1 to 60 characters.',
-      'Line 9, column 15. Entry: models[0].name.',
+      'Model 1 in the file, name. Line 9, column 15.',
     ],
     [`ÿþ{`, 'The letters of the file cannot be read. Save it as UTF-8.', null],
     [Uint8Array.of(0x7b, 0xff, 0x00), 'The file is not text.', null],
@@ -343,7 +348,9 @@ describe('what cannot be imported', () => {
     expect(dialog().getByRole('alert').textContent).toContain(reason);
     if (place) expect(document.querySelector('.import-place')?.textContent?.trim()).toBe(place);
     else expect(document.querySelector('.import-place')).toBeNull();
-    dialog().getByText('Nothing was imported.');
+    dialog().getByText(
+      place ? 'Nothing was imported. Export it again, or ask the sender for it.' : 'Nothing was imported.',
+    );
     await press('Close');
     expect(kept(app)).toEqual(before);
   });
