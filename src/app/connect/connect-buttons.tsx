@@ -20,29 +20,20 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
   // A changed program has its own way to the timer.
   const leads = large || session.editor.changes.value.length === 0;
   const choice = failed || session.link.ports.value.length > 0;
+  const connect = part !== 'rest' && !session.link.unavailable && (
+    <button
+      type="button"
+      class={large ? 'primary large' : leads ? 'primary' : ''}
+      data-lead="connect"
+      disabled={session.engaged.value}
+      onClick={() => void session.timer.connect()}
+    >
+      {session.connection.value ? program.read : header.connect}
+    </button>
+  );
   return (
     <>
-      {part !== 'rest' && !session.link.unavailable && (
-        <button
-          type="button"
-          class={large ? 'primary large' : leads ? 'primary' : ''}
-          data-lead="connect"
-          disabled={session.engaged.value}
-          onClick={() => void session.timer.connect()}
-        >
-          {session.connection.value ? program.read : header.connect}
-        </button>
-      )}
-      {part !== 'first' && again && (
-        <button type="button" disabled={session.engaged.value} onClick={() => void session.timer.trySimulated(again)}>
-          {header.simulatedTimer}
-        </button>
-      )}
-      {part !== 'first' && choice && (
-        <button type="button" disabled={session.engaged.value} onClick={() => void session.timer.connect(true)}>
-          {header.choosePort}
-        </button>
-      )}
+      {large && connect}
       {part !== 'first' && session.editor.working.value && !session.connection.value && (
         <button
           type="button"
@@ -53,6 +44,18 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
           {header.closeProgram}
         </button>
       )}
+      {part !== 'first' && again && (
+        <button type="button" disabled={session.engaged.value} onClick={() => void session.timer.trySimulated(again)}>
+          {header.trySimulated}
+        </button>
+      )}
+      {part !== 'first' && choice && (
+        <button type="button" disabled={session.engaged.value} onClick={() => void session.timer.connect(true)}>
+          {header.choosePort}
+        </button>
+      )}
+      {/* Where Disconnect was: a second click on it must not close the program. */}
+      {!large && connect}
     </>
   );
 }

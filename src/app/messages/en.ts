@@ -55,7 +55,7 @@ export const en = {
     simulated: 'simulated',
     connect: 'Connect',
     choosePort: 'Choose a port',
-    simulatedTimer: 'Simulated',
+    trySimulated: 'Try simulated',
     closeProgram: 'Close program',
     disconnect: 'Disconnect',
     stop: 'Stop',

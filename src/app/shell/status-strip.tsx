@@ -63,9 +63,22 @@ export function StatusStrip({ session, memories, leaving, follow, preferences, s
     document.addEventListener('keydown', onKey);
     return () => document.removeEventListener('keydown', onKey);
   }, [isOpen, close]);
+  const job = session.runner.job.value;
+  // Another memory, or none: what has changed would be out of sight below the panel of a phone.
+  const shown = [memories.looking.value, job?.kind === 'look' || job?.kind === 'select', status === 'off'].join();
+  const before = useRef(shown);
+  useEffect(() => {
+    if (before.current === shown) return;
+    before.current = shown;
+    if (!isNarrow || !open.peek()) return;
+    if (box.current?.querySelector('.strip-panel')?.contains(document.activeElement)) close();
+    else open.value = false;
+  }, [shown, isNarrow, open, close]);
+  // Also on a tablet, where the ways to another timer are the most that the strip has to hold.
+  const isFolded = identity !== null && (isNarrow || (isTight && status === 'off'));
   const actions = (
     <div class="top-actions">
-      {status === 'off' && identity && <ConnectButtons session={session} {...(isNarrow ? { part: 'rest' } : {})} />}
+      {status === 'off' && identity && <ConnectButtons session={session} {...(isTight ? { part: 'rest' } : {})} />}
       {status === 'on' && (
         <button type="button" class="quiet" onClick={() => void leaving.disconnect()}>
           {header.disconnect}
@@ -82,7 +95,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences, s
           {!identity && <span>{name}</span>}
         </p>
         {!isNarrow && <StripModel session={session} />}
-        {isNarrow && identity && status === 'off' && !session.link.unavailable ? (
+        {isTight && identity && status === 'off' && !session.link.unavailable ? (
           <ConnectButtons session={session} part="first" />
         ) : (
           <LinkState link={session.link} model={isNarrow ? (session.modelAtHand.value?.name ?? null) : null} />
@@ -101,18 +114,19 @@ export function StatusStrip({ session, memories, leaving, follow, preferences, s
           </button>
         )}
         {identity && <KnownLine session={session} follow={follow} />}
-        {(!isNarrow || !identity) && actions}
+        {!isFolded && actions}
       </div>
       {isOpen && (
         <figures.Part
-          {...{ id: panel, session, preferences, saveSetting }}
+          {...{ id: panel, session, memories, preferences, saveSetting }}
           rest={
             isTight
               ? {
                   choice,
-                  actions: isNarrow ? (
+                  isPhone: isNarrow,
+                  actions: isFolded ? (
                     <div class="strip-actions">
-                      <StripModel session={session} />
+                      {isNarrow && <StripModel session={session} />}
                       {actions}
                     </div>
                   ) : null,
