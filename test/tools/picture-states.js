@@ -405,7 +405,7 @@ export const states = {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
       await page.getByText(/^No answer for 1[0-9]\s/).waitFor();
-      await page.getByText('What to do').click();
+      await page.getByText('If it still does not answer').click();
     },
   },
   refused: {
@@ -422,7 +422,7 @@ export const states = {
     bench: { granted: true, damage: 0.1 },
     reach: async (page) => {
       await press(page, 'Connect');
-      await page.getByText(/^Line disturbed/).waitFor();
+      await page.getByText('The line is disturbed.').waitFor();
     },
   },
   away: {

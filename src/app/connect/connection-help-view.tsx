@@ -11,24 +11,28 @@ interface ConnectionHelpProps {
   readonly platform: Platform;
   /** The information of the port; null when none was chosen. */
   readonly info: PortInfo | null;
+  /** Whether the pilot has set a rate. */
+  readonly rateSet: boolean;
 }
 
 /** What to do, step by step, folded up under the notice. */
-export function ConnectionHelp({ code, platform, info }: ConnectionHelpProps) {
+export function ConnectionHelp(props: ConnectionHelpProps) {
+  const { code } = props;
+  const { help } = messages.value;
   useEffect(() => () => document.documentElement.removeAttribute('data-help'), []);
-  if (helpFor(code, { platform, info, address: location.href }).here.length === 0) return null;
+  if (adviceFor(props).here.length === 0) return null;
   return (
     <details key={code} class="help" onToggle={({ currentTarget }) => keepInSight(currentTarget)}>
-      <summary>{messages.value.help.title}</summary>
-      <HelpSteps code={code} platform={platform} info={info} />
+      <summary>{code === 'still-waiting' ? help.titleStill : help.title}</summary>
+      <HelpSteps {...props} />
     </details>
   );
 }
 
 /** What to do, step by step: first for this system, then the others, folded up. */
-export function HelpSteps({ code, platform, info }: ConnectionHelpProps) {
+export function HelpSteps(props: ConnectionHelpProps) {
   const { on, systems } = messages.value.help;
-  const { here, elsewhere } = helpFor(code, { platform, info, address: location.href });
+  const { here, elsewhere } = adviceFor(props);
   return (
     <>
       <Steps steps={here} />
@@ -40,6 +44,10 @@ export function HelpSteps({ code, platform, info }: ConnectionHelpProps) {
       ))}
     </>
   );
+}
+
+function adviceFor({ code, ...situation }: ConnectionHelpProps) {
+  return helpFor(code, { ...situation, address: location.href });
 }
 
 /** The sentence about a failed connection. Without Web Serial it is about this browser. */

@@ -2,8 +2,11 @@ import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import type { Browser, Platform, System } from '../browser/platform.js';
 import type { Messages } from '../messages/index.js';
 
-/** What there is help for: a connection that failed, or a timer that does not answer. */
-export type HelpCode = ConnectionErrorCode | 'waiting';
+/**
+ * What there is help for: a connection that failed, or a timer that does not answer; `still-waiting` where the first
+ * steps are shown already.
+ */
+export type HelpCode = ConnectionErrorCode | 'waiting' | 'still-waiting';
 
 /** Where the help is needed: the same problem has other causes on another system. */
 export interface Situation {
@@ -12,6 +15,8 @@ export interface Situation {
   readonly info: PortInfo | null;
   /** The address of this page. */
   readonly address: string;
+  /** Whether the pilot has set a rate. */
+  readonly rateSet: boolean;
 }
 
 /** One thing to do. messages/ has its sentence under this code. */
@@ -53,6 +58,11 @@ const BLUETOOTH: Plan = { first: ['bluetooth-one', 'bluetooth-again'] };
 /** The steps for Firefox with a port that has failed. */
 function firefoxPorts({ browser, mobile }: Platform): readonly HelpStepCode[] {
   return browser === 'firefox' && !mobile ? ['firefox-reload'] : [];
+}
+
+/** A rate that the pilot has set may be wrong; another one is found. */
+function setRate(rateSet: boolean): readonly HelpStepCode[] {
+  return rateSet ? ['rate-waiting'] : [];
 }
 
 /** Browsers that Ubuntu installs as snaps, which keep them from serial ports. */
@@ -113,7 +123,8 @@ const PLANS: Readonly<Record<HelpCode, (situation: Situation) => Plan>> = {
           systems: { linux: ['brltty'], chromeos: ['linux-container'] },
           last: firefoxPorts(platform),
         },
-  waiting: () => ({ first: ['wake', 'near', 'battery', 'other-port-waiting', 'rate-waiting'] }),
+  waiting: ({ rateSet }) => ({ first: ['wake', 'near', 'battery', 'other-port-waiting', ...setRate(rateSet)] }),
+  'still-waiting': ({ rateSet }) => ({ first: ['battery', ...setRate(rateSet)] }),
   'bad-reply': () => ({ first: ['near', 'other-port', 'rate', 'report'] }),
   lost: ({ platform, info }) =>
     isBluetooth(info)

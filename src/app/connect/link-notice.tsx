@@ -1,6 +1,6 @@
 import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
-import { portInfoOf } from '../session/link.js';
+import { isRateSet, portInfoOf } from '../session/link.js';
 import type { Session } from '../session/session.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
@@ -33,10 +33,12 @@ export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
           <NoticeText said={said} />
         </div>
         {step !== null && <span class="hint">{link.stages.noAnswer(seconds)}</span>}
-        {help && <ConnectionHelp code={help} platform={platform} info={portInfoOf(state)} />}
+        {help && (
+          <ConnectionHelp code={help} {...{ platform, info: portInfoOf(state), rateSet: isRateSet(session.link) }} />
+        )}
         {canChoose && step !== 'switch' && <ChooseAnother session={session} />}
         <button type="button" onClick={onStop}>
-          {link.stop}
+          {state.status === 'away' ? link.stopWaiting : link.stop}
         </button>
       </div>
     </div>

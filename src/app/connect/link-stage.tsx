@@ -1,9 +1,9 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
-import { portInfoOf } from '../session/link.js';
+import { isRateSet, portInfoOf } from '../session/link.js';
 import type { Session } from '../session/session.js';
-import { disturbedText } from '../ui/progress-line.js';
+import { disturbedFor } from '../ui/progress-line.js';
 import { ConnectionHelp } from './connection-help-view.js';
 import { StepList } from './step-list.js';
 import { NOTHING, WAIT_STEPS, type Waiting, waitingFor } from './waiting.js';
@@ -39,7 +39,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
   }, []);
   const progress = job?.progress ?? null;
   const share = progress && progress.total > 0 && { value: progress.done, max: progress.total };
-  const disturbed = disturbedText(progress);
+  const left = disturbedFor(progress);
   return (
     <section class="link-stage" aria-labelledby="stage-title">
       {share ? (
@@ -53,19 +53,25 @@ export function LinkStage({ session, platform }: LinkStageProps) {
         </h1>
       </div>
       <p class="stage-lead">
-        {waiting.step !== null && words.stages.noAnswer(seconds)} {waiting.said.advice}
+        {waiting.step !== null && <span>{words.stages.noAnswer(seconds)}</span>}{' '}
+        <span>{left === null ? waiting.said.advice : messages.value.disturbed.reading(left)}</span>
       </p>
-      {disturbed && <p class="hint">{disturbed}</p>}
       {waiting.step !== null && <Steps session={session} waiting={waiting} />}
       <div class="buttons">
         {waiting.step === null && waiting.canChoose && <ChooseAnother session={session} />}
         {state.status !== 'closing' && (
           <button type="button" onClick={() => void session.timer.disconnect()}>
-            {words.stop}
+            {state.status === 'away' ? words.stopWaiting : words.stop}
           </button>
         )}
       </div>
-      {waiting.help && <ConnectionHelp code={waiting.help} platform={platform} info={portInfoOf(state)} />}
+      {waiting.help && (
+        <ConnectionHelp
+          // The steps above say the rest.
+          code={waiting.step === null ? waiting.help : 'still-waiting'}
+          {...{ platform, info: portInfoOf(state), rateSet: isRateSet(session.link) }}
+        />
+      )}
     </section>
   );
 }

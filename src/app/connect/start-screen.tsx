@@ -40,7 +40,7 @@ export function StartScreen({ session, installation, platform, children }: Start
           {unavailable ? (
             <div class="notice bad">
               <NoticeText said={connectionSaid(unavailable, platform)} />
-              <ConnectionHelp code={unavailable} platform={platform} info={null} />
+              <ConnectionHelp code={unavailable} platform={platform} info={null} rateSet={false} />
             </div>
           ) : (
             <>

@@ -26,7 +26,7 @@ export const firstSteps = {
   steps: {
     read: {
       title: 'Read the timer',
-      text: 'Click Connect, wake the timer and hold it close. The page reads what the timer holds. Reading changes nothing and moves nothing.',
+      text: 'Press Connect, wake the timer and hold the infra-red head close. The page reads what the timer holds. Reading changes nothing and moves nothing.',
     },
     write: {
       title: 'Change and write',
@@ -162,7 +162,7 @@ export const troubles = {
       title: 'The values look wrong',
       steps: [
         'Look at the top: it says which memory is shown, and which one flies next. Each memory has its own values.',
-        'Click Read again. When bytes were damaged on the way, the page trusts a value only after two readings agree.',
+        'Press “Read again”. When bytes were damaged on the way, the page trusts a value only after two readings agree.',
         'Do the times fall from row to row? Then the two bytes of each time may be swapped. The page shows both orders and asks you: compare them with what you know of the timer.',
         'On F1B and F1E the times may be counted from the function before. Compare them with the handheld programmer.',
         'The page does not round what it shows or writes. A timer may round a value that is finer than its manual allows.',
@@ -172,7 +172,7 @@ export const troubles = {
       title: 'The write was interrupted',
       steps: [
         'Do not fly this model yet. Nobody knows what the memory holds until it is read.',
-        'Wake the timer, hold it close, click Connect. The page reads it. Then it offers to finish the write, or to go back to the old values.',
+        'Wake the timer, hold the infra-red head close, press Connect. The page reads it. Then it offers to finish the write, or to go back to the old values.',
         'What the timer held before is kept: see the backups under Memories.',
       ],
     },
@@ -182,7 +182,7 @@ export const troubles = {
         'Look at the top: it says which memory flies next, and its DT. Another memory has another DT.',
         'Does the start switch spring back each time? While it is held, the sequence does not begin, and no DT comes.',
         'Is the battery charged, and its plug in all the way? When the timer does not run, no DT comes.',
-        'Hold the model safely and click the DT row in the Bench view. Does the servo go there, and does it release what it holds?',
+        'Hold the model safely and press the DT row in the Bench view. Does the servo go there, and does it release what it holds?',
         'Take the propeller off and let the timer run to its end. Do not fly before you have seen the servo move at the time of DT.',
       ],
     },
@@ -191,7 +191,7 @@ export const troubles = {
       steps: [
         'Has this function the same position as the one before? Then nothing moves.',
         'Is the plug of the servo in, and the battery charged? When the battery is plugged in, the servos go to their DT position.',
-        'Hold the model safely and click the row of the function in the Bench view. The servo goes there if the timer reaches it.',
+        'Hold the model safely and press the row of the function in the Bench view. The servo goes there if the timer reaches it.',
         'Does it go to another place than the table says? Some timers store a position only for the function at which the servos stand. The page then offers to move the servos while it writes.',
         'Does it hum or stop before its end? The linkage may bind: try fewer steps.',
       ],
@@ -207,11 +207,11 @@ export const troubles = {
     noLibrary: {
       title: 'My models and settings are not here',
       steps: [
-        'Is there text in the search field? Empty it. Is the model in the archive? Click Archive.',
+        'Is there text in the search field? Empty it. Is the model in the archive? Press Archive.',
         'Each browser keeps its own library, one for each profile and each address. Open this page in the same browser and profile, and at the same address, as when you saved them.',
         'Does the page say that its storage does not answer, or that another tab holds it? Close the other tabs of this page, and load it again.',
         'A private window deletes the library when you close it. Some browsers are set to do the same.',
-        'On another device, or when the library is lost: click Import in the library, and choose the file of your last export.',
+        'On another device, or when the library is lost: press Import in the library, and choose the file of your last export.',
       ],
     },
   },

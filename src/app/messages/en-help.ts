@@ -13,7 +13,7 @@ const systems: Record<System, string> = {
 
 /** One sentence for each step. Its code exists only by standing in this list. */
 const steps = {
-  'close-tabs': 'Close other tabs and windows that show this page, or click Disconnect in them.',
+  'close-tabs': 'Close other tabs and windows that show this page, or press Disconnect in them.',
   'programs-windows':
     'Close programs that use serial ports: Arduino IDE, PuTTY, Tera Term, RealTerm, CoolTerm, Betaflight Configurator, Cura, PrusaSlicer. Some go on running after you close their window: end them in the corner of the taskbar or in the Task Manager.',
   'programs-mac':
@@ -24,7 +24,7 @@ const steps = {
   'holder-mac': 'This command in the Terminal names the program that holds a port:',
   'holder-linux': 'This command in a terminal names the program that holds a port:',
   'modem-manager':
-    'ModemManager often holds a new adapter for some seconds, to see whether it is a modem. This page tries again for 15 seconds. When it has given up, click Connect again.',
+    'ModemManager often holds a new adapter for some seconds, to see whether it is a modem. This page tries again for 15 seconds. When it has given up, press Connect again.',
   group:
     'Linux may not let you use serial ports. On Debian, Ubuntu, Mint, Fedora and openSUSE this command allows it. Log out and in again afterwards:',
   'group-arch': 'On Arch and Manjaro use this one:',
@@ -37,7 +37,7 @@ const steps = {
   'linux-container':
     'The Linux of a Chromebook may have taken the adapter. Switch the adapter off in the Settings, under Linux development environment, Manage USB devices.',
   replug:
-    'Unplug the adapter, wait five seconds, plug it in again and click Connect. If that does not help, restart the computer.',
+    'Unplug the adapter, wait five seconds, plug it in again and press Connect. If that does not help, restart the computer.',
   cable: 'Plug the adapter in directly, without a hub, and try another cable. Many USB cables only charge.',
   'drivers-windows':
     'Open the Device Manager. A yellow mark on the adapter means that its driver is missing. Connect the computer to the internet: Windows Update often brings the driver. The makers have it, too: CP210x at silabs.com, VCP at ftdichip.com, CH341SER (for CH340) at wch-ic.com, PL2303 at prolific.com.tw.',
@@ -66,22 +66,23 @@ const steps = {
   'bluetooth-one':
     'A Bluetooth adapter talks to one device at a time. Disconnect it from any other phone or computer, or switch Bluetooth off there.',
   'bluetooth-again':
-    'Is the adapter switched on, charged, and not more than a few metres away? Switch it off and on, wait until it blinks, then click Connect.',
+    'Is the adapter switched on, charged, and not more than a few metres away? Switch it off and on, wait until it blinks, then press Connect.',
   'usb-power':
     'If it happens again and again, open the Device Manager, USB Root Hub, Power Management. There, clear the box that lets the computer turn the device off.',
   wake: 'The timer falls asleep after one or two minutes. Press its switch briefly. Nothing is lost.',
   near: 'Hold the infra-red head closer than 20\u00a0cm, pointed at the timer, and shade both from the sun.',
   battery:
     'Is the battery of the timer charged and plugged in? When its battery is empty, a timer stands at its DT position.',
-  'other-port': 'Click Choose a port: the timer may be on another adapter.',
-  'other-port-waiting': 'The timer may be on another adapter. Click Choose another port.',
+  'other-port': 'Press “Choose a port”: the timer may be on another adapter.',
+  'other-port-waiting': 'The timer may be on another adapter. Press “Choose another port”.',
   rate: 'Let this page find the rate, or choose the rate of your adapter. 9600 baud is the most likely.',
   'rate-waiting':
-    'If you have set a rate under Serial settings, it may be wrong for your adapter. Click Stop, then Usual settings: the page then finds the rate by itself.',
-  'usual-settings': 'Click Usual settings: 8 data bits, no parity and 1 stop bit. Every adapter takes them.',
+    'You have set a rate, and it may be wrong for your adapter. Press Stop, open Settings, “Serial settings”, and press “Usual settings”. Then connect again: the page finds the rate by itself.',
+  'usual-settings':
+    'Open Settings, “Serial settings”, and press “Usual settings”: 8 data bits, no parity and 1 stop bit. Every adapter takes them.',
   report:
-    'If it happens again with the timer awake and near: switch Expert on in the settings, open Line and click Copy report. Send the report to the maintainers, at this address:',
-  'ask-again': 'Click Connect again, and allow the port when the browser asks.',
+    'If it happens again with the timer awake and near: switch Expert on in the settings, open Line and press “Copy report”. Send the report to the maintainers, at this address:',
+  'ask-again': 'Press Connect again, and allow the port when the browser asks.',
   'site-permission':
     'This address lists the pages that may not use serial ports. Open it in a tab. If this page is in the list, remove it:',
   'site-permission-firefox':
@@ -91,7 +92,7 @@ const steps = {
   managed:
     'A school or a company may forbid serial ports on its computers. If “Serial” is listed at this address, only the administrator can change that:',
   'brave-flag': 'Open this address in a tab, and set Web Serial API to Enabled:',
-  'brave-relaunch': 'Click Relaunch there, and come back to this page.',
+  'brave-relaunch': 'Press Relaunch there, and come back to this page.',
   https: 'Open this address instead:',
   'this-computer':
     'Without https, serial ports work only where the page comes from this computer itself, as http://localhost. Everything but the connection works here too.',
@@ -104,6 +105,8 @@ const steps = {
 /** What to do, step by step, when a timer cannot be reached. */
 export const help = {
   title: 'What to do',
+  /** Below the steps for a timer that does not answer. */
+  titleStill: 'If it still does not answer',
   /** The heading over the folded steps of another system. */
   on: (system: string) => `On ${system}`,
   systems,

@@ -21,33 +21,33 @@ export const connection: Record<ConnectionErrorCode, Said> = {
   },
   'nothing-chosen': {
     title: 'No port was chosen.',
-    advice: 'Click Connect again and choose the adapter of the timer. If it is not in the list, the steps below help.',
+    advice: 'Press Connect again and choose the adapter of the timer. If it is not in the list, the steps below help.',
   },
   'not-allowed': {
     title: 'The browser does not allow serial ports here.',
-    advice: 'Allow serial ports for this page in the settings of the browser, then click Connect again.',
+    advice: 'Allow serial ports for this page in the settings of the browser, then press Connect again.',
   },
   busy: {
     title: 'The port cannot be opened.',
     advice:
-      'Most often another program has it. Close other programs and tabs that talk to the timer, or unplug the adapter and plug it in again. Then click Connect again.',
+      'Most often another program has it. Close other programs and tabs that talk to the timer, or unplug the adapter and plug it in again. Then press Connect again.',
   },
   'bad-settings': {
     title: 'The adapter does not take these settings.',
-    advice: 'Choose another rate, or let this page find it. Then click Connect again.',
+    advice: 'Choose another rate, or let this page find it. Then press Connect again.',
   },
   unplugged: {
     title: 'The adapter is not plugged in.',
-    advice: 'Plug it in, then click Connect again.',
+    advice: 'Plug it in, then press Connect again.',
   },
   'bad-reply': {
     title: 'Something answered, but not as a timer does.',
-    advice: 'Choose another port, or move the infra-red head closer and click Connect again.',
+    advice: 'Choose another port, or move the infra-red head closer and press Connect again.',
   },
   lost: {
     title: 'The connection is gone.',
     advice:
-      'The port failed each time it was opened. Unplug the adapter, plug it in again and click Connect. What you typed is kept.',
+      'The port failed each time it was opened. Unplug the adapter, plug it in again and press Connect. What you typed is kept.',
   },
 };
 
@@ -55,12 +55,13 @@ export const connection: Record<ConnectionErrorCode, Said> = {
 export const timer: Record<TimerErrorCode, Said> = {
   'no-answer': {
     title: 'The timer did not answer.',
-    advice: 'Is it awake, and closer than 20\u00a0cm? Press its switch briefly and try again. What you typed is kept.',
+    advice:
+      'Is it awake, and the infra-red head closer than 20\u00a0cm? Press the switch of the timer briefly and try again. What you typed is kept.',
   },
   'bad-reply': {
     title: 'The answer of the timer cannot be right.',
     advice:
-      'Try again. If it happens again: switch Expert on in the settings, open Line and click Copy report. Send the report to the maintainers (github.com/sidus-timer/sidus-timer/issues).',
+      'Try again. If it happens again: switch Expert on in the settings, open Line and press “Copy report”. Send the report to the maintainers (github.com/sidus-timer/sidus-timer/issues).',
   },
   unstable: {
     title: 'The line is too noisy to trust.',
@@ -115,7 +116,7 @@ export const timer: Record<TimerErrorCode, Said> = {
     advice: 'It comes back by itself. If the adapter was unplugged, plug it in again. What you typed is kept.',
   },
   aborted: { title: 'Stopped.', advice: 'Read again to see what the timer holds.' },
-  closed: { title: 'Disconnected.', advice: 'Click Connect to go on. What you typed is kept.' },
+  closed: { title: 'Disconnected.', advice: 'Press Connect to go on. What you typed is kept.' },
 };
 
 /** Messages that are not about errors. */

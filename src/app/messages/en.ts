@@ -123,7 +123,7 @@ export const en = {
     takeOver: 'Take over',
     asking: 'Asking the other tab',
     writing: 'The other tab is writing. Wait until it has finished.',
-    gone: 'The other tab does not answer. Close it, then click Connect again.',
+    gone: 'The other tab does not answer. Close it, then press Connect again.',
   },
   link,
   ports,
@@ -158,8 +158,13 @@ export const en = {
   timeline,
   preview,
   /** While a job goes on over a bad line. */
-  disturbed: (repeats: number, seconds: number) =>
-    `Line disturbed: ${plural(repeats, 'request', 'requests')} repeated, ends in ${seconds}\u00a0s at the latest`,
+  disturbed: {
+    /** In place of other advice. */
+    reading: (seconds: number) =>
+      `The line is disturbed. Hold the infra-red head closer and shade it from the sun. The reading ends in ${seconds}\u00a0s at the latest.`,
+    /** Beside the progress of any job. */
+    job: (seconds: number) => `The line is disturbed. This ends in ${seconds}\u00a0s at the latest.`,
+  },
   cancel: 'Cancel',
   close: 'Close',
   dismiss: 'Dismiss',

@@ -16,10 +16,7 @@ export const modelLine = onDemand(async () => (await import('../recognition/mode
   silent: true,
 });
 
-interface HeaderProps extends StatusStripProps, NoticeBarProps {
-  /** Whether the connecting is shown large, in place of the program. */
-  readonly staged: boolean;
-}
+type HeaderProps = StatusStripProps & NoticeBarProps;
 
 /** Stays in sight in every view: the status, what is uncertain, what is in progress, and messages. */
 export function Header({
@@ -36,7 +33,7 @@ export function Header({
   useHeight(top, '--top');
   return (
     <header class="top" ref={top}>
-      <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting }} />
+      <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting, staged }} />
       {session.recognition.tells.value && <modelLine.Part recognition={session.recognition} />}
       <NextFlightNotes session={session} memories={memories} />
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />

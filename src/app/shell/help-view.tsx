@@ -10,6 +10,7 @@ import { HelpNav } from '../help/help-nav.js';
 import { type Symptom, TroublePage } from '../help/trouble-page.js';
 import { guide } from '../messages/en-guide.js';
 import { messages } from '../messages/index.js';
+import { isRateSet } from '../session/link.js';
 import type { Session } from '../session/session.js';
 import { NoticeText } from '../ui/notice-text.js';
 
@@ -65,7 +66,7 @@ function Connection({ session, platform, symptom }: ConnectionProps) {
   return (
     <div class="help">
       {code === unavailable && <NoticeText said={connectionSaid(unavailable, platform)} />}
-      <HelpSteps code={code} platform={platform} info={null} />
+      <HelpSteps code={code} platform={platform} info={null} rateSet={isRateSet(session.link)} />
     </div>
   );
 }

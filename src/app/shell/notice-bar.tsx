@@ -7,6 +7,7 @@ import { OtherTabNotice } from '../connect/other-tab-notice.js';
 import { hexOf } from '../messages/frame-text.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { Keeping } from '../session/keeping.js';
+import { isRateSet } from '../session/link.js';
 import type { Notice } from '../session/notices.js';
 import type { PortHolder } from '../session/port-holder.js';
 import type { Session } from '../session/session.js';
@@ -84,7 +85,9 @@ export function NoticeBar({ session, keeping, aside, update, portHolder, platfor
               {link.trySelectBare}
             </button>
           )}
-          {notice.kind === 'connection' && <ConnectionHelp code={notice.code} platform={platform} info={notice.port} />}
+          {notice.kind === 'connection' && (
+            <ConnectionHelp code={notice.code} {...{ platform, info: notice.port, rateSet: isRateSet(session.link) }} />
+          )}
           <button type="button" class="quiet" onClick={() => session.notices.dismiss()}>
             {dismiss}
           </button>

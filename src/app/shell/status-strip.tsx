@@ -33,6 +33,8 @@ export interface StatusStripProps {
   readonly follow: Follow;
   readonly preferences: Preferences;
   readonly saveSetting: SaveSetting;
+  /** Whether the connecting is shown large, in place of the program. It has its own way to stop. */
+  readonly staged: boolean;
 }
 
 /**
@@ -40,7 +42,8 @@ export interface StatusStripProps {
  * are a button that opens the large ones with the presets; on a phone also everything else that has no room in one
  * line.
  */
-export function StatusStrip({ session, memories, leaving, follow, preferences, saveSetting }: StatusStripProps) {
+export function StatusStrip(props: StatusStripProps) {
+  const { session, memories, leaving, follow, preferences, saveSetting, staged } = props;
   const { name, header } = messages.value;
   const { status } = session.link.state.value;
   const isNarrow = useQuery(NARROW).value;
@@ -79,7 +82,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences, s
   const actions = (
     <div class="top-actions">
       {status === 'off' && identity && <ConnectButtons session={session} {...(isTight ? { part: 'rest' } : {})} />}
-      {status === 'on' && (
+      {status === 'on' && !staged && (
         <button type="button" class="quiet" onClick={() => void leaving.disconnect()}>
           {header.disconnect}
         </button>

@@ -3,12 +3,12 @@ import { realClock } from '../../line/index.js';
 import { messages } from '../messages/index.js';
 import './progress-line.css';
 
-/** How a bad line delays the job; null on a good line, where nobody needs to know for how long a bad one is tried. */
-export function disturbedText(progress: ProgressLineProps['progress']): string | null {
+/** How many seconds a job has left on a bad line; null on a good one, where nobody needs to know. */
+export function disturbedFor(progress: ProgressLineProps['progress']): number | null {
   if (!progress?.repeats || !progress.endsBy) return null;
   // Not by the clock on the wall, which somebody can set, and which goes on while the computer sleeps.
   const left = progress.endsBy - realClock.now();
-  return messages.value.disturbed(progress.repeats, Math.max(0, Math.ceil(left / 1000)));
+  return Math.max(0, Math.ceil(left / 1000));
 }
 
 interface ProgressLineProps {
@@ -21,12 +21,12 @@ interface ProgressLineProps {
 /** A job in progress: what it does, how far it is, and a button to stop it. */
 export function ProgressLine({ label, progress, onStop }: ProgressLineProps) {
   const share = progress && progress.total > 0 ? { value: progress.done, max: progress.total } : {};
-  const disturbed = disturbedText(progress);
+  const left = disturbedFor(progress);
   return (
     <div class="progress-line">
       <span role="status">{label}</span>
       <progress aria-label={label} {...share} />
-      {disturbed && <span class="hint">{disturbed}</span>}
+      {left !== null && <span class="hint">{messages.value.disturbed.job(left)}</span>}
       {onStop && (
         <button type="button" class="quiet" onClick={onStop}>
           {messages.value.header.stop}

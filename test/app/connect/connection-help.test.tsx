@@ -13,7 +13,7 @@ const SPP: PortInfo = { bluetoothServiceClassId: '00001101-0000-1000-8000-00805f
 const ADDRESS = 'https://timers.example/set/';
 const SYSTEMS = Object.keys(en.help.systems) as System[];
 const BROWSERS: readonly Browser[] = ['chrome', 'edge', 'opera', 'brave', 'firefox', 'safari', 'other'];
-const CODES = [...Object.keys(en.connection), 'waiting'] as HelpCode[];
+const CODES = [...Object.keys(en.connection), 'waiting', 'still-waiting'] as HelpCode[];
 
 function on(system: System, browser: Browser = 'chrome', version: number | null = 138): Platform {
   return { system, browser, version, mobile: system === 'android' || system === 'ios' };
@@ -21,7 +21,7 @@ function on(system: System, browser: Browser = 'chrome', version: number | null 
 
 /** The codes of the steps for this system, and what there is to copy. */
 function steps(code: HelpCode, platform: Platform, info: PortInfo | null = null, address = ADDRESS) {
-  const { here } = helpFor(code, { platform, info, address });
+  const { here } = helpFor(code, { platform, info, address, rateSet: true });
   return { codes: here.map((step) => step.code), copy: here.flatMap((step) => step.copy) };
 }
 
@@ -50,7 +50,7 @@ describe('the udev rule', () => {
   });
 
   it('is put by one command into a file that udev reads before it gives ports away, and loaded by another', () => {
-    const { here } = helpFor('busy', { platform: on('linux'), info: FTDI, address: ADDRESS });
+    const { here } = helpFor('busy', { platform: on('linux'), info: FTDI, address: ADDRESS, rateSet: false });
     expect(here.find(({ code }) => code === 'udev-rule')?.copy).toEqual([
       `echo '${udevRule(FTDI)}' | sudo tee -a /etc/udev/rules.d/60-sidus-timer.rules`,
       'sudo udevadm control --reload && sudo udevadm trigger --subsystem-match=tty',
@@ -66,7 +66,7 @@ describe('what to do', () => {
         for (const browser of BROWSERS) {
           for (const info of [null, FTDI, SPP]) {
             const address = 'http://timers.example/';
-            const { here, elsewhere } = helpFor(code, { platform: on(system, browser), info, address });
+            const { here, elsewhere } = helpFor(code, { platform: on(system, browser), info, address, rateSet: true });
             const codes = here.map((step) => step.code);
             expect(new Set(codes).size, `a step comes twice: ${code} ${system} ${browser}`).toBe(codes.length);
             expect(elsewhere.map((other) => other.system)).not.toContain(system);
@@ -127,6 +127,7 @@ describe('what to do', () => {
     ['lost', on('windows', 'firefox'), SPP, ['bluetooth-one', 'bluetooth-again']],
     ['lost', on('windows'), SPP, ['bluetooth-one', 'bluetooth-again']],
     ['waiting', on('windows'), FTDI, ['wake', 'near', 'battery', 'other-port-waiting', 'rate-waiting']],
+    ['still-waiting', on('windows'), FTDI, ['battery', 'rate-waiting']],
     ['bad-reply', on('windows'), FTDI, ['near', 'other-port', 'rate', 'report']],
     ['not-allowed', on('android'), null, ['ask-again', 'site-permission-mobile']],
     ['unsupported', on('windows', 'brave'), null, ['brave-flag', 'brave-relaunch']],
@@ -184,7 +185,7 @@ describe('the sentence', () => {
 
 describe('the help under a notice', () => {
   it('shows the steps for this system, and folds up those of the others', () => {
-    render(<ConnectionHelp code="busy" platform={on('linux')} info={FTDI} />);
+    render(<ConnectionHelp code="busy" platform={on('linux')} info={FTDI} rateSet={false} />);
     const folds = screen.getAllByRole('group').map((fold) => fold.querySelector('summary')?.textContent);
     expect(folds).toEqual(['What to do', 'On Windows', 'On macOS', 'On ChromeOS', 'On Android']);
     const [mine, windows] = screen.getAllByRole('list', { hidden: true });
@@ -194,12 +195,22 @@ describe('the help under a notice', () => {
   });
 
   it('is not shown when the sentence says everything', () => {
-    const { container } = render(<ConnectionHelp code="unsupported" platform={on('ios', 'safari')} info={null} />);
+    const { container } = render(
+      <ConnectionHelp code="unsupported" platform={on('ios', 'safari')} info={null} rateSet={false} />,
+    );
     expect(container.textContent).toBe('');
   });
 
+  it('says nothing about a rate that nobody has set', () => {
+    const steps = (rateSet: boolean) =>
+      helpFor('waiting', { platform: on('windows'), info: FTDI, address: ADDRESS, rateSet }).here.map(
+        ({ code }) => code,
+      );
+    expect([steps(false).includes('rate-waiting'), steps(true).includes('rate-waiting')]).toEqual([false, true]);
+  });
+
   it('brings the head of the page into sight when it is opened there', () => {
-    const help = <ConnectionHelp code="busy" platform={on('windows')} info={FTDI} />;
+    const help = <ConnectionHelp code="busy" platform={on('windows')} info={FTDI} rateSet={false} />;
     const { container } = render(<header class="top">{help}</header>);
     const scrolled: unknown[] = [];
     const spy = vi.spyOn(HTMLElement.prototype, 'scrollIntoView').mockImplementation(function (this: HTMLElement) {
@@ -216,16 +227,16 @@ describe('the help under a notice', () => {
 
   it('is folded up again when the trouble changes', () => {
     const fold = (): HTMLDetailsElement => screen.getAllByRole<HTMLDetailsElement>('group')[0] as HTMLDetailsElement;
-    const { rerender } = render(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} />);
+    const { rerender } = render(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} rateSet={false} />);
     fold().open = true;
-    rerender(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} />);
+    rerender(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} rateSet={false} />);
     expect(fold().open).toBe(true);
-    rerender(<ConnectionHelp code="waiting" platform={on('windows')} info={FTDI} />);
+    rerender(<ConnectionHelp code="waiting" platform={on('windows')} info={FTDI} rateSet={false} />);
     expect(fold().open).toBe(false);
   });
 
   it('gives the address of this very page', () => {
-    render(<ConnectionHelp code="policy" platform={on('windows')} info={null} />);
+    render(<ConnectionHelp code="policy" platform={on('windows')} info={null} rateSet={false} />);
     expect(screen.getByText(location.href)).toBeTruthy();
   });
 });

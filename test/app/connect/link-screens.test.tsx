@@ -71,14 +71,15 @@ describe('while a timer or its adapter is waited for', () => {
     ['adapter', ({ adapter }, trouble) => (trouble ? adapter.unplugAfter(3) : adapter.replug())],
   ];
 
-  it.each(waits)('nothing else can be connected before Stop: the %s', async (_, set) => {
+  it.each(waits)('nothing else can be connected before Stop: the %s', async (what, set) => {
+    const way = what === 'adapter' ? 'Do not wait' : 'Stop';
     const bench = await opened({ info: FTDI, plug: { granted: true } });
     set(bench, true);
     await press('Connect');
     const ways = ['Connect', /^Connect to FTDI/, 'Choose a port', /^Try a simulated F1Q/];
     const shown = () => ways.flatMap((name) => screen.queryAllByRole<HTMLButtonElement>('button', { name }));
     expect(shown(), 'the buttons are gone, not only disabled').toEqual([]);
-    await press('Stop');
+    await press(way);
     expect([shown()[0]?.textContent, shown().some(({ disabled }) => disabled)]).toEqual(['Connect', false]);
   });
 
@@ -141,7 +142,7 @@ describe('what to do while no timer answers', () => {
     expect(help()).toBeNull();
     await idle(8000);
     expect([stage(), current()]).toEqual([
-      'Hold the head closer than 20\u00a0cm',
+      'Hold the infra-red head closer than 20\u00a0cm',
       'Hold the infra-red head closer than 20\u00a0cm, out of the sun',
     ]);
     await idle(20_000);
@@ -155,6 +156,19 @@ describe('what to do while no timer answers', () => {
     expect([document.activeElement, title.closest('[role=status]')]).toEqual([title, expect.anything()]);
     await press('Stop');
     expect(document.activeElement, 'the button is gone, so the focus goes to the page').toBe(screen.getByRole('main'));
+  });
+
+  it('leaves one way to stop while the timer is read', async () => {
+    const { timer } = await opened({ info: FTDI, plug: { granted: true } });
+    const ways: (string | null)[][] = [];
+    timer.core.onAnswer = ({ name }) => {
+      if (name !== 'GETTIMERS') return;
+      const buttons = screen.queryAllByRole('button', { name: /^(Stop|Disconnect)$/ });
+      ways.push(buttons.map(({ textContent }) => textContent));
+    };
+    await press('Connect');
+    expect(ways).toEqual([['Stop']]);
+    expect(button('Disconnect')).toBeTruthy();
   });
 
   it('offers another port, and keeps asking at this one until one is chosen', async () => {
@@ -173,10 +187,10 @@ describe('what to do while no timer answers', () => {
     fireEvent.click(button('Connect'));
     await idle(12_000);
     expect(stage()).toMatch(/^Program:/);
-    expect(screen.getByText('Hold the head closer than 20 cm')).toBeTruthy();
+    expect(screen.getByText('Hold the infra-red head closer than 20 cm')).toBeTruthy();
     expect(field('DT time').value).toBe('3:00');
     await press('Stop');
-    expect(screen.queryByText('Hold the head closer than 20 cm')).toBeNull();
+    expect(screen.queryByText('Hold the infra-red head closer than 20 cm')).toBeNull();
   });
 
   it('is shown in full from 10 s on, stays open during the wait, and goes when the timer answers', async () => {
@@ -184,8 +198,8 @@ describe('what to do while no timer answers', () => {
     await idle(10_000);
     const shown = help();
     if (!shown) throw new Error('there is no help');
-    expect(within(shown).getAllByRole('listitem', { hidden: true })).toHaveLength(5);
-    expect(shown.textContent).toMatch(/^What to do/);
+    expect(within(shown).getAllByRole('listitem', { hidden: true })).toHaveLength(1);
+    expect(shown.textContent).toMatch(/^If it still does not answer.*battery/);
     shown.open = true;
     await idle();
     expect(bench.session.link.state.value.status).toBe('waiting');
