@@ -32,8 +32,8 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   // The pilot disconnects, and would fly with a DT for trimming.
   await app.button('Disconnect').click();
   const leave = page.getByRole('dialog', { name: 'Before you disconnect' });
-  await leave.getByText('DT of M1 is 20 s. Put back to 3:00 min?').waitFor();
-  await leave.getByRole('button', { name: 'Put back to 3:00 min…' }).click();
+  await leave.getByText('DT of M1 is 20 s. Put it back to 3:00 min?').waitFor();
+  await leave.getByRole('button', { name: 'Put DT back to 3:00 min…' }).click();
   await app.dialog.waitFor();
   await expect.poll(() => app.difference()).toEqual(['DT time | 20 s | 3:00 min']);
   await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();

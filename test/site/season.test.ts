@@ -281,7 +281,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await first.writeAndLog();
   await app.close();
   await app.button('Disconnect').first().click();
-  await app.button('Put back to 3:30 min…').click();
+  await app.button('Put DT back to 3:30 min…').click();
   await app.dialog.waitFor();
   expect(await app.difference()).toEqual(['DT time | 25 s | 3:30 min']);
   await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();

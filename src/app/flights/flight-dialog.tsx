@@ -207,7 +207,7 @@ function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: Fl
         {canPutBack ? (
           <>
             <strong>{shortDt.held(memory === null ? null : memoryName(memory), dt)}</strong>{' '}
-            {shortDt.ask(dtText(held.back))}
+            {shortDt.ask(dtText(held.back), held.remembered)}
           </>
         ) : (
           <strong>{words.shortDt(dt)}</strong>
@@ -215,7 +215,7 @@ function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: Fl
       </p>
       {canPutBack && (
         <button type="button" onClick={() => void log.putBack(id)}>
-          {shortDt.putBack(dtText(held.back))}
+          {shortDt.putBack(dtText(held.back), held.remembered)}
         </button>
       )}
     </div>

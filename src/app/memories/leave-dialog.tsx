@@ -7,6 +7,7 @@ import { UncertainNote } from '../write/uncertain-band.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import type { Leaving } from './leaving.js';
 import { nextFlightText } from './next-flight-line.js';
+import './leave-dialog.css';
 
 /** Before the connection ends: warns when another memory than at connect will fly, or one with a short DT. */
 export function LeaveDialog({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
@@ -42,6 +43,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
   const canGoBack = word.value !== null && originalName !== null && session.runner.ready.value;
   const short = session.shortDt.held.value;
   const dt = short && dtText(short.dt);
+  const shortMemory = short && short.memory !== null ? memoryText(session, short.memory) : null;
   const asksMemory = word.value !== null || short === null;
   const blocked = session.editor.blocked.value;
   return (
@@ -63,18 +65,17 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
         )}
         {short && dt && (
           <p>
-            <strong>{shortDt.held(short.memory === null ? null : memoryText(session, short.memory), dt)}</strong>{' '}
-            {shortDt.ask(dtText(short.back))}
+            <strong>{shortDt.held(shortMemory, dt)}</strong> {shortDt.ask(dtText(short.back), short.remembered)}
           </p>
         )}
         {short && blocked && <p class="hint">{shortDt.blocked}</p>}
       </div>
-      <div class="buttons">
+      <div class={`buttons leave-ways ${short ? 'many' : ''}`}>
         <button type="button" class="quiet" onClick={() => leaving.stay()}>
           {words.leaving.stay}
         </button>
         <button type="button" onClick={() => void leaving.disconnectAsItIs()}>
-          {dt ? shortDt.flyWith(dt) : words.leaving.disconnect}
+          {dt ? shortDt.disconnect(word.value && shortMemory, dt) : words.leaving.disconnect}
         </button>
         {short && (
           <button
@@ -83,7 +84,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
             disabled={blocked || !session.runner.ready.value}
             onClick={() => void leaving.putBack()}
           >
-            {shortDt.putBack(dtText(short.back))}
+            {shortDt.putBack(dtText(short.back), short.remembered)}
           </button>
         )}
         {canGoBack && (

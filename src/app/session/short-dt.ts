@@ -11,8 +11,10 @@ export interface ShortDtWord {
   /** Counted from 0; null when the timer does not say which memory is current. */
   readonly memory: number | null;
   readonly dt: number;
-  /** The DT to put back. */
+  /** The long DT to go on with. */
   readonly back: number;
+  /** Whether this memory held it before; otherwise it is what a round of the class needs. */
+  readonly remembered: boolean;
 }
 
 /** The DT that a contest round needs in a class, if nothing else is known: 3 min, or 5 min for F1E. */
@@ -45,7 +47,7 @@ export class ShortDt {
     this.held = computed(() => {
       const program = now.value;
       if (!program || !this.isShort(program)) return null;
-      return { memory: program.memory, dt: dtOf(program), back: this.#back(program) };
+      return { memory: program.memory, dt: dtOf(program), ...this.#back(program) };
     });
     effect(() => {
       const program = now.value;
@@ -59,12 +61,13 @@ export class ShortDt {
   }
 
   /** The last long DT of this memory: of this model, or else of this kind of timer; else what the class needs. */
-  #back(program: TimerProgram): number {
+  #back(program: TimerProgram): Pick<ShortDtWord, 'back' | 'remembered'> {
     const kept = loadSetting('long-dts', remembered) ?? {};
     const limit = this.#parts.editor.shortDt.value;
     const usual = USUAL[program.identity.timerClass] ?? USUAL_OTHERWISE;
     const known = this.#keys(program).map((key) => kept[key]);
-    return known.find((dt) => dt !== undefined && dt >= limit) ?? Math.max(usual, limit);
+    const last = known.find((dt) => dt !== undefined && dt >= limit);
+    return { back: last ?? Math.max(usual, limit), remembered: last !== undefined };
   }
 
   /** The keys under which its DT is remembered, the most certain first. */

@@ -236,8 +236,8 @@ describe('after a verified write', () => {
     await press('Fill in');
     expect(screen.getAllByRole('dialog').length).toBe(1);
     await press('3');
-    expect(form().getByRole('alert').textContent).toContain('DT of M1 is 20\u00a0s. Put back to 3:00\u00a0min?');
-    await press('Put back to 3:00\u00a0min…');
+    expect(form().getByRole('alert').textContent).toContain('DT of M1 is 20\u00a0s. Put it back to 3:00\u00a0min?');
+    await press('Put DT back to 3:00\u00a0min…');
     await press(/^Write \d+ change/);
     expect(app.timer.core.content.times[10]).toBe(18_000);
     expect(flights(app).map(({ program, round }) => [program.times[10], round])).toEqual([[18_000, '3']]);

@@ -36,10 +36,10 @@ describe('with a short DT in the timer', () => {
     await press('Disconnect');
     expect([status(app), dialog().getByRole('status').textContent]).toEqual([
       'on',
-      'DT of M1 is 20\u00a0s. Put back to 2:45\u00a0min?',
+      'DT of M1 is 20\u00a0s. Put it back to 2:45\u00a0min?',
     ]);
-    expect(buttons()).toEqual(['Stay connected', 'Fly with 20\u00a0s', 'Put back to 2:45\u00a0min…']);
-    await press('Put back to 2:45\u00a0min…');
+    expect(buttons()).toEqual(['Stay connected', 'Disconnect with DT\u00a020\u00a0s', 'Put DT back to 2:45\u00a0min…']);
+    await press('Put DT back to 2:45\u00a0min…');
     expect(dt(), 'nothing is written before the pilot confirms the write').toBe(2000);
     expect(screen.getByRole('dialog', { name: 'Write to the timer' }).textContent).toContain('2:45 min');
     await finish(app);
@@ -56,7 +56,7 @@ describe('with a short DT in the timer', () => {
     await press('Stay connected');
     expect([status(app), screen.queryByRole('dialog')]).toEqual(['on', null]);
     await press('Disconnect');
-    await press('Fly with 20\u00a0s');
+    await press('Disconnect with DT\u00a020\u00a0s');
     expect(status(app)).toBe('off');
     await press('Connect');
     await press('Disconnect');
@@ -73,7 +73,7 @@ describe('with a short DT in the timer', () => {
     const app = await drawn(await reloaded(first));
     await run(app.session.timer.connect());
     await press('Disconnect');
-    expect(buttons()).toContain('Put back to 4:00\u00a0min…');
+    expect(buttons()).toContain('Put DT back to 4:00\u00a0min…');
     app.models.preferences.setShortDt(30_000);
     expect(
       app.session.shortDt.held.value?.back,
@@ -91,7 +91,7 @@ describe('with a short DT in the timer', () => {
       const { session, timer, preferences } = await appBench({ identity: { timerClass } });
       for (const memory of timer.core.memories) memory.times[10] = 1500;
       await run(session.timer.connect());
-      expect(session.shortDt.held.value).toEqual({ memory: 0, dt: 1500, back });
+      expect(session.shortDt.held.value).toEqual({ memory: 0, dt: 1500, back, remembered: false });
       preferences.setShortDt(36_000);
       expect(
         session.shortDt.held.value?.back,
@@ -109,12 +109,12 @@ describe('with a short DT in the timer', () => {
     await press('Disconnect');
     expect(screen.getAllByRole('dialog').length).toBe(1);
     expect(dialog().getByRole('status').textContent).toBe(
-      'M3 will fly next. When you connected it was M1.DT of M3 is 10\u00a0s. Put back to 3:00\u00a0min?',
+      'M3 will fly next. When you connected it was M1.DT of M3 is 10\u00a0s. Set it to 3:00\u00a0min?',
     );
     expect(buttons()).toEqual([
       'Stay connected',
-      'Fly with 10\u00a0s',
-      'Put back to 3:00\u00a0min…',
+      'Disconnect with M3, DT\u00a010\u00a0s',
+      'Set DT to 3:00\u00a0min…',
       'Back to M1 and disconnect',
     ]);
     screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
@@ -124,10 +124,10 @@ describe('with a short DT in the timer', () => {
     await press('Back to M1 and disconnect');
     expect([status(app), dialog().getByRole('status').textContent]).toEqual([
       'on',
-      'DT of M1 is 20\u00a0s. Put back to 3:00\u00a0min?',
+      'DT of M1 is 20\u00a0s. Put it back to 3:00\u00a0min?',
     ]);
     expect(dialog().queryByRole('alert'), 'going back worked, so there is no warning').toBeNull();
-    await press('Fly with 20\u00a0s');
+    await press('Disconnect with DT\u00a020\u00a0s');
     expect([status(app), first?.times[10]]).toEqual(['off', 2000]);
   });
 
@@ -154,8 +154,8 @@ describe('with a short DT in the timer', () => {
     await type('Function 2, S1', 'abc');
     await press('Disconnect');
     expect(dialog().getByText(/cannot be written yet/)).toBeTruthy();
-    expect(button('Put back to 3:00\u00a0min…').disabled).toBe(true);
-    await press('Fly with 20\u00a0s');
+    expect(button('Put DT back to 3:00\u00a0min…').disabled).toBe(true);
+    await press('Disconnect with DT\u00a020\u00a0s');
     expect(status(app)).toBe('off');
   });
 
