@@ -31,11 +31,14 @@ export function PortList({ session, onConnect }: PortListProps) {
 }
 
 function PortRow({ session, port, onConnect }: PortListProps & { readonly port: KnownPort }) {
-  const { ports: words, link } = messages.value;
+  const { header, ports: words, link } = messages.value;
   const rate = session.link.recordOf(port.key)?.foundRate;
   const name = portName(port);
   return (
     <li class="port">
+      <p>
+        <strong>{name}</strong> {rate && <span class="hint">{link.lastRate(rate)}</span>}
+      </p>
       <button
         type="button"
         aria-label={words.connectTo(name)}
@@ -45,9 +48,8 @@ function PortRow({ session, port, onConnect }: PortListProps & { readonly port: 
           onConnect();
         }}
       >
-        <strong>{name}</strong>
+        {header.connect}
       </button>
-      {rate && <span class="hint">{link.lastRate(rate)}</span>}
       {port.port.forget && (
         <button
           type="button"

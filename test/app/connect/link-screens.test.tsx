@@ -39,6 +39,7 @@ describe('the adapters that are known', () => {
     expect(screen.getByRole('heading', { name: 'Known adapters' })).toBeTruthy();
     const known = screen.getByRole('button', { name: /^Connect to FTDI adapter/ });
     expect(known.parentElement?.textContent).toContain('last at 19200 baud');
+    expect(known.textContent).toBe('Connect');
     fireEvent.click(known);
     await idle();
     await goTo('program');
