@@ -76,12 +76,12 @@ export const installHint = {
 /** The dialog that makes a program without a timer. */
 export const newProgram = {
   title: 'New program',
-  lead: 'For a timer that is not here. Connect it later: the program is then loaded over what it holds.',
+  lead: 'For a timer that is not connected. When you connect it, the program is shown as changes. Nothing is written until you press Write.',
   timerClass: 'Class',
   functions: 'Functions, without start and DT',
   servos: 'Servos',
   from: 'Begin with',
-  beginnings: { usual: 'Usual times, all servos in the middle', nothing: 'Nothing: all times and positions 0' },
+  beginnings: { usual: 'Usual times, servos in the middle', nothing: 'All times and positions 0' },
   caution: 'The positions of your model are not known here. Set each of them before you write.',
   make: 'Make the program',
 };
