@@ -198,7 +198,7 @@ export class AppPage {
   /** Shows the last reading of a memory: nothing is sent. */
   async lookAt(name: string): Promise<void> {
     if ((await this.page.getByRole('radio', { name }).count()) === 0) await this.showFigures();
-    await this.page.getByRole('radio', { name }).check({ force: true });
+    await this.page.getByRole('radio', { name }).click({ force: true });
   }
 
   /** Makes a memory fly next. */

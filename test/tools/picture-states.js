@@ -112,7 +112,7 @@ async function disconnect(page) {
 /** @param {Page} page @param {string} memory */
 async function lookAt(page, memory) {
   if (!(await page.locator('.memories').isVisible())) await showFigures(page);
-  await page.getByRole('radio', { name: memory }).check({ force: true });
+  await page.getByRole('radio', { name: memory }).click({ force: true });
 }
 
 /** For a page in which a workbench replaces the browser's serial ports. @param {Page} page */
