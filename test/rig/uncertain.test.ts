@@ -3,7 +3,7 @@ import { en } from '../../src/app/messages/en.js';
 import { Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 
-const HOLDS = 'holds: DT is 3:00 or 6:00. Do not fly before it is read.';
+const HOLDS = 'holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
 
 async function connected(): Promise<{ rig: Rig; pilot: Pilot }> {
   const rig = await Rig.start({ timer: { identity: { timerClass: 'Q' } } });
@@ -28,7 +28,7 @@ test('unplugged after the last byte of a write: the memory stays uncertain until
   await band.getByText(HOLDS).waitFor();
 
   await pilot.button(en.program.undoAll).click();
-  await pilot.button(en.header.stop).click();
+  await pilot.button(en.link.stopWaiting).click();
   await pilot.button(en.header.connect).first().waitFor();
   await band.getByText(HOLDS).waitFor();
   await page.reload();

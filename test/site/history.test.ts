@@ -48,7 +48,7 @@ for (const end of ['is loaded again', 'crashes']) {
     if (end === 'crashes') await crash(app);
     else await app.reload();
     const next = end === 'crashes' ? await app.sibling() : app;
-    await next.says('Your edits are back.');
+    await next.says('Your changes are back.');
     await expect.poll(() => next.entries()).toEqual(entries);
     await expect.poll(() => steps(next)).toEqual(names);
     await next.connect();
@@ -82,7 +82,7 @@ test('a key that is pressed just before the page is left is kept', async () => {
       location.reload();
     }, keys);
     await loaded;
-    await app.says('Your edits are back.');
+    await app.says('Your changes are back.');
     await expect.poll(() => app.valueOf('Function 2, S1')).toBe(keys.at(-1));
   }
 });

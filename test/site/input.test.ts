@@ -68,7 +68,7 @@ describe('what was typed is kept', () => {
     await app.type('DT time', '4:00');
     await app.kept();
     await app.reload();
-    await app.says('Your edits are back.');
+    await app.says('Your changes are back.');
     await expect
       .poll(async () => [await app.valueOf('Function 2, S1'), await app.valueOf('DT')])
       .toEqual(['7', '4:00']);
@@ -83,7 +83,7 @@ describe('what was typed is kept', () => {
     await app.hasNumber();
     await app.kept();
     await expect
-      .poll(() => app.text('Your edits are back.').count(), { message: 'nothing is left to bring back' })
+      .poll(() => app.text('Your changes are back.').count(), { message: 'nothing is left to bring back' })
       .toBe(0);
   });
 
@@ -117,7 +117,7 @@ describe('what was typed is kept', () => {
     });
     await app.page.close();
     await other.reload();
-    await other.says('Your edits are back.');
+    await other.says('Your changes are back.');
     await expect.poll(() => other.valueOf('Function 2, S1')).toBe('7');
   });
 });

@@ -59,7 +59,7 @@ describe('the adapter comes back', () => {
       bench.content.times[10] = 21000;
       bench.replug();
     });
-    await app.says('The timer does not hold what it held when you made your edits.');
+    await app.says('The timer holds other values than when you made your changes.');
     await app.isReady();
     await app.review();
     const conflicts = app.dialog.getByRole('table').first();

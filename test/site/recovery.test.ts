@@ -11,7 +11,7 @@ describe('a write that the page did not survive', () => {
     await app.write();
     await expect.poll(() => held(app)).toEqual([24000, 35]);
     await app.reload();
-    await app.says('Your edits are back.');
+    await app.says('Your changes are back.');
     return app;
   }
   const panel = (app: AppPage) => app.page.getByRole('region', { name: 'An earlier write was interrupted' });
@@ -21,7 +21,7 @@ describe('a write that the page did not survive', () => {
     await app.button('Connect').click();
     await app.isReady();
     await panel(app).getByText('The timer holds 1 value of that write; 1 value is still as before.').waitFor();
-    await panel(app).getByRole('button', { name: 'Finish it…' }).click();
+    await panel(app).getByRole('button', { name: 'Finish the write…' }).click();
     await app.dialog.waitFor();
     await expect.poll(() => app.difference()).toEqual(['Function 2, S1 | 35 | 7']);
     await app.tickSafety();
@@ -35,7 +35,7 @@ describe('a write that the page did not survive', () => {
   test('can be taken back', async () => {
     const app = await interrupted();
     await app.button('Connect').click();
-    await panel(app).getByRole('button', { name: 'Go back…' }).click();
+    await panel(app).getByRole('button', { name: 'Write the old values back…' }).click();
     await app.dialog.waitFor();
     await expect.poll(() => app.difference()).toEqual(['DT time | 4:00 min | 3:00 min']);
     await app.tickSafety();

@@ -17,7 +17,7 @@ test.each(Object.entries(timers))(
     const second = await first.sibling();
     await second.hasNumber();
     await expect
-      .poll(() => second.text('Your edits are back.').count(), { message: 'they are those of the first' })
+      .poll(() => second.text('Your changes are back.').count(), { message: 'they are those of the first' })
       .toBe(0);
     await timer.reach(second);
     await expect.poll(() => second.valueOf('Function 2, S1')).toBe(held);
@@ -29,17 +29,17 @@ test.each(Object.entries(timers))(
       [first, '7'],
     ] as const) {
       await app.reload();
-      await app.says('Your edits are back.');
+      await app.says('Your changes are back.');
       await expect.poll(() => app.valueOf('Function 2, S1')).toBe(text);
     }
     await second.page.close();
     await first.reload();
-    await first.says('Your edits are back.');
+    await first.says('Your changes are back.');
     await expect
       .poll(() => first.valueOf('Function 2, S1'), { message: 'not the later one of the tab that was closed' })
       .toBe('7');
     const third = await first.sibling();
-    await third.says('Your edits are back.');
+    await third.says('Your changes are back.');
     await expect.poll(() => third.valueOf('Function 2, S1')).toBe('8');
   },
 );

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 
-const HOLDS = 'holds: DT is 3:00 or 6:00. Do not fly before it is read.';
+const HOLDS = 'holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
 
 /** The band says so, and nothing on the page says what is not known. */
 async function isUncertain(app: AppPage, when: string): Promise<void> {
@@ -25,7 +25,7 @@ test('a cable pulled before the answer to a write makes the timer uncertain unti
   await app.table.getByText('last read 3:00').waitFor();
   await app.button('Undo all').click();
   await isUncertain(app, 'after Undo all');
-  await app.button('Stop').click();
+  await app.button('Do not wait').click();
   await app.button('Connect').first().waitFor();
   await isUncertain(app, 'after Stop');
   await app.kept();

@@ -21,7 +21,9 @@ export const knowledge = {
   either: (name: string, before: string, goal: string) => `${name} is ${before} or ${goal}`,
   /** @param more how many further values there are. */
   list: (named: readonly string[], more: number) =>
-    more > 0 ? `${named.join(', ')}, and ${plural(more, 'more value', 'more values')}` : named.join(' and '),
+    more > 0
+      ? `${named.join(', ')}, and ${plural(more, 'more value is', 'more values are')} not certain`
+      : named.join(' and '),
   connect: 'Connect and read',
   forget: 'Forget this…',
   forgetSure: 'Forget it only if you have read that timer elsewhere, or no longer have it.',

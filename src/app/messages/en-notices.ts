@@ -122,28 +122,28 @@ export const timer: Record<TimerErrorCode, Said> = {
 /** Messages that are not about errors. */
 export const notes = {
   'edits-restored': {
-    title: 'Your edits are back.',
+    title: 'Your changes are back.',
     advice: 'Connect to the timer to compare them with what it holds, and to write them.',
   },
   'edits-uncertain': {
-    title: 'Your edits are back.',
+    title: 'Your changes are back.',
     advice: 'It is not known whether they were written. Connect to the timer and read it before you fly.',
   },
   'edits-kept': {
-    title: 'Earlier edits for this memory are back.',
+    title: 'Earlier changes for this memory are back.',
     advice: 'The timer was read and does not hold them. Look at them, then write or undo them.',
   },
   'edits-moved': {
-    title: 'The timer does not hold what it held when you made your edits.',
-    advice: 'Your edits are kept and marked. Look at the difference before you write: is this the same timer?',
+    title: 'The timer holds other values than when you made your changes.',
+    advice: 'Your changes are kept and marked. Look at the difference before you write: is this the same timer?',
   },
   'edits-set-aside': {
-    title: 'Your edits of the other memory are kept.',
+    title: 'Your changes of the other memory are kept.',
     advice: 'They come back when you read that memory again.',
   },
   'back-same': {
     title: 'The timer is back.',
-    advice: 'It holds what it held before. Your edits are as they were.',
+    advice: 'It holds what it held before. Your changes are as they were.',
   },
   'back-changed': {
     title: 'The timer is back, and holds other values than before.',
@@ -152,7 +152,7 @@ export const notes = {
   'other-kind': {
     title: 'Another kind of timer is at this port now.',
     advice:
-      'The screen shows what it holds. Your edits for the other one are kept. They come back when you read it again.',
+      'The screen shows what it holds. Your changes for the other one are kept. They come back when you read it again.',
   },
   'write-completed': {
     title: 'The interrupted write is complete.',

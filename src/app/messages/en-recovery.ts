@@ -3,7 +3,7 @@ import { plural } from './plural.js';
 /** What an earlier job left behind on a timer. */
 export const recovery = {
   title: 'An earlier write was interrupted',
-  when: (memory: string, time: string) => `It started on ${time}, into ${memory}.`,
+  when: (memory: string, time: string) => `A write into ${memory} began on ${time}.`,
   nothing: (missing: number) =>
     `The timer holds what it held before: nothing was written, ${plural(missing, 'change is', 'changes are')} missing.`,
   part: (written: number, missing: number) =>
@@ -11,8 +11,8 @@ export const recovery = {
   foreign: (count: number) =>
     `${plural(count, 'value', 'values')} in the timer ${count === 1 ? 'is' : 'are'} neither old nor from that write. Is it another timer, or did something else change it?`,
   sure: 'This page cannot tell timers of one kind apart. Go on only if this is the timer of that write.',
-  finish: 'Finish it…',
-  goBack: 'Go back…',
+  finish: 'Finish the write…',
+  goBack: 'Write the old values back…',
   leave: 'Leave it as it is',
   otherTimer: 'It is another timer',
   sameTimer: 'It is the same timer: show what was to be written',

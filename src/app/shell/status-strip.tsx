@@ -10,6 +10,7 @@ import type { Memories } from '../memories/memories.js';
 import { MemoryChoice } from '../memories/memory-choice.js';
 import { figureText, messages, timerName } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
+import { possibleValues } from '../session/known.js';
 import type { Link } from '../session/link.js';
 import { givenName, memoryText } from '../session/memory-names.js';
 import type { Preferences } from '../session/preferences.js';
@@ -182,7 +183,7 @@ interface FigureProps {
   readonly field: ProgramField;
 }
 
-/** One figure. It is red for a short DT, and when the content of the timer is uncertain. */
+/** One figure. It is red for a short DT, and when an interrupted write was to change it. */
 function Figure({ session, identity, field }: FigureProps) {
   const { program } = messages.value;
   const { editor } = session;
@@ -196,11 +197,14 @@ function Figure({ session, identity, field }: FigureProps) {
     const isDt = field.kind === 'time' && field.slot === identity.functions;
     return isDt && editor.findings.value.some(({ code }) => code === 'dt-short');
   }, editor.baseline);
-  /** Uncertain figures are red; readings of a timer that is not connected are grey. */
+  /** Uncertain figures are red; those that were only read earlier are grey. */
   const look = useLateComputed(() => {
     const { sure } = session.standing.value;
-    if (sure === 'not') return 'bad';
+    const known = session.knowledge.of(editor.working.value?.memory ?? null);
+    const isOpen = known.state === 'uncertain' && possibleValues(known, field).length > 1;
+    if (isOpen) return 'bad';
     if (editor.changes.value.some(({ field: changed }) => fieldKey(changed) === key)) return 'changed';
+    if (sure === 'not') return 'past';
     return sure === 'once' && editor.madeAt.value === null && !session.connection.value ? 'past' : '';
   }, session.standing);
   const [figure, unit] = text.split(' ');

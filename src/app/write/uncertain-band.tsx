@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import type { ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { dateText, fieldLabel, messages, timerName, valueText } from '../messages/index.js';
+import { dateText, fieldLabel, figureText, messages, timerName, valueText } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
 import { isSimulated } from '../session/knowledge.js';
 import { openValues } from '../session/known.js';
@@ -60,6 +60,9 @@ function UncertainMemory({ session, one, onLook }: UncertainMemoryProps) {
   const { knowledge: words } = messages.value;
   const asking = useSignal(false);
   const { identity } = one.before;
+  const { status } = session.link.state.value;
+  // While the page waits for an adapter, this would be the only button, and the wrong thing to do.
+  const isSettled = status === 'off' || status === 'on';
   const named = words[isLikeConnected(session, one) ? 'otherTimer' : 'timer'];
   const timer = isHere(session, one) ? null : named(timerName(identity), identity.firmware, isSimulated(one));
   return (
@@ -81,9 +84,11 @@ function UncertainMemory({ session, one, onLook }: UncertainMemoryProps) {
         ) : (
           <>
             <WayToRead session={session} one={one} onLook={onLook} />
-            <button type="button" class="quiet" onClick={() => (asking.value = true)}>
-              {words.forget}
-            </button>
+            {isSettled && (
+              <button type="button" class="quiet" onClick={() => (asking.value = true)}>
+                {words.forget}
+              </button>
+            )}
           </>
         )}
       </div>
@@ -126,7 +131,7 @@ function isOfKind(one: UnfinishedWrite, identity: Identity, simulated: boolean):
 }
 
 /**
- * “It is not known what M1 holds: DT is 3:00 or 6:00. Do not fly before it is read.”
+ * “It is not known what M1 holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.”
  * @param timer null for the connected one.
  */
 function uncertainText(one: UnfinishedWrite, timer: string | null): string {
@@ -136,9 +141,11 @@ function uncertainText(one: UnfinishedWrite, timer: string | null): string {
   const isKey = ({ field }: { field: ProgramField }): boolean => keyName(identity, field) !== null;
   const keyed = open.filter(isKey);
   const named = keyed.length > 0 ? keyed : open.slice(0, NAMED);
+  const shown = (field: ProgramField, value: number | null): string =>
+    value === null ? valueText(identity, field, value) : figureText(identity, field, value);
   const values = named.map(({ field, from, to }) => {
     const name = keyName(identity, field) ?? fieldLabel(identity, field);
-    return words.either(name, valueText(identity, field, from), valueText(identity, field, to));
+    return words.either(name, shown(field, from), shown(field, to));
   });
   const name = memory === null ? words.thisMemory : memoryName(memory);
   const where = timer === null ? name : words.memoryOf(name, timer);

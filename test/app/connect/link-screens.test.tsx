@@ -350,7 +350,7 @@ describe('what an interrupted job left behind', () => {
     expect(region.querySelector('summary')?.textContent).toBe('Compare');
     expect(document.querySelectorAll('.notice'), 'there is no notice beside it').toHaveLength(1);
     expect(panel.getByText(/The timer holds 1 value of that write; 1 value is still as before\./)).toBeTruthy();
-    await press('Finish it…');
+    await press('Finish the write…');
     await tickSafety();
     await press('Write 1 change');
     expect(timer.core.content.positions[0]?.[2]).toBe(7);

@@ -6,7 +6,7 @@ import { connected, field, fly, goTo, press, type } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
-const SENTENCE = 'It is not known what M2 holds: DT is 3:00 or 6:00. Do not fly before it is read.';
+const SENTENCE = 'It is not known what M2 holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
 
 /** Every dialog that can lie over the band, and the way to it. */
 const DIALOGS: readonly [title: string, open: () => Promise<unknown>][] = [

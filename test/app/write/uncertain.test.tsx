@@ -4,7 +4,7 @@ import { App } from '../../../src/app/app.js';
 import { type AppBench, idle, MemoryStore, reloaded } from '../bench/bench.js';
 import { button, connected, opened, press, type } from '../screen.js';
 
-const SENTENCE = 'It is not known what M1 holds: DT is 3:00 or 6:00. Do not fly before it is read.';
+const SENTENCE = 'It is not known what M1 holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
 const ELSEWHERE = SENTENCE.replace('M1', 'M1 of the F1Q 536');
 
 function band(): string | null {
@@ -64,6 +64,15 @@ describe('after a write whose answer never came', () => {
     expect(screen.getByText('Marked fields differ from what was last read. That is not certain now.')).toBeTruthy();
   });
 
+  it('only the figures that it was to change are red; the others are as last read', async () => {
+    await press('Close');
+    const figures = [...document.querySelectorAll('.strip-figure')];
+    expect(figures.map(({ className, textContent }) => `${textContent}: ${className}`)).toEqual([
+      'DT 6:00 min: strip-figure bad',
+      'motor stop 10.0 s: strip-figure past',
+    ]);
+  });
+
   it('it stays through Close, Stop, Undo all and Disconnect', async () => {
     await press('Close');
     expect(band()).toContain(ELSEWHERE);
@@ -71,8 +80,10 @@ describe('after a write whose answer never came', () => {
     expect(band()).toContain(ELSEWHERE);
     expect(screen.getByText('Not known what M1 holds')).toBeTruthy();
     expect(screen.queryByText(/As in the timer|No change/)).toBeNull();
-    await press('Stop');
+    expect(screen.queryByRole('button', { name: 'Forget this…' }), 'not while the adapter is waited for').toBeNull();
+    await press('Do not wait');
     expect(band()).toContain(ELSEWHERE);
+    expect(button('Forget this…')).toBeTruthy();
   });
 
   it.each(['with the edits', 'with nothing on the screen'])('it stays through a reload, %s', async (how) => {
@@ -119,6 +130,7 @@ describe('after a write whose answer never came', () => {
 
   it('it goes when the pilot says so, after a question', async () => {
     await press('Close');
+    await press('Do not wait');
     await press('Forget this…');
     expect(band()).toContain('Forget it only if you have read that timer elsewhere');
     await press('Keep it');
