@@ -62,7 +62,9 @@ function BackupRow({ session, memories, set, following, onLoad }: BackupRowProps
     <li class="backup">
       <p>
         <strong>{isSet ? words.set(timerName(identity), set.length) : words.entry(timerName(identity), name)}</strong>{' '}
-        <span class="hint">{words.origin(dateText(first.savedAt), words.reasons[first.reason], first.simulated)}</span>
+        <span class="hint">
+          {words.origin(dateText(first.savedAt), isSet ? null : words.reasons[first.reason], first.simulated)}
+        </span>
       </p>
       <div class="buttons">
         {isSet && (

@@ -27,6 +27,8 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
         {Array.from({ length: identity.memories }, (_, index) => {
           const flies = isConnected && index === current;
           const given = givenName(session.modelAtHand.value, index);
+          // The sign alone tells it where the pilot's name has the room.
+          const below = given === '' && flies ? nextFlight.badge : given;
           const text = memoryText(session, index);
           return (
             <label key={index}>
@@ -43,7 +45,7 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
                 <span>
                   {memoryName(index)} {flies && <PlaneIcon />}
                 </span>
-                {given !== '' && <small>{given}</small>}
+                {below !== '' && <small class={given === '' ? 'whole' : ''}>{below}</small>}
               </span>
             </label>
           );

@@ -32,15 +32,19 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
         <h2 id="look-title">{headline(known, name)}</h2>
       </div>
       {current !== null && <p class="hint">{words.lead(memoryText(session, current))}</p>}
-      <div class="buttons">
+      <div class="look-way">
         <button
           type="button"
           aria-disabled={isBusy}
           disabled={noWayBack}
           onClick={() => void (!isBusy && memories.look(memory))}
         >
-          {words.look(name)}
+          {known.state === 'read' ? words.again(name) : words.look(name)}
         </button>
+        {noWayBack && <p class="hint">{words.noWayBack}</p>}
+        {current !== null && <p class="hint">{words.hint(name, memoryName(current))}</p>}
+      </div>
+      <div class="buttons">
         <button type="button" aria-disabled={isBusy} onClick={() => void (!isBusy && memories.fly(memory))}>
           {words.fly(name)}
         </button>
@@ -50,8 +54,6 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
           </button>
         )}
       </div>
-      {noWayBack && <p class="hint">{words.noWayBack}</p>}
-      {current !== null && <p class="hint">{words.hint(name, memoryName(current))}</p>}
       {known.state === 'read' && (
         <>
           <p class="held-figures">

@@ -36,6 +36,8 @@ export const look = {
   /** @param current the memory that flies next. */
   lead: (current: string) => `For looking only. You edit and write ${current}, which flies next.`,
   look: (memory: string) => `Look at ${memory}`,
+  /** Where its reading is shown. */
+  again: (memory: string) => `Read ${memory} again`,
   hint: (memory: string, current: string) => `This selects ${memory}, reads it and goes back to ${current}.`,
   noWayBack: 'This timer does not say which memory is current, so this page would not know which one to go back to.',
   fly: (memory: string) => `Make ${memory} fly next`,

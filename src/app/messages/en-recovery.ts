@@ -39,7 +39,8 @@ export const backups = {
   show: 'Load into the table',
   showOf: (memory: string) => `Load ${memory} into the table`,
   remove: 'Delete',
-  origin: (time: string, reason: string, simulated: boolean) =>
-    simulated ? `${time} · ${reason} · simulated` : `${time} · ${reason}`,
+  /** @param reason null for a set, whose name says it. */
+  origin: (time: string, reason: string | null, simulated: boolean) =>
+    [time, reason, simulated && 'simulated'].filter(Boolean).join(' · '),
   otherLayout: 'For a timer of another layout.',
 };

@@ -22,7 +22,6 @@ export const start = {
   /** The program in the picture. */
   picture: {
     example: 'Example: an F1Q',
-    notKept: 'no backup is kept here yet',
     kept: (time: string) => `kept ${time}`,
   },
   models: {

@@ -228,7 +228,7 @@ function LinkState({ link, model }: LinkStateProps) {
   if (state.status === 'on') {
     const { identity } = state.connection;
     return (
-      <p class="link-state on">
+      <p class={`link-state on ${model === null ? 'of-class' : ''}`}>
         <strong>{model ?? timerName(identity)}</strong> <span>{header.firmware(identity.firmware)}</span>
         {link.simulated.value && <span class="badge">{header.simulated}</span>}
       </p>

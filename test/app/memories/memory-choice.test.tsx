@@ -42,6 +42,10 @@ describe('the memories', () => {
       'after going back, the timer is asked which memory is current',
     ).toContain('GETMEMORY');
     expect(screen.getByRole('heading', { name: /^M3, read \d+:\d\d/ })).toBeTruthy();
+    expect([button('Read M3 again').disabled, screen.queryByRole('button', { name: 'Look at M3' })]).toEqual([
+      false,
+      null,
+    ]);
     const held = within(screen.getByRole('table', { name: 'What was read of M3' }));
     const row = held.getByRole('rowheader', { name: 'DT' }).parentElement;
     expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00 min');
