@@ -114,7 +114,7 @@ function KeptPicture({ session }: Pick<StartScreenProps, 'session'>) {
     <figure class="kept-picture">
       <figcaption>
         <strong>{kept ? `${timerName(program.identity)}${memory}` : start.picture.example}</strong>
-        <span>{kept ? start.picture.kept(clockText(kept.savedAt)) : start.picture.notKept}</span>
+        {kept && <span>{start.picture.kept(clockText(kept.savedAt))}</span>}
       </figcaption>
       <div class="kept-lanes">
         <SmallLanes program={program} />

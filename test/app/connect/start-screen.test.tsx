@@ -36,7 +36,7 @@ describe('a new program', () => {
 
   it('from nothing holds zeros', async () => {
     const { editor } = await opened();
-    await make(() => fireEvent.click(screen.getByRole('radio', { name: /^Nothing/ })));
+    await make(() => fireEvent.click(screen.getByRole('radio', { name: /^All times/ })));
     expect(new Set(editor.working.value?.times)).toEqual(new Set([0]));
   });
 
