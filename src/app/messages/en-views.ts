@@ -27,6 +27,8 @@ export const strip = {
   close: 'Close the large figures',
   panel: 'Large figures',
   shortChanges: (count: number) => String(count),
+  /** Positions that were tried while the servos follow: they are in the timer. */
+  tried: (count: number) => `${count} tried`,
   asInTimer: '✓',
   notCertain: 'not certain',
   asRead: 'last read',

@@ -40,15 +40,16 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
   const open = standing.sure === 'not';
   const differs = tried + count + unfinished > 0;
   const state = open ? 'open' : differs ? 'differs' : standing.sure === 'now' ? 'known' : 'once';
+  const isTried = state === 'differs' && tried > 0 && count === 0;
   // The same, for the room on a phone.
   const short = {
     open: strip.notCertain,
-    differs: strip.shortChanges(tried + count || unfinished),
+    differs: isTried ? strip.tried(tried) : strip.shortChanges(tried + count || unfinished),
     known: strip.asInTimer,
     once: kept ? strip.ofSetting(kept.changes) : editor.madeAt.value === null ? strip.asRead : strip.made,
   }[state];
   return (
-    <p class={`changes ${state}`} role="status">
+    <p class={`changes ${state} ${isTried ? 'tried' : ''}`} role="status">
       <strong class="changes-long">{said()}</strong>{' '}
       <strong class="changes-short" aria-hidden="true">
         {short}

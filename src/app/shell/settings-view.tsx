@@ -54,7 +54,9 @@ export function SettingsView(props: SettingsViewProps) {
           <SerialSettingsForm link={session.link} />
         </section>
       )}
-      <AboutTimer session={session} />
+      <div class="setting">
+        <AboutTimer session={session} />
+      </div>
       <section class="setting">
         <Check checked={views.expert.value} onChange={(checked) => views.setExpert(checked)}>
           {words.expert}

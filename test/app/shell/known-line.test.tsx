@@ -14,6 +14,7 @@ it('tried values are “in the timer” only as long as it is certain what the t
   app.editor.type({ kind: 'position', servo: 1, slot: 4 }, '70');
   await idle();
   expect(screen.getByText('1 tried in the timer')).toBeTruthy();
+  expect(document.querySelector('.changes-short')?.textContent, 'on a phone, not a change to write').toBe('1 tried');
   app.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && app.adapter.unplug();
   app.editor.type({ kind: 'position', servo: 1, slot: 4 }, '75');
   await idle();
