@@ -300,7 +300,7 @@ describe('the notice about another tab', () => {
 
   it.each<[TakeOver, RegExp]>([
     ['writing', /The other tab is writing\. Wait until it has finished\./],
-    ['gone', /The other tab does not answer\. Close it, then click Connect again\./],
+    ['gone', /The other tab does not answer\. Close it, then press Connect again\./],
   ])('asks that tab once, and says so when it is %s', async (answer, sentence) => {
     let asked = 0;
     const given = deferred<TakeOver>();

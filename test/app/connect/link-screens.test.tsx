@@ -368,7 +368,7 @@ describe('what an interrupted job left behind', () => {
     await press('Write 1 change');
     const { textContent } = screen.getByRole('alert');
     expect(textContent).toContain('It comes back by itself. If the adapter was unplugged, plug it in again.');
-    expect(textContent).not.toContain('click Connect');
+    expect(textContent).not.toContain('press Connect');
   });
 
   it('offers to make the former memory fly next again', async () => {
