@@ -7,15 +7,17 @@ const OF_ORDER: ReadonlySet<Finding['code']> = new Set(['time-falls', 'time-repe
 /**
  * The value that corrects a finding, where a pilot would choose it without thinking: the nearest value that the wire
  * carries, the step of the manual, the limit that was passed, or the next step after the function before. When DT comes
- * too early, another time may just as well be wrong, so nothing that makes the flight longer is offered.
+ * too early, another time may just as well be wrong, so nothing that makes the flight longer is offered. Nor is a time
+ * that would not come before the next function: then the time before it is the one to look at.
  * @returns null when the pilot has to decide.
  */
 export function fixFor({ code, field, params }: Finding, program: TimerProgram): FieldValue | null {
   const value = field && valueAt(program, field);
-  if (!field || value === null || (OF_ORDER.has(code) && isDt(program, field))) return null;
+  if (!field || value === null) return null;
   const better = betterValue(code, value, params, stepSize(program.identity, field));
   const fits = better !== null && better !== value && better >= 0 && better <= MAX_VALUE[field.kind];
-  return fits ? { field, value: better } : null;
+  if (!fits || (OF_ORDER.has(code) && !isBeforeNext(program, field, better))) return null;
+  return { field, value: better };
 }
 
 function betterValue(
@@ -47,6 +49,8 @@ function betterValue(
   }
 }
 
-function isDt({ identity }: TimerProgram, field: ProgramField): boolean {
-  return field.kind === 'time' && field.slot === identity.functions;
+/** Whether a function at this time still comes before the next one. DT has no next one. */
+function isBeforeNext({ times }: TimerProgram, field: ProgramField, time: number): boolean {
+  const next = field.kind === 'time' ? times[field.slot + 1] : undefined;
+  return next !== undefined && time < next;
 }

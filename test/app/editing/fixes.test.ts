@@ -11,7 +11,10 @@ function fixesOf(program: TimerProgram): [FindingCode, number | null][] {
 }
 
 const held = programOf();
-const timed = (at: number, time: number): TimerProgram => ({ ...held, times: held.times.with(at, time) });
+const timed = (at: number, ...times: number[]): TimerProgram => ({
+  ...held,
+  times: times.reduce((all, time, i) => all.with(at + i, time), held.times),
+});
 const placed = (value: number): TimerProgram => ({
   ...held,
   positions: [held.positions[0]?.with(2, value) ?? [], [...(held.positions[1] ?? [])]],
@@ -39,6 +42,9 @@ describe('what the pilot has to decide', () => {
     ['a motor that stops after DT', { ...held, times: held.times.with(0, 19000) }, 'motor-stop-after-dt'],
     ['a short DT', timed(5, 2000), 'dt-short'],
     ['a DT at which nothing moves', { ...held, positions: [Array(6).fill(50), Array(6).fill(50)] }, 'dt-moves-nothing'],
+    ['a time that falls behind several others', { ...held, times: [1000, 50, 2000, 1250, 1500, 18000] }, 'time-falls'],
+    ['a time that falls just before the next', { ...held, times: [1000, 50, 1490, 1250, 1500, 18000] }, 'time-falls'],
+    ['a time that repeats just before the next', timed(3, 1000, 1010), 'position-never-reached'],
     ['a DT before the function before it', timed(4, 35000), 'time-falls'],
     ['a DT at the function before it', timed(4, 18000), 'position-never-reached'],
     [
