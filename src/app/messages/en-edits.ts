@@ -132,8 +132,9 @@ export const edits = {
     reading: (field: string, text: string, time: string) => `${field}: “${text}” is read as ${time}.`,
     ignored: (count: number) => `${cells(count)} ${count === 1 ? 'has' : 'have'} no place here and will be left out.`,
     problems: 'This cannot be pasted',
-    problem: (row: number, column: number, text: string, reason: string) =>
-      `Row ${row}, column ${column}${text === '' ? '' : `, “${text}”`}: ${reason}`,
+    /** Where a problem is that belongs to no field: in the text that was copied. */
+    place: (row: number, column: number) => `Row ${row}, column ${column} of the copied text`,
+    problem: (place: string, text: string, reason: string) => `${place}${text === '' ? '' : `, “${text}”`}: ${reason}`,
     more: (count: number) => `And ${count} more.`,
     apply: 'Paste',
     applyRest: 'Paste the rest',

@@ -1,8 +1,9 @@
 import type { ReadonlySignal } from '@preact/signals';
-import { fieldKey } from '../../program/index.js';
+import { type Change, fieldKey } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
-import type { GridRange } from '../editing/grid.js';
-import { pasted, previewPaste } from '../editing/paste.js';
+import { cellFor, type GridRange } from '../editing/grid.js';
+import { type PasteProblem, pasted, previewPaste } from '../editing/paste.js';
 import { changeText, gridLabel, messages, pasteProblemText, spokenTime } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { CancelButton } from '../ui/form-buttons.js';
@@ -36,6 +37,18 @@ export function PasteDialog({ session, pasting: { value }, onClose }: PasteDialo
   );
 }
 
+/** The changes in the order in which the table shows them. */
+function byFunction(changes: readonly Change[]): readonly Change[] {
+  const rowOf = ({ field }: Change): number => cellFor(field)?.row ?? Number.POSITIVE_INFINITY;
+  return [...changes].sort((a, b) => rowOf(a) - rowOf(b));
+}
+
+/** Where a problem is: in the program, or, for what has no place there, in the pasted text. */
+function placeOf(identity: Identity, { field, row, column }: PasteProblem): string {
+  if (field) return gridLabel(identity, field);
+  return messages.value.edits.pasting.place(row + 1, column + 1);
+}
+
 interface PreviewProps {
   readonly editor: Editor;
   readonly pasting: Pasting;
@@ -59,10 +72,25 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
   };
   return (
     <>
+      {problems.length > 0 && (
+        <div class="notice bad">
+          <p>
+            <strong>{words.problems}</strong>
+          </p>
+          <ul>
+            {problems.slice(0, TOLD).map((problem) => (
+              <li key={`${problem.row} ${problem.column} ${problem.code}`}>
+                {words.problem(placeOf(identity, problem), problem.text, pasteProblemText(problem))}
+              </li>
+            ))}
+          </ul>
+          {problems.length > TOLD && <p>{words.more(problems.length - TOLD)}</p>}
+        </div>
+      )}
       <p>{words.lead(changes.length)}</p>
       {changes.length > 0 && (
         <ul class="paste-changes">
-          {changes.map((change) => (
+          {byFunction(changes).map((change) => (
             <li key={fieldKey(change.field)}>{changeText(identity, change)}</li>
           ))}
         </ul>
@@ -80,21 +108,6 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
         </div>
       )}
       {ignored > 0 && <p class="hint">{words.ignored(ignored)}</p>}
-      {problems.length > 0 && (
-        <div class="notice bad">
-          <p>
-            <strong>{words.problems}</strong>
-          </p>
-          <ul>
-            {problems.slice(0, TOLD).map((problem) => (
-              <li key={`${problem.row} ${problem.column} ${problem.code}`}>
-                {words.problem(problem.row + 1, problem.column + 1, problem.text, pasteProblemText(problem))}
-              </li>
-            ))}
-          </ul>
-          {problems.length > TOLD && <p>{words.more(problems.length - TOLD)}</p>}
-        </div>
-      )}
       <div class="buttons">
         <CancelButton onClick={close} />
         <button type="button" class="primary" disabled={preview.values.length === 0} onClick={apply}>

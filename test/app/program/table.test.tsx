@@ -274,7 +274,7 @@ describe('intervals', () => {
     );
     await paste('1\n1');
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
-    expect(dialog.getByText(/^Row 1, column 1, “1”: It counts from a time that cannot be read/)).toBeTruthy();
+    expect(dialog.getByText(/^Function 3 interval, “1”: It counts from a time that cannot be read/)).toBeTruthy();
     await press('Cancel');
     expect(editor.changes.value).toEqual([]);
   });
@@ -356,8 +356,8 @@ describe('a paste', () => {
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
     expect(dialog.getAllByRole('listitem').map(({ textContent }) => textContent)).toEqual([
       'Function 2, S1: 35 → 1',
-      'Function 3, S1: 45 → 3',
       'Function 2, S2: 35 → 2',
+      'Function 3, S1: 45 → 3',
       'Function 3, S2: 45 → 4',
     ]);
     expect(field('Function 2, S1').value).toBe('35');
