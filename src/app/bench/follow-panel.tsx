@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { fieldKey } from '../../program/index.js';
+import { type Change, fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { setValues } from '../editing/edit.js';
 import { fieldLabel, messages } from '../messages/index.js';
@@ -83,6 +83,9 @@ function Switch({ on, disabled = false, onClick, children }: SwitchProps) {
   );
 }
 
+/** How many tried positions are named where the decision is asked for. */
+const NAMED = 3;
+
 interface FollowNoteProps {
   readonly session: Session;
   readonly write: WriteFlow;
@@ -97,8 +100,10 @@ interface FollowNoteProps {
 export function FollowNote({ session, write, bench, follow }: FollowNoteProps) {
   const { bench: words } = messages.value;
   const identity = session.editor.identity.value;
-  const { length } = follow.trials.tried.value;
+  const tried = follow.trials.tried.value;
   if (!identity) return null;
+  const nameOf = ({ field, from, to }: Change): string =>
+    words.triedOf(fieldLabel(identity, field), String(from), String(to));
   if (follow.on.value) {
     const isTimeWaiting = session.editor.changes.value.some(({ field }) => field.kind === 'time');
     return (
@@ -116,11 +121,12 @@ export function FollowNote({ session, write, bench, follow }: FollowNoteProps) {
   return (
     <>
       <EndNote bench={bench} follow={follow} identity={identity} />
-      {length > 0 && (
+      {tried.length > 0 && (
         <div class="follow-note">
-          <strong>
-            {words.tried(length)} {words.decide}
-          </strong>
+          <p>
+            <strong>{words.triedHere(tried.slice(0, NAMED).map(nameOf), Math.max(0, tried.length - NAMED))}</strong>{' '}
+            {words.decide}
+          </p>
           <Decide session={session} write={write} follow={follow} />
         </div>
       )}

@@ -54,6 +54,9 @@ export const bench = {
   endUnread: 'The timer has not been read since then.',
   tried: (count: number) =>
     count === 0 ? 'Nothing has been tried yet.' : `Tried: ${plural(count, 'position', 'positions')}.`,
+  /** @param more how many there are besides those that are named. */
+  triedHere: (named: readonly string[], more: number) =>
+    `Tried: ${named.join('; ')}${more === 0 ? '' : `; and ${plural(more, 'more position', 'more positions')}`}.`,
   triedAndWaiting: (tried: number, waiting: number) =>
     `${tried} tried in the timer${waiting === 0 ? '' : `, ${plural(waiting, 'waits', 'wait')} for Write`}`,
   decide: 'Keep what was tried, or put back what the timer held before?',

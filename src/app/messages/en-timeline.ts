@@ -15,6 +15,8 @@ export const timeline = {
   compareNothing: 'nothing',
   /** What the timer holds, as far as it is known. */
   compareHeld: { now: 'the timer', once: 'the last reading', not: 'the last reading, not certain' },
+  /** While it is open whether the tried positions stay: what the timer held before them. */
+  compareBefore: 'before following',
   picture: 'Servo positions over time',
   description: ({ servos, functions, dt, motorStop }: TimelineFacts) =>
     `${plural(servos, 'servo', 'servos')} and ${plural(functions, 'function', 'functions')} over time, DT at ${dt}${motorStop === null ? '' : `, motor stop at ${motorStop}`}.`,

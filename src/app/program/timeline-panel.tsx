@@ -1,6 +1,8 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import { type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
+import { differences, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
+import type { Trials } from '../bench/trials.js';
+import type { Editor } from '../editing/editor.js';
 import { dateText, dutyName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Standing } from '../session/standing.js';
@@ -18,6 +20,8 @@ const CHOICES = 12;
 
 interface TimelinePanelProps {
   readonly session: Session;
+  /** Positions that were tried while the servos followed. */
+  readonly trials: Trials;
   readonly picture: ProgramPicture;
   /** The focused field elsewhere on the screen. */
   readonly selected: ReadonlySignal<ProgramField | null>;
@@ -27,7 +31,8 @@ interface TimelinePanelProps {
 }
 
 /** The program on the screen over time, with what the timer holds behind it, and the flight preview. */
-export function TimelinePanel({ session, picture, selected: field, onSelect, onPoint }: TimelinePanelProps) {
+export function TimelinePanel(props: TimelinePanelProps) {
+  const { session, trials, picture, selected: field, onSelect, onPoint } = props;
   const { editor, servoUses } = session;
   const { player, behind } = picture;
   // The picture comes one frame late: it is drawn once, after the field that has changed or got the focus.
@@ -35,15 +40,16 @@ export function TimelinePanel({ session, picture, selected: field, onSelect, onP
     () =>
       computed(() => ({
         program: editor.working.value,
-        held: editor.changes.value.length > 0 ? editor.baseline.value : null,
+        ...heldBefore(editor, trials),
         sure: session.standing.value.sure,
         selected: field.value,
       })),
-    [session, field],
+    [session, trials, field],
   );
   const [late, catchUp] = useLate(shown);
-  const { program, held, sure, selected } = late.program?.identity === editor.identity.value ? late : shown.peek();
-  const overlay = useOverlay(session, program, behind.value, held, sure);
+  const { program, held, isTrial, sure, selected } =
+    late.program?.identity === editor.identity.value ? late : shown.peek();
+  const overlay = useOverlay(session, program, behind.value, { held, isTrial, sure });
   const named = servoUses.named.value;
   const names = useMemo(() => named?.map(dutyName), [named]);
   if (!program) return null;
@@ -66,6 +72,7 @@ export function TimelinePanel({ session, picture, selected: field, onSelect, onP
           <CompareWith
             session={session}
             program={program}
+            isTrial={isTrial}
             isDrawn={overlay !== null}
             chosen={behind.value}
             onChoose={(key) => picture.compareWith(key)}
@@ -82,41 +89,62 @@ function PlayedTimeline({ player, ...props }: TimelineProps & { readonly player:
   return <Timeline {...props} cursor={player.cursor.value} />;
 }
 
-/** The second program and its name. @param held what the timer holds, if it differs. */
+interface Behind {
+  /** What the timer holds, if it differs from the program. In a trial: what it held before. */
+  readonly held: TimerProgram | null;
+  /** Whether the servos follow, or it is not decided yet whether the tried positions stay. */
+  readonly isTrial: boolean;
+  readonly sure: Standing['sure'];
+}
+
+/** In a trial the timer already holds what was tried, so the picture shows what it held before. */
+function heldBefore(editor: Editor, trials: Trials): Pick<Behind, 'held' | 'isTrial'> {
+  const trial = trials.current.value;
+  const { value: working } = editor.working;
+  if (!trial || !working)
+    return { held: editor.changes.value.length > 0 ? editor.baseline.value : null, isTrial: false };
+  return { held: differences(trial.before, working).length > 0 ? trial.before : null, isTrial: true };
+}
+
+/** The second program and its name. */
 function useOverlay(
   session: Session,
   program: TimerProgram | null,
   chosen: string,
-  held: TimerProgram | null,
-  sure: Standing['sure'],
+  { held, isTrial, sure }: Behind,
 ): TimelineProps['overlay'] {
-  const { knowledge } = messages.value;
+  const { knowledge, timeline } = messages.value;
   const backup = session.backups.list.value.find(({ key }) => key === chosen);
   return useMemo(() => {
-    if (chosen === HELD) return held && { program: held, name: knowledge.held[sure], uncertain: sure === 'not' };
+    if (chosen === HELD) {
+      const name = isTrial ? timeline.compareBefore : knowledge.held[sure];
+      return held && { program: held, name, uncertain: sure === 'not' && !isTrial };
+    }
     if (!program || !backup || !sameLayout(backup.program.identity, program.identity)) return null;
     return { program: backup.program, name: dateText(backup.savedAt) };
-  }, [chosen, held, backup, program?.identity, knowledge, sure]);
+  }, [chosen, held, isTrial, backup, program?.identity, knowledge, timeline, sure]);
 }
 
 interface CompareWithProps {
   readonly session: Session;
   readonly program: TimerProgram;
+  readonly isTrial: boolean;
   /** Whether the picture shows a second program. It does not where the timer holds the same. */
   readonly isDrawn: boolean;
   readonly chosen: string;
   readonly onChoose: (key: string) => void;
 }
 
-function CompareWith({ session, program, isDrawn, chosen, onChoose }: CompareWithProps) {
+function CompareWith({ session, program, isTrial, isDrawn, chosen, onChoose }: CompareWithProps) {
   const { timeline, backups: words, memoryName, recovery } = messages.value;
   const isMade = session.editor.madeAt.value !== null;
   const fitting = session.backups.list.value
     .filter((backup) => sameLayout(backup.program.identity, program.identity))
     .slice(0, CHOICES);
+  const heldName = isTrial ? timeline.compareBefore : timeline.compareHeld[session.standing.value.sure];
   const nameOf = (key: string): string => {
     const backup = fitting.find((each) => each.key === key);
-    if (!backup) return key === HELD ? timeline.compareHeld[session.standing.value.sure] : timeline.compareNothing;
+    if (!backup) return key === HELD ? heldName : timeline.compareNothing;
     const { savedAt, reason, simulated, program } = backup;
     const memory = program.memory === null ? recovery.unknownMemory : memoryName(program.memory);
     return `${memory} · ${words.origin(dateText(savedAt), words.reasons[reason], simulated)}`;

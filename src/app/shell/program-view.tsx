@@ -75,6 +75,7 @@ export function ProgramView(props: ProgramViewProps) {
       <>
         <TimelinePanel
           session={session}
+          trials={follow.trials}
           picture={programPicture}
           selected={selected}
           onSelect={select}

@@ -256,9 +256,43 @@ describe('servos that follow', () => {
     expect(screen.getAllByText('Tried: 1 position.').length).toBeGreaterThan(0);
     await press('Stop following');
     expect([isOn(), isMarked('Function 4'), note().includes('has stopped')]).toEqual([false, false, false]);
+    expect(note()).toContain('Tried: Function 4, S2: 55 → 70. Keep what was tried');
     await press('Keep it');
     expect(screen.queryByRole('button', { name: 'Keep it' })).toBeNull();
     expect(positions(app)[0]).toBe(70);
+  });
+
+  it('are compared with what the timer held before, until that is decided', async () => {
+    const behind = () =>
+      [screen.getByRole<HTMLSelectElement>('combobox', { name: /^Compare with/ }).options[0]?.text].concat(
+        document.querySelector('.timeline-panel .overlay') ? ['drawn'] : [],
+      );
+    await opened();
+    await press('Function 4');
+    await flip();
+    show('program');
+    await late();
+    expect(behind()).toEqual(['before following']);
+    await type('Function 4, S2', '70');
+    expect(behind()).toEqual(['before following', 'drawn']);
+    await press('Stop following');
+    expect(behind()).toEqual(['before following', 'drawn']);
+    await press('Keep it');
+    await late();
+    expect(behind()).toEqual(['the timer']);
+  });
+
+  it('name up to three positions that were tried', async () => {
+    await opened();
+    await press('Function 4');
+    await flip();
+    for (const servo of ['S1', 'S2', 'S3']) await type(`Function 4, ${servo}`, '71');
+    await press('Function 5');
+    await type('Function 5, S1', '72');
+    await press('Stop following');
+    expect(note()).toMatch(
+      /Tried: Function 4, S1: \d+ → 71; Function 5, S1: \d+ → 72; Function 4, S2: \d+ → 71; and 1 more position\./,
+    );
   });
 
   it('are put back by a write that shows what it does', async () => {
