@@ -95,11 +95,37 @@ test.each([
   await expect.poll(() => cutIn(app)).toEqual([]);
 });
 
-test('a changed DT keeps its unit where the table has no room for the old value', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, ...PHONE });
+test.each([
+  ['a phone', PHONE],
+  ['a laptop', { viewport: { width: 1280, height: 800 } }],
+])('on %s DT has its unit in minutes and none in seconds, changed or not', async (_, options) => {
+  const app = await AppPage.open({ bench: { granted: true }, ...options });
   await app.connect();
+  const name = app.table.locator('tr.dt th');
+  await name.getByText('min').waitFor();
   await app.type('DT time', '6:00');
-  await app.table.locator('tr.dt td.time .unit').getByText('min').waitFor();
+  await name.getByText('min').waitFor();
+  await app.type('DT time', '20 s');
+  await name.getByText('min').waitFor({ state: 'detached' });
+});
+
+test.each([
+  ['a small phone', { width: 360, height: 640 }],
+  ['a phone on its side', { width: 844, height: 390 }],
+])('the heads of the columns stay in sight on %s', async (_, viewport) => {
+  const app = await AppPage.open({ ...PHONE, viewport, bench: { granted: true } });
+  await app.connect();
+  await app.field('DT time').waitFor();
+  await app.page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
+  const seen = () =>
+    app.table.locator('th.servo').evaluateAll((heads) =>
+      heads.map((head) => {
+        const { left, top, width, height } = head.getBoundingClientRect();
+        return head.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+      }),
+    );
+  await expect.poll(() => app.page.evaluate(() => scrollY)).toBeGreaterThan(0);
+  await expect.poll(seen).toEqual([true, true, true]);
 });
 
 describe('a timer of another layout', () => {
@@ -123,13 +149,15 @@ describe('a timer of another layout', () => {
       return [input, table?.querySelector('th.servo:last-child'), input.closest('tr')?.querySelector('th')].map(isSeen);
     });
     expect(seen).toEqual([true, true, true]);
-    const unit = app.table.locator('tr.dt td.time .unit');
-    // It stands before its figure, in its cell, and nothing cuts it.
+    const unit = app.table.locator('tr.dt th .row-unit');
+    // It stands beside the name, and the tools of the row do not cover it.
     await expect
       .poll(() =>
-        unit.evaluate((it) => it.getBoundingClientRect().left - (it.closest('td')?.getBoundingClientRect().left ?? 0)),
+        unit.evaluate(
+          (it) => (it.closest('th')?.getBoundingClientRect().right ?? 0) - it.getBoundingClientRect().right,
+        ),
       )
-      .toBeGreaterThan(0);
+      .toBeGreaterThan(8);
   });
 });
 

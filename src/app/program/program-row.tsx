@@ -5,8 +5,9 @@ import type { Identity } from '../../protocol/index.js';
 import type { Bench } from '../bench/bench.js';
 import type { Follow } from '../bench/follow.js';
 import { ServosHere, ServosOffer } from '../bench/servos-here.js';
+import type { Editor } from '../editing/editor.js';
 import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
-import { fieldLabel, messages, slotLabel } from '../messages/index.js';
+import { fieldLabel, figureOf, messages, slotLabel } from '../messages/index.js';
 import { programKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
 import type { Hand } from './hand.js';
@@ -56,7 +57,8 @@ export function ProgramRow(props: ProgramRowProps) {
     <>
       <tr class={slotKind(identity, slot)} data-slot={slot}>
         <th scope="row" data-short={slotShort(slot, slotKind(identity, slot))}>
-          <span class="row-name">{name}</span>
+          <span class="row-name">{name}</span>{' '}
+          {slot === identity.functions && <DtUnit {...{ editor, identity, slot }} />}
           <ServosHere bench={bench} follow={follow} slot={slot} />
           <RowMenu {...{ tools, identity, slot, name, revert }} shifts={slot > 0} isChanged={row.isChanged} />
         </th>
@@ -80,6 +82,23 @@ export function ProgramRow(props: ProgramRowProps) {
       <ServosOffer bench={bench} follow={follow} identity={identity} slot={slot} width={width} />
     </>
   );
+}
+
+interface DtUnitProps extends Pick<ProgramRowProps, 'identity' | 'slot'> {
+  readonly editor: Editor;
+}
+
+/** At “DT”: the heading of the column says seconds, and most DTs are minutes. Screen readers hear it at the field. */
+function DtUnit({ editor, identity, slot }: DtUnitProps) {
+  const unit = useComputed(() => {
+    const time = editor.working.value?.times[slot];
+    return time === undefined ? null : figureOf(identity, { kind: 'time', slot }, time).unit;
+  }).value;
+  return unit === 'min' ? (
+    <span class="row-unit" aria-hidden="true">
+      {messages.value.times.units[unit]}
+    </span>
+  ) : null;
 }
 
 interface TimeCellProps extends Pick<ProgramRowProps, 'session' | 'selection' | 'hand' | 'identity' | 'slot'> {}

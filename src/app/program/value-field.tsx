@@ -26,9 +26,6 @@ interface ValueFieldProps {
   readonly readOnly?: boolean;
 }
 
-/** How many characters have room beside a unit on a phone. Longer times have a colon. The same for an old value. */
-const LONG = 5;
-
 /** A field for one value of the program. A value that differs from the timer is marked, with the old value under it. */
 export function ValueField(props: ValueFieldProps) {
   const { session, field, label, place, hand, selection, readOnly = false } = props;
@@ -44,8 +41,6 @@ export function ValueField(props: ValueFieldProps) {
   const state = isChanged ? 'changed' : isConfirmed ? 'confirmed' : '';
   // The sheet shows everything else about the field.
   const isHeld = focused.value && hand.field.value !== null;
-  const isLong = text.length > LONG;
-  const hasOld = !isLarge && was !== null;
   const id = (what: string): string => `${place}-${what}-${key}`;
   const described = [
     unit && id('unit'),
@@ -61,10 +56,7 @@ export function ValueField(props: ValueFieldProps) {
   useWheel(input, step);
   useSwipe(input, step);
   return (
-    <span
-      class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''} ${isLong ? 'long' : ''} ${hasOld ? 'has-old' : ''}`}
-      {...refuseDrag}
-    >
+    <span class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''}`} {...refuseDrag}>
       <input
         ref={input}
         type="text"
@@ -101,7 +93,7 @@ export function ValueField(props: ValueFieldProps) {
         }}
       />
       {unit && (
-        <span class={`unit ${unit}`} style={{ '--letters': text.length }} id={id('unit')}>
+        <span class="unit" id={id('unit')}>
           {messages.value.times.units[unit]}
         </span>
       )}
