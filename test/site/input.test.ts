@@ -13,7 +13,7 @@ const answered = (app: AppPage): Promise<number> => app.bench(({ adapter }) => a
 describe('what no timer can hold is refused at the field', () => {
   const cases: [field: string, text: string, shown: string, reason: string][] = [
     ['Function 2, S1', '131', '131', 'A position must be 0 to 130 steps.'],
-    ['DT time', '655.36', '10:55.36', 'A time can be at most 10:55.35.'],
+    ['DT time', '655.36', '10:55.36', 'A time can be at most 10:55.35\u00a0min.'],
     ['Function 2, S1', 'six', 'six', 'Not a whole number of steps.'],
     ['DT time', 'soon', 'soon', 'Not a time: type seconds like 12.5, or minutes like 2:05.'],
     ['Function 2, S1', '', '', 'Empty: type a value.'],
@@ -25,11 +25,12 @@ describe('what no timer can hold is refused at the field', () => {
     await app.connect();
     for (const [field, text, shown, reason] of cases) {
       const what = `${field} = ${JSON.stringify(text)}`;
+      const name = field === 'DT time' ? 'DT' : field;
       const asked = await answered(app);
       await app.type(field, text);
       await expect.poll(() => app.valueOf(field), { message: what }).toBe(shown);
       await expect.poll(() => app.field(field).getAttribute('aria-invalid'), { message: what }).toBe('true');
-      await expect.poll(() => app.reasons(), { message: what }).toContain(`${field}: ${reason}`);
+      await expect.poll(() => app.reasons(), { message: what }).toContain(`${name}: ${reason}`);
       await app.button(/^Write( \d+)?…$/).click();
       const cause = app.field(field);
       await expect
@@ -44,7 +45,7 @@ describe('what no timer can hold is refused at the field', () => {
       await app.button('Connect').click();
       await app.isReady();
       await expect.poll(() => app.valueOf(field), { message: what }).toBe(shown);
-      await app.text(`Nothing can be written yet. ${field}: ${reason}`).waitFor();
+      await app.text(`Nothing can be written yet. ${name}: ${reason}`).waitFor();
       await app.button('Undo all').click();
       await app.text('Nothing can be written yet.').waitFor({ state: 'hidden' });
     }

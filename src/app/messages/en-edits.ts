@@ -148,7 +148,7 @@ export const edits = {
     add: 'New preset',
     addButton: 'Add',
     shortDt: 'Warn if DT is shorter than',
-    refused: 'Type a time up to 10:55.35. At most 24 presets are kept.',
+    refused: 'Type a time up to 10:55.35 min. At most 24 presets are kept.',
   },
   fix: (value: string) => `Set to ${value}`,
   fixOf: (field: string, value: string) => `Set to ${value}: ${field}`,

@@ -45,6 +45,14 @@ export function fieldLabel(identity: Identity, field: ProgramField): string {
   return field.slot === 0 && identity.timerClass === 'Q' ? program.motorStopTime : program.timeOf(slot);
 }
 
+/** Where a sentence is about one field: “DT”, “Motor stop”, “Function 3 time”, “Function 3, S1”. */
+export function fieldName(identity: Identity, field: ProgramField): string {
+  const { program } = messages.value;
+  if (field.kind !== 'time') return fieldLabel(identity, field);
+  if (field.slot === 0 && identity.timerClass === 'Q') return program.motorStop;
+  return field.slot === identity.functions ? program.dt : fieldLabel(identity, field);
+}
+
 /** What a servo moves: the pilot's name for it, or the name of its duty. */
 export function dutyName({ duty, name }: { duty: keyof Messages['preview']['duties']; name: string }): string {
   return name || messages.value.preview.duties[duty];
@@ -99,7 +107,11 @@ export function dtText(value: number): string {
 
 /** A moment of a flight: “10.60 s”, “3:00 min”. */
 export function momentText(hundredths: number): string {
-  const text = formatTime(hundredths);
+  return withUnit(formatTime(hundredths));
+}
+
+/** A time with its unit: “3:00 min”, “0.50 s”. */
+function withUnit(text: string): string {
   return inUnit({ text, unit: text.includes(':') ? 'min' : 's' });
 }
 
@@ -111,17 +123,17 @@ function inUnit({ text, unit }: Figure): string {
 /** The sentence for a finding of the check, with times as a pilot writes them. */
 export function findingText({ code, params, field }: Finding): string {
   const isTime = field?.kind === 'time';
-  const { findings, seconds } = messages.value;
+  const { findings } = messages.value;
   const shown = Object.entries(params).map(([name, value]): [string, string] => [
     name,
-    isTime && typeof value === 'number' ? whole(seconds(formatTime(value))) : String(value),
+    isTime && typeof value === 'number' ? whole(momentText(value)) : String(value),
   ]);
   return findings[code](Object.fromEntries(shown));
 }
 
 /** The name of a cell in the table, intervals included. */
 export function gridLabel(identity: Identity, field: GridField): string {
-  if (field.kind !== 'interval') return fieldLabel(identity, field);
+  if (field.kind !== 'interval') return fieldName(identity, field);
   return messages.value.edits.table.intervalOf(slotLabel(identity, field.slot));
 }
 
@@ -201,7 +213,7 @@ export function stepText(identity: Identity, { code, params }: StepName): string
 /** The sentence that says why an edit was not done. */
 export function obstacleText(identity: Identity, obstacle: Obstacle): string {
   const { edits, about } = messages.value;
-  const where = about(fieldLabel(identity, obstacle.field));
+  const where = about(fieldName(identity, obstacle.field));
   if (obstacle.code === 'unreadable') return `${where} ${edits.unreadable}`;
   if (obstacle.field.kind === 'time' && obstacle.params.value < 0) return `${where} ${edits.beforeLaunch}`;
   return `${where} ${reasonText(obstacle.code, obstacle.params, obstacle.field.kind === 'time')}`;
@@ -218,11 +230,11 @@ function reasonText(
   params: Readonly<Record<string, number>>,
   isTime: boolean,
 ): string {
-  const { findings, unreadable, edits, seconds } = messages.value;
+  const { findings, unreadable, edits } = messages.value;
   const shown = Object.fromEntries(
     Object.entries(params).map(([name, value]): [string, string] => [
       name,
-      isTime ? whole(seconds(formatInterval(value))) : String(value),
+      isTime ? whole(withUnit(formatInterval(value))) : String(value),
     ]),
   );
   if (code in edits.refused) return edits.refused[code as keyof typeof edits.refused](shown);
@@ -230,10 +242,10 @@ function reasonText(
   return findings[code as keyof typeof findings](shown);
 }
 
-/** A difference in words: “DT time: 3:00 min → 6:00 min”. */
+/** A difference in words: “DT: 3:00 min → 6:00 min”. */
 export function changeText(identity: Identity, { field, from, to }: Change): string {
   const { edits, write } = messages.value;
   const shown = (value: number | null): string =>
     value === null ? write.status.unknown : figureText(identity, field, value);
-  return edits.change(fieldLabel(identity, field), shown(from), shown(to));
+  return edits.change(fieldName(identity, field), shown(from), shown(to));
 }

@@ -4,7 +4,7 @@ import { type Finding, fieldKey } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { fixFor } from '../editing/fixes.js';
-import { fieldLabel, figureText, messages } from '../messages/index.js';
+import { fieldLabel, fieldName, figureText, messages } from '../messages/index.js';
 import { useLate } from '../ui/use-late.js';
 import { allNotes } from './field-notes.js';
 import './checks-panel.css';
@@ -28,7 +28,7 @@ export function ChecksPanel({ editor }: { readonly editor: Editor }) {
             // The figures in its text change with each digit, but the element stays the same.
             <li key={`${field ? fieldKey(field) : ''} ${finding?.code}`} class={severity}>
               <strong>{program.severity[severity]}</strong>
-              {field && <span class="where">{fieldLabel(identity, field)}</span>}
+              {field && <span class="where">{fieldName(identity, field)}</span>}
               <span>{text}</span>
               {finding && <FixButton editor={editor} finding={finding} />}
             </li>

@@ -1,7 +1,7 @@
 import { type ReadonlySignal, useComputed } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { fieldLabel, messages } from '../messages/index.js';
+import { fieldName, messages } from '../messages/index.js';
 import type { FieldNote } from './field-notes.js';
 import './row-notes.css';
 
@@ -39,7 +39,7 @@ export function RowNotes({ identity, notes, rested, width }: RowNotesProps) {
           return (
             // The figures in its text change with each digit, but the element stays the same.
             <p key={`${key} ${at}`} class={`${severity} ${note ? '' : 'over'}`}>
-              <strong>{messages.value.about(fieldLabel(identity, field))}</strong> {text}
+              <strong>{messages.value.about(fieldName(identity, field))}</strong> {text}
             </p>
           );
         })}

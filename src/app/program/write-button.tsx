@@ -1,6 +1,6 @@
 import { fieldKey } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
-import { fieldLabel, messages } from '../messages/index.js';
+import { fieldName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { useLateComputed } from '../ui/use-late.js';
 import type { WriteFlow } from '../write/write-flow.js';
@@ -58,7 +58,7 @@ export function BlockedNote({ editor }: { readonly editor: Editor }) {
     if (!cause) return null;
     const key = fieldKey(cause.field);
     const isTyped = editor.unreadable.value.get(key)?.either && !editor.asked.value.has(key);
-    return isTyped ? null : messages.value.program.blocked(fieldLabel(identity, cause.field), cause.text);
+    return isTyped ? null : messages.value.program.blocked(fieldName(identity, cause.field), cause.text);
   }, editor.baseline);
   if (text === null) return null;
   return (

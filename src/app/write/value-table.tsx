@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { type Change, fieldKey, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { changeText, fieldLabel, figureText, messages } from '../messages/index.js';
+import { changeText, fieldName, figureText, messages } from '../messages/index.js';
 import './value-table.css';
 
 interface ValueTableProps {
@@ -38,7 +38,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
       <tbody>
         {rows.map(({ field, values, note }) => (
           <tr key={fieldKey(field)}>
-            <th scope="row">{fieldLabel(identity, field)}</th>
+            <th scope="row">{fieldName(identity, field)}</th>
             {values.map((value, index) => {
               const text = value === null ? write.status.unknown : figureText(identity, field, value);
               return (

@@ -104,7 +104,7 @@ describe('the table', () => {
       .getAllByRole('rowheader')
       .map(({ textContent }) => textContent);
     const functions = Array.from({ length: 9 }, (_, i) => `Function ${i + 1}`);
-    expect(rows).toEqual(['Start', 'Motor stop', ...functions, 'DT', 'Idle throttle']);
+    expect(rows.map((row) => row?.trim())).toEqual(['Start', 'Motor stop', ...functions, 'DT min', 'Idle throttle']);
     for (const servo of ['S1', 'S2', 'S3']) {
       expect(['Start', ...functions, 'DT'].map((row) => field(`${row}, ${servo}`).value)).toEqual(
         CAPTURED_POSITIONS.map(String),
@@ -142,8 +142,8 @@ describe('the table', () => {
     ['Function 2, S1', 'six', 'Not a whole number of steps.'],
     ['Function 2, S1', '1.5', 'Not a whole number of steps.'],
     ['Function 2, S1', '', 'Empty: type a value.'],
-    ['DT time', '10:55.36', 'A time can be at most 10:55.35.'],
-    ['DT time', '999999', 'A time can be at most 10:55.35.'],
+    ['DT time', '10:55.36', 'A time can be at most 10:55.35\u00a0min.'],
+    ['DT time', '999999', 'A time can be at most 10:55.35\u00a0min.'],
     ['DT time', 'soon', 'Not a time: type seconds like 12.5, or minutes like 2:05.'],
     ['DT time', '1.234', 'Finer than a hundredth of a second.'],
     ['DT time', '', 'Empty: type a value.'],
@@ -156,9 +156,10 @@ describe('the table', () => {
     );
     expect(field(name).getAttribute('aria-invalid')).toBe('true');
     expect(described(name)).toContain(reason);
-    expect(table().getAllByText(`${name}:`)[0]?.parentElement?.textContent).toBe(`${name}: ${reason}`);
+    const said = name === 'DT time' ? 'DT' : name;
+    expect(table().getAllByText(`${said}:`)[0]?.parentElement?.textContent).toBe(`${said}: ${reason}`);
     const why = document.getElementById(button('Write…').getAttribute('aria-describedby') ?? '');
-    expect(why?.textContent).toBe(`Nothing can be written yet. ${name}: ${reason}`);
+    expect(why?.textContent).toBe(`Nothing can be written yet. ${said}: ${reason}`);
     await press('Write…');
     expect([write.current.value, timer.core.answered]).toEqual([null, []]);
     // It leads to its cause.
@@ -307,7 +308,7 @@ describe('writing', () => {
     const rows = dialog.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
     expect(rows).toEqual([
       ['Value', 'Timer holds', 'Will hold'],
-      ['DT time', '3:00 min', '4:00 min'],
+      ['DT', '3:00 min', '4:00 min'],
       ['Function 2, S1', '35', '7'],
     ]);
     expect(button('Write 2 changes').disabled).toBe(true);
@@ -349,7 +350,7 @@ describe('writing', () => {
     fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
     await idle();
     expect(button('Write 1 change').disabled).toBe(true);
-    expect(within(screen.getByRole('dialog')).getByText(/The motor stops after DT \(3:00\)/)).toBeTruthy();
+    expect(within(screen.getByRole('dialog')).getByText(/The motor stops after DT \(3:00\smin\)/)).toBeTruthy();
     fireEvent.click(screen.getByRole('checkbox', { name: /^I have read this/ }));
     await idle();
     expect(button('Write 1 change').disabled).toBe(false);

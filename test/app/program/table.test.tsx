@@ -680,7 +680,7 @@ describe('a time that can be read in two ways', () => {
     const said = within(screen.getByRole('dialog')).getAllByText(/is read as/);
     expect(said.map(({ textContent }) => textContent)).toEqual([
       'Function 9 time: “130” is read as 2 min 10 s.',
-      'DT time: “2.30” is read as 2.3 s.',
+      'DT: “2.30” is read as 2.3 s.',
     ]);
   });
 
@@ -763,6 +763,6 @@ it('the write dialog says the difference in words too', async () => {
   await enter('Function 4, S2', '70');
   await enter('DT time', '6:00');
   await press('Write…');
-  const words = 'DT time: 3:00 min → 6:00 min; Function 4, S2: 55 → 70';
+  const words = 'DT: 3:00 min → 6:00 min; Function 4, S2: 55 → 70';
   expect(within(screen.getByRole('dialog')).getByText(words)).toBeTruthy();
 });

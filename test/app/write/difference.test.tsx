@@ -19,7 +19,7 @@ describe('what a write would change', () => {
     const before = program('Q', 0, 30);
     const goal = { ...before, times: [100, 200, 300, 18_000] };
     render(<Difference {...{ before, goal }} changes={differences(before, goal)} />);
-    expect(screen.getByRole('row', { name: /^DT time/ }).textContent).toBe('DT time4 s3:00 min');
+    expect(screen.getByRole('row', { name: /^DT/ }).textContent).toBe('DT4 s3:00 min');
     expect(shown()).toEqual([]);
   });
 
