@@ -10,6 +10,10 @@ export const write = {
   from: 'Timer holds',
   to: 'Will hold',
   wasRead: 'Was read',
+  conflict: {
+    title: 'The timer has other values than when you made your edits.',
+    advice: 'Is this the same timer?',
+  },
   moved: {
     timer: {
       title: 'The timer does not hold what was shown.',
@@ -54,7 +58,7 @@ export const write = {
     repair: 'Correcting',
   },
   stopping: 'Stopping after this request',
-  verified: { title: 'Verified.', advice: 'The timer was read back after writing and held what was wanted.' },
+  verified: { title: 'Verified.', advice: 'The timer was read back and holds what you wrote.' },
   verdict: (memory: string, time: string, figures: readonly string[], changes: number) =>
     dotted([`${memory} verified ${time}`, ...figures, plural(changes, 'change', 'changes')]),
   inWords: 'In words',

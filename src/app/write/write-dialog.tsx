@@ -4,7 +4,7 @@ import { fieldKey, type Model, type ProgramField, type TimerProgram, valueAt } f
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 import { modelMessages } from '../messages/en-which-model.js';
-import { clockText, fieldLabel, figureText, findingText, messages } from '../messages/index.js';
+import { clockText, fieldName, figureText, findingText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
@@ -133,7 +133,7 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
           <ul>
             {serious.map((finding) => (
               <li key={`${finding.field ? fieldKey(finding.field) : ''} ${finding.code}`}>
-                {finding.field && <strong>{about(fieldLabel(identity, finding.field))} </strong>}
+                {finding.field && <strong>{about(fieldName(identity, finding.field))} </strong>}
                 {findingText(finding)}
               </li>
             ))}
@@ -155,20 +155,18 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
   );
 }
 
-/** Values that have changed in the timer since the edits were made, beside those that are about to be written. */
+/** Values that have changed in the timer since the edits were made. What is about to be written stands below. */
 function Conflicts({ editor, identity }: { readonly editor: Editor; readonly identity: Identity }) {
-  const { write, notes } = messages.value;
-  const { conflicts, working } = editor;
-  const changes = [...conflicts.value.values()];
-  if (changes.length === 0 || !working.value) return null;
-  const wanted = working.value;
+  const { write } = messages.value;
+  const changes = [...editor.conflicts.value.values()];
+  if (changes.length === 0) return null;
   return (
     <div class="notice bad">
-      <NoticeText said={notes['edits-moved']} />
+      <NoticeText said={write.conflict} />
       <ValueTable
         identity={identity}
-        names={[write.wasRead, write.held, write.to]}
-        rows={changes.map(({ field, from, to }) => ({ field, values: [from, to, valueAt(wanted, field)] }))}
+        names={[write.wasRead, write.held]}
+        rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
         lastCounts
       />
     </div>
