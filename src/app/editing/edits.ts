@@ -68,20 +68,29 @@ export function shiftFrom(program: TimerProgram, slot: number, by: number, optio
   return { name: { code: 'shift', params: { slot, by } }, ...shifted(program, slot, by, options) };
 }
 
-function shifted(program: TimerProgram, slot: number, by: number, { moveDt = false }: DtOption): EditOutcome {
+/** The slots that {@link shiftFrom} moves, from `slot` on. */
+export function slotsThatShift(
+  { identity, times }: TimerProgram,
+  slot: number,
+  { moveDt = false }: DtOption = {},
+): readonly number[] {
+  const goesAlong = (time: number, at: number): boolean => {
+    if (at === slot) return true;
+    if (at === identity.functions) return moveDt;
+    return slot === 0 ? time >= (times[slot] ?? 0) : at > slot;
+  };
+  return times.flatMap((time, at) => (goesAlong(time, at) ? [at] : []));
+}
+
+function shifted(program: TimerProgram, slot: number, by: number, options: DtOption): EditOutcome {
   const { identity, times } = program;
   const from = times[slot];
   if (from === undefined || by === 0) return { values: [] };
   if (slot === 0 && identity.timerClass !== 'Q') {
     return { refused: refusal('reserved', { kind: 'time', slot }, from + by) };
   }
-  const goesAlong = (time: number, at: number): boolean => {
-    if (at === slot) return true;
-    if (at === identity.functions) return moveDt;
-    return slot === 0 ? time >= from : at > slot;
-  };
-  const moved = times.flatMap((time, at): CellValue[] =>
-    goesAlong(time, at) ? [{ field: { kind: 'time', slot: at }, value: time + by }] : [],
+  const moved = slotsThatShift(program, slot, options).map(
+    (at): CellValue => ({ field: { kind: 'time', slot: at }, value: (times[at] as number) + by }),
   );
   return checked(program, moved);
 }

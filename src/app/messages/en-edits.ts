@@ -123,6 +123,13 @@ export const edits = {
     earlier: 'Earlier',
     later: 'Later',
     moveDt: 'Move DT too',
+    /** Usually they follow each other. */
+    functions: (numbers: readonly number[]) => {
+      const [first = 0] = numbers;
+      const last = numbers.at(-1) ?? first;
+      if (first === last) return `function ${first}`;
+      return `functions ${last - first + 1 === numbers.length ? `${first} to ${last}` : numbers.join(', ')}`;
+    },
     moved: (time: string, later: boolean) => `Moved ${time} s ${later ? 'later' : 'earlier'}`,
   },
   pasting: {

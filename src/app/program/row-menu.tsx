@@ -8,6 +8,7 @@ import { messages } from '../messages/index.js';
 import { Check } from '../ui/check.js';
 import { Problem } from '../ui/problem.js';
 import { type RowTools, SHIFTS } from './row-tools.js';
+import { raise } from './sheet-place.js';
 import './row-menu.css';
 
 interface RowMenuProps {
@@ -79,11 +80,14 @@ function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onCl
   const panel = useRef<HTMLFormElement>(null);
   useEffect(() => {
     const { current } = panel;
+    const row = opener.current?.closest('tr');
     if (!current) return;
+    // Where the table is narrow it would cover the times that it moves, so it lies at the lower edge.
+    const lower = row && getComputedStyle(current).position === 'fixed' ? raise(current, row) : null;
     // In the lower half of the window there is more room above.
     const { top = 0 } = opener.current?.getBoundingClientRect() ?? {};
     current.classList.toggle('above', top > innerHeight / 2);
-    current.scrollIntoView?.({ block: 'nearest' });
+    if (!lower) current.scrollIntoView?.({ block: 'nearest' });
     // On a touch screen a focused field would open the keyboard, which nobody has asked for.
     const byTouch = media('(pointer: coarse)')?.matches ?? false;
     const first = byTouch ? null : current.querySelector('input');
@@ -93,7 +97,10 @@ function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onCl
       if (target instanceof Node && !current.parentElement?.contains(target)) tools.close();
     };
     document.addEventListener('pointerdown', away);
-    return () => document.removeEventListener('pointerdown', away);
+    return () => {
+      document.removeEventListener('pointerdown', away);
+      lower?.();
+    };
   }, [tools, opener]);
   useEffect(() => onBackKey(() => tools.close()), [tools]);
   const isDt = slot === identity.functions;
@@ -108,7 +115,7 @@ function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onCl
       }}
     >
       <p class="row-panel-title">{shifts ? shift.from(name, isDt) : name}</p>
-      {shifts && <Moved tools={tools} />}
+      {shifts && <Moved tools={tools} identity={identity} />}
       {shifts && <ShiftFields tools={tools} />}
       <div class="row-panel-foot">
         {shifts && !isDt && (
@@ -170,12 +177,26 @@ function ShiftFields({ tools }: { readonly tools: RowTools }) {
   );
 }
 
-/** How far everything has moved since the tools were opened. */
-function Moved({ tools }: { readonly tools: RowTools }) {
+/** How far everything has moved since the tools were opened; before that, what a shift would move. */
+function Moved({ tools, identity }: Pick<RowMenuProps, 'tools' | 'identity'>) {
   const { value: moved } = tools.moved;
+  const { shift } = messages.value.edits;
   return (
     <p class="hint row-panel-moved" role="status">
-      {moved !== 0 && messages.value.edits.shift.moved(formatInterval(Math.abs(moved)), moved > 0)}
+      {moved === 0 ? movingText(identity, tools.moving.value) : shift.moved(formatInterval(Math.abs(moved)), moved > 0)}
     </p>
   );
+}
+
+/** “Motor stop, functions 5 to 9, DT”. */
+function movingText({ functions }: Identity, slots: readonly number[]): string {
+  const { program, edits } = messages.value;
+  const between = slots.filter((slot) => slot > 0 && slot < functions);
+  return [
+    slots.includes(0) && program.motorStop,
+    between.length > 0 && edits.shift.functions(between),
+    slots.includes(functions) && program.dt,
+  ]
+    .filter(Boolean)
+    .join(', ');
 }

@@ -1,7 +1,7 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { ProgramField, TimerProgram } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
-import { shiftFrom } from '../editing/edits.js';
+import { shiftFrom, slotsThatShift } from '../editing/edits.js';
 import { parseInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
 
@@ -31,6 +31,13 @@ export class RowTools {
     const { slot: from } = step.params;
     if (from !== slot) return 0;
     return (this.#editor.working.value?.times[slot] ?? 0) - (this.#before.value?.times[slot] ?? 0);
+  });
+  /** The slots that a shift would move. */
+  readonly moving: ReadonlySignal<readonly number[]> = computed(() => {
+    const slot = this.#open.value;
+    const working = this.#editor.working.value;
+    if (typeof slot !== 'number' || !working) return [];
+    return slotsThatShift(working, slot, { moveDt: this.#moveDt.value });
   });
   readonly problem: ReadonlySignal<string | null> = this.#problem;
 

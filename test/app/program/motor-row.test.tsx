@@ -92,6 +92,7 @@ describe('the tools of a row', () => {
     await press('Tools for Motor stop');
     const panel = within(screen.getByRole('form', { name: 'Motor stop and all after' }));
     expect(document.activeElement).toBe(panel.getByRole('textbox'));
+    expect(panel.getByRole('status').textContent).toBe('Motor stop, functions 5 to 9');
     put('By, in seconds', '0,3');
     // Enter in the field.
     fireEvent.submit(field('By, in seconds').closest('form') as HTMLFormElement);
@@ -103,7 +104,7 @@ describe('the tools of a row', () => {
     await press('Earlier');
     await press('Earlier');
     expect(times('Motor stop', 'Function 5')).toEqual(['12.25', '12.50']);
-    expect(panel.getByRole('status').textContent).toBe('');
+    expect(panel.getByRole('status').textContent).toBe('Motor stop, functions 5 to 9');
   });
 
   it('shift by a step with one press, and say how far after an undo', async () => {
@@ -121,7 +122,14 @@ describe('the tools of a row', () => {
     await press(/^Undo shift from/);
     expect([...times('Motor stop', 'Function 9'), status.textContent]).toEqual(['10.3', '14.80', 'Moved 0.30 s later']);
     await press(/^Undo shift from/);
-    expect([...times('Motor stop', 'Function 9'), status.textContent]).toEqual(['10.0', '14.50', '']);
+    expect([...times('Motor stop', 'Function 9'), status.textContent]).toEqual([
+      '10.0',
+      '14.50',
+      'Motor stop, functions 1 to 9',
+    ]);
+    fireEvent.click(screen.getByRole('checkbox', { name: 'Move DT too' }));
+    await idle();
+    expect(status.textContent).toBe('Motor stop, functions 1 to 9, DT');
     expect(editor.dirty.value).toBe(false);
   });
 
