@@ -34,6 +34,22 @@ test('the field with the focus, and the end of a range, are never covered by the
   }
 });
 
+test('the field with the focus stays in sight when notes above it get their room', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 1366, height: 650 } });
+  await app.connect();
+  await app.field('Function 3 time').fill('10.50');
+  await app.field('Function 5, S1').fill('999');
+  const dt = app.field('DT time');
+  await dt.focus();
+  await app.page.locator('.row-notes').nth(1).waitFor();
+  const isSeen = () =>
+    dt.evaluate((input) => {
+      const { left, top, width, height } = input.getBoundingClientRect();
+      return document.elementFromPoint(left + width / 2, top + height - 2) === input;
+    });
+  await expect.poll(isSeen).toBe(true);
+});
+
 test('the picture beside the table moves down when a notice appears', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.connect();

@@ -115,10 +115,12 @@ function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
         take(added.value, words.add, add);
       }}
     >
+      <p class="hint">{words.removeHint}</p>
       <label>
         {words.add}
         <input
           type="text"
+          placeholder={words.example}
           inputMode="decimal"
           autocomplete="off"
           value={added.value}

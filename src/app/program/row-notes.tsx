@@ -1,4 +1,5 @@
 import { type ReadonlySignal, useComputed } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
 import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { fieldName, messages } from '../messages/index.js';
@@ -26,6 +27,7 @@ export function RowNotes({ identity, notes, rested, width }: RowNotesProps) {
     void rested.value;
     return notes.peek();
   }).value;
+  useFieldInSight(room.length);
   if (room.length === 0) return null;
   const left = [...notes.value];
   return (
@@ -46,4 +48,15 @@ export function RowNotes({ identity, notes, rested, width }: RowNotesProps) {
       </td>
     </tr>
   );
+}
+
+/** Keeps the field with the focus in sight when notes get or lose room above it. */
+function useFieldInSight(lines: number): void {
+  const had = useRef(lines);
+  useEffect(() => {
+    if (had.current === lines) return;
+    had.current = lines;
+    const { activeElement } = document;
+    if (activeElement?.matches('.program-table td input')) activeElement.scrollIntoView?.({ block: 'nearest' });
+  }, [lines]);
 }
