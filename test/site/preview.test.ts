@@ -42,7 +42,7 @@ test('the model is shown under the timeline, both in one window, at the time of 
   await app.type('DT, S2', '56');
   await app.field('DT time').focus();
   await preview(app).getByText('No servo moves at DT', { exact: true }).waitFor();
-  await app.text('No servo moves at DT: this timer does not bring the model down.').first().waitFor();
+  await app.text('No servo moves at DT: the timer does not bring the model down.').first().waitFor();
 });
 
 test('the flight can be played with keys alone, and the timeline shows the time', async () => {

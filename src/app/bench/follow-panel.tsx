@@ -6,7 +6,7 @@ import { fieldLabel, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import type { Bench } from './bench.js';
-import { doneText, standText } from './bench-text.js';
+import { doneText, slotInSentence, standText } from './bench-text.js';
 import type { Follow } from './follow.js';
 import './follow-panel.css';
 
@@ -105,11 +105,15 @@ export function FollowNote({ session, write, bench, follow }: FollowNoteProps) {
   const nameOf = ({ field, from, to }: Change): string =>
     words.triedOf(fieldLabel(identity, field), String(from), String(to));
   if (follow.on.value) {
+    const at = bench.stand.at.value;
     const isTimeWaiting = session.editor.changes.value.some(({ field }) => field.kind === 'time');
     return (
       <div class="follow-note">
         <p>
-          <strong>{words.followingNow}</strong> <span role="status">{standText(identity, bench.stand.at.value)}</span>{' '}
+          <strong>{at === null ? words.followingNow : words.followingAt(slotInSentence(identity, at))}</strong>{' '}
+          <span role="status" class={at === null ? '' : 'visually-hidden'}>
+            {standText(identity, at)}
+          </span>{' '}
           {isTimeWaiting && words.timesWait}
         </p>
         <button type="button" onClick={() => void follow.stop()}>

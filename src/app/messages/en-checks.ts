@@ -21,8 +21,8 @@ export const findings: Record<FindingCode, (params: Params) => string> = {
   'motor-run-long': ({ limit }) => `The motor runs longer than ${limit}, the limit for F1Q.`,
   'time-outside-manual': ({ min, max }) => `The manual allows ${min} to ${max}.`,
   'time-too-fine': ({ step }) => `The manual gives steps of ${step}: the timer may round.`,
-  'dt-short': ({ limit }) => `DT is shorter than ${limit}.`,
-  'dt-moves-nothing': () => 'No servo moves at DT: this timer does not bring the model down.',
+  'dt-short': ({ limit }) => `Shorter than ${limit}.`,
+  'dt-moves-nothing': () => 'No servo moves at DT: the timer does not bring the model down.',
   'throttle-unusual': ({ limit }) => `More than ${limit} is unusual. The unit is not known.`,
   'class-unknown': ({ timerClass }) =>
     `This timer calls its class “${timerClass}”. That class is not known, so its rules were not checked.`,

@@ -47,6 +47,6 @@ export const timeline = {
   passing: { passed: 'skipped', back: 'not known' },
   passedOver: (slot: string, next: string) => `${slot} is skipped: ${next} comes at the same time.`,
   goesBack: (next: string, slot: string) =>
-    `${next} comes before ${slot}. It is not known what the timer does in the shaded part. The dotted lines go back in the order of the functions.`,
+    `${next} comes before ${slot}. It is not known what the timer does in the shaded part.`,
   more: (count: number) => `And ${count} more.`,
 };

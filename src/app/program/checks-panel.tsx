@@ -19,7 +19,9 @@ export function ChecksPanel({ editor }: { readonly editor: Editor }) {
   if (!identity) return null;
   return (
     <section class={`checks ${notes.length === 0 ? 'quiet' : ''}`}>
-      <h2>{program.findings}</h2>
+      <h2>
+        {program.findings} {notes.length > 0 && <span class="count">{notes.length}</span>}
+      </h2>
       {notes.length === 0 ? (
         <p class="hint">{program.noFindings}</p>
       ) : (

@@ -143,8 +143,9 @@ function Marks({ flags, layout, chosen }: MarksProps) {
   );
 }
 
-/** The width of the words for the motor stop beside it, in pixels. */
+/** The width of the words for the motor stop beside it, and of its figure alone, in pixels. */
 const MOTOR_NAME = 150;
+const MOTOR_FIGURE = 66;
 /** The thickness of the bar that shows how long the motor runs, in pixels. */
 const MOTOR_BAR = 6;
 
@@ -156,7 +157,9 @@ function MotorRun({ program, motorStop, layout, measures }: Geometry) {
   const end = layout.x(motorStop);
   const width = Math.max(0, end - start);
   const { motor } = measures;
-  const isBefore = end > right - MOTOR_NAME;
+  // Before its end the words lie on the bar: rather the figure alone.
+  const isBrief = end > right - MOTOR_NAME;
+  const isBefore = end > right - MOTOR_FIGURE;
   const isNamed = layout.shows(end) && (!isBefore || end > left + MOTOR_NAME);
   return (
     <g class="motor">
@@ -165,7 +168,8 @@ function MotorRun({ program, motorStop, layout, measures }: Geometry) {
       <path d={`M${rounded(end)} ${top}V${motor}`} />
       {isNamed && (
         <text class={isBefore ? 'before' : ''} x={isBefore ? end - 12 : end + 12} y={motor} dy="0.35em">
-          {messages.value.program.motorStop} {figureText(program.identity, { kind: 'time', slot: 0 }, motorStop)}
+          {(!isBrief || isBefore) && `${messages.value.program.motorStop} `}
+          {figureText(program.identity, { kind: 'time', slot: 0 }, motorStop)}
         </text>
       )}
     </g>

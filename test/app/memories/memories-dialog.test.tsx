@@ -29,7 +29,7 @@ describe('copying a memory', () => {
     const rows = difference.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
     expect(rows).toEqual([
       ['Value', 'Timer holds', 'Will hold'],
-      ['DT time', '6:00 min', '3:00 min'],
+      ['DT', '6:00 min', '3:00 min'],
     ]);
     const begun = Date.now();
     await write();

@@ -139,7 +139,7 @@ describe('the memories', () => {
     session.knowledge.jobOver();
     await lookAt('M3');
     expect(screen.getByRole('heading', { name: 'It is not known what M3 holds' })).toBeTruthy();
-    const row = screen.getByRole('rowheader', { name: 'DT time' }).parentElement;
+    const row = screen.getByRole('rowheader', { name: 'DT' }).parentElement;
     expect([...(row?.children ?? [])].map(({ textContent }) => textContent)).toEqual([
       'DT time',
       '3:00 min',

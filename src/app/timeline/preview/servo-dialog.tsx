@@ -107,9 +107,11 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
       {isSurface && (
         <>
           <span class="servo-way">
+            <span aria-hidden="true">{words.from}</span>
             <End label={words.low(name)} value={use.low} onChange={(low) => onChange({ low })} />
             <span aria-hidden="true">{words.to}</span>
             <End label={words.high(name)} value={use.high} onChange={(high) => onChange({ high })} />
+            <span aria-hidden="true">{words.steps}</span>
           </span>
           <Select
             name={words.sense(name)}
