@@ -54,7 +54,7 @@ export class Pilot {
     const { page } = this.#app;
     await place.waitFor();
     // The page takes back the room for the keys a frame after they went, and everything above them moves.
-    await page.locator('[data-sheet]:not(:has(.edit-sheet))').waitFor({ state: 'detached' });
+    await page.locator('[data-sheet]:not(:has(.edit-sheet, .row-panel))').waitFor({ state: 'detached' });
     this.cost.scrolled += await place.evaluate(async (element) => {
       const middle = (): [x: number, y: number] => {
         const { left, top, width, height } = element.getBoundingClientRect();
