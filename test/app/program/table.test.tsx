@@ -424,8 +424,8 @@ describe('a paste', () => {
         await idle();
         for (const line of promised) {
           const [, place = '', to = ''] = /^(.*): .* → (.*)$/.exec(line ?? '') ?? [];
-          const label = place === 'Motor stop time' || / time$|, S\d$/.test(place) ? place : '';
-          const read = place.endsWith(' time') ? parseTime : String;
+          const label = ['Motor stop', 'DT'].includes(place) ? `${place} time` : place;
+          const read = label.endsWith(' time') ? parseTime : String;
           expect(read(field(label).value)).toEqual(read(to));
         }
         expect(editor.changes.value).toHaveLength(promised.length);
