@@ -35,7 +35,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await leave.getByText('DT of M1 is 20 s. Put it back to 3:00 min?').waitFor();
   await leave.getByRole('button', { name: 'Put DT back to 3:00 min…' }).click();
   await app.dialog.waitFor();
-  await expect.poll(() => app.difference()).toEqual(['DT time | 20 s | 3:00 min']);
+  await expect.poll(() => app.difference()).toEqual(['DT | 20 s | 3:00 min']);
   await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
   await app.result('Verified.');
   await app.dialog.getByText(/^M1\sverified\s\d\d:\d\d\s· DT\s3:00\smin/).waitFor();

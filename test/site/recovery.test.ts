@@ -37,7 +37,7 @@ describe('a write that the page did not survive', () => {
     await app.button('Connect').click();
     await panel(app).getByRole('button', { name: 'Write the old values back…' }).click();
     await app.dialog.waitFor();
-    await expect.poll(() => app.difference()).toEqual(['DT time | 4:00 min | 3:00 min']);
+    await expect.poll(() => app.difference()).toEqual(['DT | 4:00 min | 3:00 min']);
     await app.tickSafety();
     await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
     await app.result('Verified.');

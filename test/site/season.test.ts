@@ -283,7 +283,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await app.button('Disconnect').first().click();
   await app.button('Put DT back to 3:30 min…').click();
   await app.dialog.waitFor();
-  expect(await app.difference()).toEqual(['DT time | 25 s | 3:30 min']);
+  expect(await app.difference()).toEqual(['DT | 25 s | 3:30 min']);
   await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
   await app.result('Verified.');
   await app.dialog.getByRole('button', { name: 'Flying this' }).click();
@@ -406,7 +406,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await second.app.table.waitFor();
   await second.app.review();
   await second.app.text('This is what changes in M1 “calm” of Lancer 07. Everything else stays as it is.').waitFor();
-  expect(await second.app.difference()).toEqual(['DT time | 3:30 min | 3:20 min']);
+  expect(await second.app.difference()).toEqual(['DT | 3:30 min | 3:20 min']);
   await second.app.tickSafety();
   await second.app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
   await second.app.result('Verified.');
