@@ -27,7 +27,7 @@ for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
     await expect
       .poll(() => app.difference())
       .toEqual([
-        `DT time | ${held.dt} min | 5:00 min`,
+        `DT | ${held.dt} min | 5:00 min`,
         `Function 2, S1 | ${held.rudder2} | 0`,
         `DT, S3 | ${held.wingAtDt} | 130`,
       ]);

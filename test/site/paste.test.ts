@@ -68,11 +68,12 @@ const changed = (before: Readonly<Record<string, string>>, after: Readonly<Recor
     }),
   );
 
-/** The same values from the lines of the dialog. */
+/** The same values from the lines of the dialog, which calls these two times by their names alone. */
 const read = (lines: readonly string[]): Changed =>
   Object.fromEntries(
     lines.map((line) => {
-      const [name = '', change = ''] = line.split(': ');
+      const [place = '', change = ''] = line.split(': ');
+      const name = ['Motor stop', 'DT'].includes(place) ? `${place} time` : place;
       return [name, values(name, change.split(' → '))];
     }),
   );
