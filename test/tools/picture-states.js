@@ -64,9 +64,7 @@ async function trim(page) {
 
 /** Shares the program on the screen, through the list of commands. @param {Page} page */
 async function offer(page) {
-  await page.keyboard.press('Control+k');
-  await page.keyboard.type('share this');
-  await page.keyboard.press('Enter');
+  await command(page, 'share this');
   await page.getByRole('dialog', { name: /^Share/ }).waitFor();
 }
 
@@ -153,6 +151,26 @@ async function fill(page) {
   await press(page, 'Import 2');
   await page.getByText(/^Imported from/).waitFor();
 }
+
+/** Runs a command of the list of commands, found by its words. @param {Page} page @param {string} words */
+async function command(page, words) {
+  await page.keyboard.press('Control+k');
+  await page.keyboard.type(words);
+  await page.keyboard.press('Enter');
+}
+
+/** A page of the help, with a timer at hand. @param {string} at @returns {State['reach']} */
+const help = (at) => async (page) => {
+  await connect(page);
+  await goTo(page, `help/${at}`);
+  await page.locator('.help-nav').waitFor();
+};
+
+/** A program in memory of the timer, of another class. @param {string} timerClass @returns {State['reach']} */
+const simulated = (timerClass) => async (page) => {
+  await press(page, `Try a simulated ${timerClass} timer`);
+  await settled(page);
+};
 
 /** The pictures in README and docs: state, size and theme. A test compares this list with them. */
 export const inDocs = [
@@ -475,9 +493,7 @@ export const states = {
       await trim(page);
       await press(page, 'Close');
       // On a phone its button needs one more tap.
-      await page.keyboard.press('Control+k');
-      await page.keyboard.type('disconnect');
-      await page.keyboard.press('Enter');
+      await command(page, 'disconnect');
       await page.getByRole('dialog', { name: 'Before you disconnect' }).waitFor();
     },
   },
@@ -604,4 +620,136 @@ export const states = {
       await goTo(page, 'line');
     },
   },
+  'class-b': {
+    title: 'A timer of class B',
+    reach: simulated('F1B'),
+  },
+  'class-e': {
+    title: 'A timer of class E',
+    reach: simulated('F1E'),
+  },
+  largest: {
+    title: 'The largest program that there is',
+    reach: async (page) => {
+      await press(page, 'New program…');
+      await page.getByRole('combobox', { name: 'Functions, without start and DT' }).selectOption('20');
+      await page.getByRole('combobox', { name: 'Servos' }).selectOption('8');
+      await press(page, 'Make the program');
+      await page.getByRole('textbox', { name: 'Function 4 time' }).waitFor();
+    },
+  },
+  column: {
+    title: 'The tools of a column',
+    reach: async (page) => {
+      await connect(page);
+      await press(page, 'Tools for S2');
+    },
+  },
+  legend: {
+    title: 'What the rows and columns mean',
+    reach: async (page) => {
+      await connect(page);
+      await press(page, 'What the values are');
+      await page.getByRole('dialog').waitFor();
+    },
+  },
+  commands: {
+    title: 'The list of commands',
+    reach: async (page) => {
+      await change(page);
+      await page.keyboard.press('Control+k');
+      await page.getByRole('dialog').getByRole('option').first().waitFor();
+    },
+  },
+  compared: {
+    title: 'Two memories compared',
+    reach: async (page) => {
+      await connect(page);
+      await goTo(page, 'memories');
+      await press(page, 'Read and keep all…');
+      await page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
+      await page.getByText('were read and kept').waitFor();
+      await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+      await press(page, 'Compare with M1: M3');
+    },
+  },
+  copy: {
+    title: 'Before a memory is copied',
+    reach: async (page) => {
+      await connect(page);
+      await command(page, 'copy m1 to m2');
+      await page.getByRole('dialog').getByRole('checkbox').first().waitFor();
+    },
+  },
+  'model-choice': {
+    title: 'Which model is connected',
+    reach: async (page) => {
+      await fill(page);
+      await press(page, 'Dismiss');
+      await goTo(page, 'program');
+      await connect(page);
+      if (!(await page.locator('.memories').isVisible())) await showFigures(page);
+      await press(page, /model it is$|^Which model/);
+      await page.getByRole('dialog').waitFor();
+    },
+  },
+  save: {
+    title: 'A program is saved as a setting',
+    reach: async (page) => {
+      await connect(page);
+      await command(page, 'save');
+      await page.getByRole('dialog').waitFor();
+    },
+  },
+  'new-model': {
+    title: 'A new model',
+    reach: async (page) => {
+      await goTo(page, 'library');
+      await press(page, 'New model…');
+      await page.getByRole('dialog').waitFor();
+    },
+  },
+  arrange: {
+    title: 'The models are put in order',
+    reach: async (page) => {
+      await fill(page);
+      await press(page, 'Dismiss');
+      await drop(page, example.replaceAll(/"lancer-07"|"calm-morning"/g, '"other"').replace('Lancer 07', 'Siesta'));
+      await press(page, 'Import 2');
+      await page.getByText(/^Imported from/).waitFor();
+      await press(page, 'Dismiss');
+      await press(page, 'Arrange');
+    },
+  },
+  pair: {
+    title: 'Two programs side by side',
+    reach: async (page) => {
+      await connect(page);
+      await enter(page, 'Function 4, S2', '77');
+      await goTo(page, 'library/compare');
+      await page.getByRole('table').first().waitFor();
+    },
+  },
+  settings: {
+    title: 'The settings, with a timer connected',
+    reach: async (page) => {
+      await connect(page);
+      await goTo(page, 'settings');
+      await page.getByText('About this timer').click();
+    },
+  },
+  erase: {
+    title: 'Before all data is deleted',
+    reach: async (page) => {
+      await fill(page);
+      await goTo(page, 'settings');
+      await press(page, /^Delete/);
+      await page.getByRole('dialog').waitFor();
+    },
+  },
+  checklist: { title: 'The checklist', reach: help('checklist') },
+  trouble: { title: 'What to do in trouble', reach: help('trouble') },
+  words: { title: 'The words of the field', reach: help('words') },
+  energy: { title: 'Heights and energy', reach: help('energy') },
+  steps: { title: 'The first steps', reach: help('steps') },
 };
