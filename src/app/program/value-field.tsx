@@ -128,7 +128,7 @@ export function ValueField(props: ValueFieldProps) {
           value={was}
           figure={old}
           // Otherwise a click into the field would count as a click on it.
-          label={focused.value ? messages.value.edits.field.putBack(label) : null}
+          label={focused.value ? messages.value.edits.field.putBackTo(label, old) : null}
           onPutBack={putBack}
         />
       )}

@@ -224,7 +224,7 @@ describe('the old value in a cell', () => {
     ).toBeNull();
     field('Function 2, S1').focus();
     await idle();
-    fireEvent.click(within(cell).getByRole('button', { name: 'Put back Function 2, S1' }));
+    fireEvent.click(within(cell).getByRole('button', { name: 'Put Function 2, S1 back to 35' }));
     await idle();
     expect([field('Function 2, S1').value, document.activeElement]).toEqual(['35', field('Function 2, S1')]);
     await late();

@@ -161,7 +161,7 @@ describe('stepping', () => {
     field('Function 2, S1').focus();
     await key('ArrowUp', { altKey: true });
     await late();
-    fireEvent.click(screen.getAllByRole('button', { name: 'Put back Function 2, S1' })[0] as HTMLElement);
+    fireEvent.click(screen.getAllByRole('button', { name: 'Put Function 2, S1 back to 35' })[0] as HTMLElement);
     await idle();
     expect(field('Function 2, S1').value).toBe('35');
   });
