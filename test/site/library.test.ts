@@ -12,7 +12,7 @@ async function makeModel(app: AppPage, name: string): Promise<void> {
   await app.button('New model…').click();
   await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill(name);
   await app.button('Make the model').click();
-  await app.page.getByRole('heading', { name, level: 2 }).first().waitFor();
+  await app.page.getByRole('heading', { name }).first().waitFor();
 }
 
 async function makeSetting(app: AppPage, name: string): Promise<void> {
@@ -267,10 +267,14 @@ it('a picture of any size becomes a small one, and another file is refused', asy
 
 it('on a phone the library shows one page at a time, with a way back, and nothing is wider than the screen', async () => {
   const app = await AppPage.open(PHONE);
+  const hasHeading = (name: string) => app.page.getByRole('heading', { level: 1, name, exact: true }).waitFor();
   await open(app, '#library');
+  await hasHeading('Library');
   await makeModel(app, 'Lancer 07');
+  await hasHeading('Lancer 07');
   await app.expectNoSidewaysScrolling();
   await makeSetting(app, 'calm');
+  await hasHeading('calm');
   await app.expectNoSidewaysScrolling();
   await app.page.getByRole('link', { name: 'Lancer 07', exact: true }).click();
   await app.page.getByRole('link', { name: /^calm/ }).waitFor();

@@ -38,6 +38,8 @@ export function ModelColumn(props: ModelColumnProps) {
   const all = browse.byModel.value.get(model?.key ?? null) ?? [];
   const records = browse.archive.value ? all : all.filter(({ setting }) => !setting.archived);
   const name = model?.model.name ?? words.models.loose;
+  // With a way back, the list with the heading of the page is not beside it.
+  const Heading = back ? 'h1' : 'h2';
   return (
     <section class="library-model" aria-label={name}>
       {back && (
@@ -52,7 +54,7 @@ export function ModelColumn(props: ModelColumnProps) {
         <>
           <div class="library-head">
             <div>
-              <h2>{name}</h2>
+              <Heading>{name}</Heading>
               {model && model.model.timerClass !== null && (
                 <p class="hint">{timerName({ timerClass: model.model.timerClass })}</p>
               )}

@@ -50,6 +50,8 @@ export function SettingPage(props: SettingPageProps) {
     );
   }
   const { setting } = record;
+  // With a way back, the list with the heading of the page is not beside it.
+  const Heading = back !== null ? 'h1' : 'h2';
   const model = library.models.get(setting.model) ?? null;
   const { program } = setting;
   const names = program.positions.map((_, servo) => {
@@ -65,7 +67,7 @@ export function SettingPage(props: SettingPageProps) {
   return (
     <article class="setting-page" aria-label={setting.name}>
       {way}
-      <h2 class="setting-title">{setting.name}</h2>
+      <Heading class="setting-title">{setting.name}</Heading>
       <TextField
         label={words.setting.note}
         placeholder={words.setting.notePlace}
