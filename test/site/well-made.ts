@@ -1,5 +1,5 @@
-import { source } from 'axe-core';
 import { expect } from 'vitest';
+import { violations } from '../tools/axe.js';
 import type { AppPage } from './app-page.js';
 
 type Sizes = Readonly<Record<string, { readonly width: number; readonly height: number }>>;
@@ -9,22 +9,6 @@ export const SIZES = {
   desktop: { width: 1280, height: 800 },
 } as const satisfies Sizes;
 export const THEMES = ['light', 'dark', 'sun'] as const;
-
-/** What axe finds wrong, one line for each. @param rules the rules to run; default all. */
-async function violations(app: AppPage, rules?: readonly string[]): Promise<string[]> {
-  if (await app.page.evaluate(() => !('axe' in window))) await app.page.evaluate(source);
-  const found = await app.page.evaluate(
-    async (runOnly) => {
-      const { axe } = window as unknown as { axe: typeof import('axe-core') };
-      // What lies behind a dialog cannot be reached, and is looked at without it.
-      const stage = [...document.querySelectorAll('dialog:modal')].at(-1) ?? document;
-      // Of what is right there is nothing to tell: most of the time would go into that.
-      return (await axe.run(stage, { resultTypes: ['violations'], ...(runOnly && { runOnly }) })).violations;
-    },
-    rules && [...rules],
-  );
-  return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
-}
 
 /** Buttons, fields and choices that a finger would miss, or a mouse where there is room and one, with their sizes. */
 function smallTargets(app: AppPage): Promise<string[]> {
@@ -64,8 +48,7 @@ export async function isWellMade(app: AppPage, screen: string, sizes: Sizes = SI
     await app.resize(viewport);
     for (const [index, each] of THEMES.entries()) {
       await showTheme(app, each);
-      const rules = index === 0 ? undefined : ['color-contrast', 'link-in-text-block'];
-      expect(await violations(app, rules), `rules of axe that are broken: ${screen}, ${name}, ${each}`).toEqual([]);
+      expect(await violations(page, index > 0), `axe finds: ${screen}, ${name}, ${each}`).toEqual([]);
     }
     expect(await smallTargets(app), `targets that are too small: ${screen}, ${name}`).toEqual([]);
     await app.expectNoSidewaysScrolling();

@@ -3,13 +3,14 @@
 //   npm run pictures -- --sizes   in all seven sizes
 //   npm run pictures -- --docs    the few that README and docs show, into docs/pictures
 //   npm run pictures -- --manifest    those for browsers that install the page, into public/screenshots
-// Names of states as further arguments take only these. A state that cannot be reached is named at the end, and the
-// program fails. Needs a built page: npm run build:site
+// Names of states as further arguments take only these. A state that cannot be reached, or in which axe finds something
+// wrong, is named at the end, and the program fails. Needs a built page: npm run build:site
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { chromium } from 'playwright';
+import { violations } from './axe.js';
 import { launchOptions } from './browser.js';
 import { inDocs, inManifest, states } from './picture-states.js';
 import { serve } from './serve.js';
@@ -56,7 +57,7 @@ await Promise.all(Array.from({ length: availableParallelism() + 1 }, work));
 await browser.close();
 await server.close();
 if (!chosen) writeFileSync(new URL('index.html', folder), album());
-if (failed.length > 0) console.error(`No picture of ${failed.length} states:\n${failed.join('\n')}`);
+if (failed.length > 0) console.error(`Not as it should be:\n${failed.join('\n')}`);
 process.exitCode = failed.length > 0 ? 1 : 0;
 
 async function work() {
@@ -85,7 +86,7 @@ async function take(name, size) {
     await page.goto(server.url);
     await state.reach(page);
     const devtools = await context.newCDPSession(page);
-    for (const theme of wanted) {
+    for (const [index, theme] of wanted.entries()) {
       // The styles look at nothing else.
       await page.evaluate((shown) => document.documentElement.setAttribute('data-theme', shown), theme);
       // The timeline follows the field a frame later, the preview and the notes when the keys have rested for 0.4 s.
@@ -93,6 +94,7 @@ async function take(name, size) {
       const { data } = await devtools.send('Page.captureScreenshot', { format: 'webp', quality: 60 });
       const picture = `${name}-${size}-${theme}`;
       writeFileSync(new URL(`${chosen?.get(picture) ?? picture}.webp`, folder), Buffer.from(data, 'base64'));
+      for (const fault of await violations(page, index > 0)) failed.push(`${picture}: ${fault}`);
     }
     console.log(`${name}, ${size}`);
   } finally {
