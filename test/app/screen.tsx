@@ -1,4 +1,5 @@
 import { act, fireEvent, render, screen, within } from '@testing-library/preact';
+import { onTestFinished } from 'vitest';
 import { App } from '../../src/app/app.js';
 import type { View } from '../../src/app/shell/views.js';
 import { type AppBench, appBench, type BenchOptions, idle } from './bench/bench.js';
@@ -30,6 +31,15 @@ export async function connected(options: BenchOptions = {}): Promise<AppBench> {
 export async function goTo(view: View): Promise<void> {
   page.models.views.show(view);
   await idle(0);
+}
+
+/** Until the end of the test, the window is one for which these queries match. */
+export function inWindow(matches: (query: string) => boolean): void {
+  const real = window.matchMedia;
+  onTestFinished(() => {
+    window.matchMedia = real;
+  });
+  window.matchMedia = ((query: string) => ({ ...real.call(window, query), matches: matches(query) })) as typeof real;
 }
 
 export async function press(name: string | RegExp): Promise<void> {

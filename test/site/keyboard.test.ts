@@ -98,3 +98,26 @@ test('the focus stays during a reading, and comes back after the dialog', async 
   await app.dialog.waitFor({ state: 'hidden' });
   await expect.poll(() => keys.focused()).toBe('Write…');
 });
+
+test('in a narrow window the arrow keys walk through the memories; a click goes to one', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 390, height: 844 } });
+  const keys = new Keys(app.page);
+  await app.connect();
+  await keys.enter(/^M1, flies next.*motor stop/);
+  await keys.tabTo(/^M1, flies next$/);
+  for (const [key, memory] of [
+    ['ArrowRight', 'M2'],
+    ['ArrowRight', 'M3'],
+    ['ArrowLeft', 'M2'],
+    ['ArrowDown', 'M3'],
+  ] as const) {
+    await keys.press(key);
+    await app.page.getByRole('heading', { name: new RegExp(`^${memory}`) }).waitFor({ state: 'attached' });
+    await expect.poll(() => keys.focused()).toBe(memory);
+  }
+  const panel = app.page.locator('.strip-panel');
+  await keys.press('Escape');
+  await panel.waitFor({ state: 'detached' });
+  await app.lookAt('M2');
+  await panel.waitFor({ state: 'detached' });
+});

@@ -68,16 +68,17 @@ export function StatusStrip(props: StatusStripProps) {
     return () => document.removeEventListener('keydown', onKey);
   }, [isOpen, close]);
   const job = session.runner.job.value;
-  // Another memory, or none: what has changed would be out of sight below the panel of a phone.
+  // Another memory, or none: the panel gives way to what has changed. Whoever walks through the memories by keys is not
+  // there yet.
   const shown = [memories.looking.value, job?.kind === 'look' || job?.kind === 'select', status === 'off'].join();
   const before = useRef(shown);
   useEffect(() => {
     if (before.current === shown) return;
     before.current = shown;
-    if (!isNarrow || !open.peek()) return;
+    if (!isTight || !open.peek() || box.current?.querySelector('.memories input:focus-visible')) return;
     if (box.current?.querySelector('.strip-panel')?.contains(document.activeElement)) close();
     else open.value = false;
-  }, [shown, isNarrow, open, close]);
+  }, [shown, isTight, open, close]);
   // Also on a tablet, where the ways to another timer are the most that the strip has to hold.
   const isFolded = identity !== null && (isNarrow || (isTight && status === 'off'));
   const actions = (

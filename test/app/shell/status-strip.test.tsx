@@ -1,7 +1,8 @@
-import { screen, within } from '@testing-library/preact';
-import { expect, it, onTestFinished } from 'vitest';
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { expect, it } from 'vitest';
+import { TIGHT } from '../../../src/app/ui/use-query.js';
 import { idle } from '../bench/bench.js';
-import { connected, lookAt, press } from '../screen.js';
+import { connected, inWindow, lookAt, press } from '../screen.js';
 
 const figures = () => document.querySelector('.strip-figures') as HTMLButtonElement;
 const isOpen = () => figures().getAttribute('aria-expanded') === 'true';
@@ -13,17 +14,8 @@ async function openFigures(): Promise<void> {
   expect(isOpen()).toBe(true);
 }
 
-/** Until the end of the test, this is a phone. */
-function onPhone(): void {
-  const real = window.matchMedia;
-  onTestFinished(() => {
-    window.matchMedia = real;
-  });
-  window.matchMedia = ((query: string) => ({
-    ...real.call(window, query),
-    matches: query.includes('max-width'),
-  })) as typeof real;
-}
+const onPhone = (): void => inWindow((query) => query.includes('max-width'));
+const onTablet = (): void => inWindow((query) => query === TIGHT);
 
 it('no figure of the memory that flies next is below the name of another one', async () => {
   await connected();
@@ -68,6 +60,30 @@ it('on a phone the large figures give way to what was asked for', async () => {
   within(screen.getByRole('dialog')).getByRole('button', { name: 'Disconnect' }).click();
   await idle();
   expect([app.session.link.state.value.status, isOpen()]).toEqual(['off', false]);
+});
+
+it('on a tablet, too: that a memory is only looked at is said once', async () => {
+  onTablet();
+  await connected();
+  await openFigures();
+  await lookAt('M3');
+  expect(isOpen()).toBe(false);
+  expect(screen.getAllByText('For looking only. You edit and write M1, which flies next.')).toHaveLength(1);
+});
+
+it('the large figures stay open while keys walk through the memories', async () => {
+  onPhone();
+  await connected();
+  await openFigures();
+  for (const memory of ['M2', 'M3']) {
+    // As an arrow key does: it moves the focus with the choice.
+    screen.getByRole('radio', { name: memory }).focus();
+    await lookAt(memory);
+    expect([isOpen(), document.activeElement?.getAttribute('aria-label')]).toEqual([true, memory]);
+  }
+  fireEvent.keyDown(document.activeElement as Element, { key: 'Escape' });
+  await idle();
+  expect([isOpen(), document.activeElement]).toEqual([false, figures()]);
 });
 
 it('Connect stands where Disconnect stood, so that a second click closes no program', async () => {
