@@ -27,6 +27,29 @@ test('each view has an address: Back leads through them, and a reload shows the 
   await expect.poll(() => heading(app)).toBe('Memories');
 });
 
+test('the heading stands at the same place in every view', async () => {
+  for (const size of [{}, { viewport: { width: 820, height: 1180 }, hasTouch: true }]) {
+    const app = await AppPage.open({ bench: { granted: true }, ...size });
+    await app.connect();
+    /** The middle of its letters. */
+    const place = (name: string): Promise<number> =>
+      app.page.getByRole('heading', { level: 1, name, exact: true }).evaluate((heading) => {
+        const letters = document.createRange();
+        letters.selectNodeContents(heading);
+        const { top, bottom } = letters.getBoundingClientRect();
+        return Math.round((top + bottom) / 2);
+      });
+    await app.goTo('Memories');
+    const first = await place('Memories');
+    for (const name of ['Bench', 'Library', 'Line', 'Settings', 'Help', 'Print']) {
+      await app.page.evaluate((view) => location.assign(`#${view}`), name.toLowerCase());
+      await expect.poll(() => place(name), { message: name }).toBe(first);
+    }
+    await app.page.evaluate(() => location.assign('#library/flights'));
+    await expect.poll(() => place('Flights'), { message: 'Flights' }).toBe(first);
+  }
+});
+
 test('a view is as it was left: the focus, the scroll position, and what was typed', async () => {
   const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 900, height: 560 } });
   await app.connect();
