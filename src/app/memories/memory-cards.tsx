@@ -5,7 +5,8 @@ import { clockText, figureText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
 import { type Known, lastRead, possibleValues } from '../session/known.js';
 import type { Session } from '../session/session.js';
-import { SmallLanes } from '../timeline/small-lanes.js';
+import type { Scale } from '../timeline/scale.js';
+import { SmallLanes, sharedScale } from '../timeline/small-lanes.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
 import type { Memories } from './memories.js';
@@ -25,15 +26,13 @@ export function MemoryCards({ session, memories, onProgram }: MemoryCardsProps) 
   const baseline = session.editor.baseline.value;
   if (!baseline) return null;
   const current = session.nextFlight.open.value ? null : baseline.memory;
+  const count = baseline.identity.memories;
+  const all = Array.from({ length: count }, (_, memory) => ({ memory, known: session.knowledge.of(memory) }));
+  const scale = sharedScale(all.flatMap(({ known }) => lastRead(known) ?? []));
   return (
     <ul class="memory-cards">
-      {Array.from({ length: baseline.identity.memories }, (_, memory) => (
-        <Card
-          key={memory}
-          {...{ session, memories, memory, current, onProgram }}
-          count={baseline.identity.memories}
-          known={session.knowledge.of(memory)}
-        />
+      {all.map((each) => (
+        <Card key={each.memory} {...each} {...{ session, memories, current, count, scale, onProgram }} />
       ))}
     </ul>
   );
@@ -46,9 +45,11 @@ interface CardProps extends MemoryCardsProps {
   /** How many memories the timer has. */
   readonly count: number;
   readonly known: Known;
+  /** The time axis of all cards. */
+  readonly scale: Scale;
 }
 
-function Card({ session, memories, memory, current, count, known, onProgram }: CardProps) {
+function Card({ session, memories, memory, current, count, known, scale, onProgram }: CardProps) {
   const { overview: words, nextFlight, memoryName } = messages.value;
   const title = useId();
   // The button that reads it goes, and so does the one that makes it fly next.
@@ -74,7 +75,7 @@ function Card({ session, memories, memory, current, count, known, onProgram }: C
             <p class="hint">{known.state === 'read' ? words.readAt(clockText(known.at)) : words.notRead}</p>
           )}
         </header>
-        {program ? <SmallLanes program={program} /> : <Unread {...{ session, memories, memory, current }} />}
+        {program ? <SmallLanes {...{ program, scale }} /> : <Unread {...{ session, memories, memory, current }} />}
         <Actions {...{ session, memories, memory, current, count, onProgram }} isRead={program !== null} />
       </article>
     </li>
@@ -127,7 +128,7 @@ function Unread({ session, memories, memory, current }: UnreadProps) {
   );
 }
 
-interface ActionsProps extends Omit<CardProps, 'known'> {
+interface ActionsProps extends Omit<CardProps, 'known' | 'scale'> {
   readonly isRead: boolean;
 }
 

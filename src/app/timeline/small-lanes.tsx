@@ -1,7 +1,7 @@
 import type { TimerProgram } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
-import { RUN_OUT, rounded, stretchedScale } from './scale.js';
+import { rounded, type Scale, stretchedScale } from './scale.js';
 import { servoClass } from './servo-class.js';
 import './small-lanes.css';
 
@@ -13,8 +13,19 @@ const EDGE = 14;
 /** The least distance of two functions, and the room after DT, as shares of the width. */
 const SPACING = { minGap: 0.05, runOut: 0.06 };
 
+/** One time axis for pictures that stand beside each other: what comes later in one lies further on in all. */
+export function sharedScale(programs: readonly TimerProgram[]): Scale {
+  return stretchedScale(
+    programs.flatMap(({ times }) => times.slice(1)),
+    // By their lengths alone: the times of several programs are too many to be kept apart.
+    { ...SPACING, minGap: 0 },
+  );
+}
+
 interface SmallLanesProps {
   readonly program: TimerProgram;
+  /** The time axis. Default: its own, which fills the width. */
+  readonly scale?: Scale;
   /** The names at the lanes. Without them the picture is too small for names. */
   readonly names?: readonly string[];
 }
@@ -23,15 +34,15 @@ interface SmallLanesProps {
  * A small picture by which a pilot recognises a program: a lane for each servo, the motor run, DT. Screen readers skip
  * it: its figures stand beside it.
  */
-export function SmallLanes({ program, names }: SmallLanesProps) {
+export function SmallLanes({ program, names, scale = ownScale(program) }: SmallLanesProps) {
   const { identity, times, positions } = program;
   const dt = times[identity.functions] ?? 0;
-  const scale = stretchedScale(times.slice(1), SPACING);
   const x = (time: number): number => rounded(scale.place(time) * WIDTH);
   /** In per cent of the width. */
   const share = (time: number): number => rounded(scale.place(time) * 100);
   const { program: words } = messages.value;
-  const end = x(dt + RUN_OUT);
+  // On a shared axis the seconds after a DT have no width, but the positions of DT are to be seen.
+  const end = rounded((scale.place(dt) + SPACING.runOut) * WIDTH);
   const motor = identity.timerClass === 'Q' ? (times[0] ?? 0) : 0;
   const height = LANE * positions.length;
   return (
@@ -73,4 +84,8 @@ export function SmallLanes({ program, names }: SmallLanesProps) {
       )}
     </div>
   );
+}
+
+function ownScale({ times }: TimerProgram): Scale {
+  return stretchedScale(times.slice(1), SPACING);
 }

@@ -48,6 +48,24 @@ describe('the memories', () => {
     expect(buttons('M3')).toEqual(['Open: M3', 'Make it fly next: M3', 'Compare with M1: M3', 'Copy to…: M3']);
   });
 
+  it('have one time axis: the later DT lies further on, and motor runs of one length are as long', async () => {
+    await read();
+    /** Where the picture of a memory has its DT, or the end of its motor run or of a servo. */
+    const place = (line: 'dt' | 'motor' | 'line') => (memory: string) => {
+      const path = card(memory).querySelector(`.small-${line}`)?.getAttribute('d') ?? '';
+      return Number((line === 'dt' ? /^M([\d.]+)/ : /H([\d.]+)$/).exec(path)?.[1]);
+    };
+    // Motor stop 10.0 s in all; DT 3:00, 3:30 and 4:00 min.
+    const [motor, ...others] = ['M1', 'M2', 'M3'].map(place('motor'));
+    expect(motor).toBeGreaterThan(0);
+    expect(others).toEqual([motor, motor]);
+    const dt = ['M1', 'M2', 'M3'].map(place('dt'));
+    expect(dt).toEqual(dt.toSorted((a, b) => a - b));
+    expect(new Set(dt).size).toBe(3);
+    const ends = ['M1', 'M2', 'M3'].map(place('line'));
+    expect(ends.map((end, at) => end - (dt[at] as number) > 20)).toEqual([true, true, true]);
+  });
+
   it('say when they were not read; one click reads one, goes back, and leaves the program as it was', async () => {
     const { timer, memories } = await atMemories();
     expect(said('M3')[0]).toBe('Not read yet.');
