@@ -68,7 +68,7 @@ function Card({ session, memories, memory, current, count, known, scale, onProgr
               <PlaneIcon /> {nextFlight.badge}
             </span>
           )}
-          {program && <Figures known={known} program={program} />}
+          {program && <Figures {...{ session, known, program }} />}
           {known.state === 'uncertain' ? (
             <p class="bad-text">{words.notCertain}</p>
           ) : (
@@ -82,16 +82,24 @@ function Card({ session, memories, memory, current, count, known, scale, onProgr
   );
 }
 
+interface FiguresProps extends Pick<CardProps, 'session' | 'known'> {
+  readonly program: TimerProgram;
+}
+
 /** “DT 3:00 min · motor stop 10.0 s”. After an interrupted write there may be two of each. */
-function Figures({ known, program: { identity } }: { readonly known: Known; readonly program: TimerProgram }) {
-  const { overview: words } = messages.value;
+function Figures({ session, known, program: { identity } }: FiguresProps) {
+  const { overview: words, program: names } = messages.value;
   return (
     <p class="card-figures">
-      {keyFields(identity).map((field) => {
-        const values = possibleValues(known, field).map((value) => figureText(identity, field, value));
+      {keyFields(identity).map((field, at) => {
+        const values = possibleValues(known, field);
+        const texts = values.map((value) => figureText(identity, field, value));
+        // DT comes first.
+        const isShort = at === 0 && values.every((value) => value < session.editor.shortDt.value);
+        const name = isShort ? names.shortDt : (keyName(identity, field) ?? '');
         return (
-          <span key={keyName(identity, field)}>
-            {words.figure(keyName(identity, field) ?? '', values.join(words.or))}
+          <span key={keyName(identity, field)} class={isShort ? 'bad-text' : ''}>
+            {words.figure(name, texts.join(words.or))}
           </span>
         );
       })}

@@ -18,7 +18,7 @@ interface MemoryLookProps {
 
 /** Shows the last reading of a memory that is not current, and the two ways to it. */
 export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
-  const { look: words, memoryName } = messages.value;
+  const { look: words, memoryName, program } = messages.value;
   const { editor, nextFlight, runner } = session;
   const name = memoryText(session, memory);
   const known = session.knowledge.of(memory);
@@ -57,11 +57,15 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
       {known.state === 'read' && (
         <>
           <p class="held-figures">
-            {keyFigures(known.program).map(({ label, text }) => (
-              <span key={label}>
-                {label} <strong>{text}</strong>
-              </span>
-            ))}
+            {keyFigures(known.program).map(({ label, text }, at) => {
+              // DT comes first.
+              const isShort = at === 0 && session.shortDt.isShort(known.program);
+              return (
+                <span key={label} class={isShort ? 'bad-text' : ''}>
+                  {isShort ? program.shortDt : label} <strong>{text}</strong>
+                </span>
+              );
+            })}
           </p>
           <TimesTable program={known.program} caption={words.tableCaption(name)} />
         </>

@@ -1,5 +1,5 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, type BenchOptions, idle } from '../bench/bench.js';
 import { button, connected, goTo, opened, press } from '../screen.js';
@@ -64,6 +64,20 @@ describe('the memories', () => {
     expect(new Set(dt).size).toBe(3);
     const ends = ['M1', 'M2', 'M3'].map(place('line'));
     expect(ends.map((end, at) => end - (dt[at] as number) > 20)).toEqual([true, true, true]);
+  });
+
+  it('say in words and in red that a DT is short, also where one of them is looked at', async () => {
+    const { models } = await read();
+    onTestFinished(() => localStorage.clear());
+    models.preferences.setShortDt(22_000);
+    await idle(0);
+    const red = () => [...document.querySelectorAll('.view .bad-text')].map(({ textContent }) => textContent);
+    expect(red()).toEqual(['Short DT 3:00 min', 'Short DT 3:30 min']);
+    await press('Open: M2');
+    expect(red()).toEqual(['Short DT 3:30 min']);
+    await goTo('memories');
+    await press('Open: M3');
+    expect(red()).toEqual([]);
   });
 
   it('say when they were not read; one click reads one, goes back, and leaves the program as it was', async () => {
