@@ -11,6 +11,7 @@ import { ShortDtLimit } from '../settings/short-dt-limit.js';
 import type { Theme } from '../settings/theme.js';
 import { ThemeChoice } from '../settings/theme-choice.js';
 import { Check } from '../ui/check.js';
+import { TABS_BELOW, useQuery } from '../ui/use-query.js';
 import { AboutPage } from './about-page.js';
 import type { UpdateOffer } from './update-offer.js';
 import type { Views } from './views.js';
@@ -31,14 +32,18 @@ export interface SettingsViewProps {
 export function SettingsView(props: SettingsViewProps) {
   const { session, preferences, theme, density, erase, views, installation, update } = props;
   const { settings: words, erase: eraseWords, shortDt } = messages.value;
+  // A rail leads to the help, too.
+  const areLinksBelow = useQuery(TABS_BELOW).value;
   return (
     <>
       <h1>{words.title}</h1>
-      <p>
-        <a class="to-help-page" href="#help">
-          {words.help}
-        </a>
-      </p>
+      {areLinksBelow && (
+        <p>
+          <a class="to-help-page" href="#help">
+            {words.help}
+          </a>
+        </p>
+      )}
       <section class="setting">
         <h2>{words.look}</h2>
         <ThemeChoice theme={theme} />

@@ -1,7 +1,8 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it } from 'vitest';
+import { TABS_BELOW } from '../../../src/app/ui/use-query.js';
 import { idle, type MemoryStore, reloaded, run } from '../bench/bench.js';
-import { button, connected, drawn, goTo, opened, press, type } from '../screen.js';
+import { button, connected, drawn, goTo, inWindow, opened, press, type } from '../screen.js';
 
 const PAGES = {
   checklist: 'Before the flight',
@@ -222,6 +223,16 @@ it('a symptom of the connection has the same steps as the page shows when it hap
   await look(models, 'trouble');
   const symptom = within(screen.getByText('The timer does not answer').closest('details') as HTMLElement);
   expect(symptom.getByText(/^The timer falls asleep after one or two minutes\./)).toBeTruthy();
+});
+
+it('the settings lead to the help where the links to the views have no room for it', async () => {
+  await opened();
   await goTo('settings');
-  expect(screen.getByRole('link', { name: /^Help: checklist/ })).toBeTruthy();
+  const links = () => screen.getAllByRole('link', { name: /^Help/ }).map(({ textContent }) => textContent);
+  expect(links()).toEqual(['Help']);
+  cleanup();
+  inWindow((query) => query === TABS_BELOW);
+  await opened();
+  await goTo('settings');
+  expect(links()).toEqual(['Help: checklist, trouble, values, energy']);
 });
