@@ -15,7 +15,7 @@ const FRESH = 6;
 const SETS = 2;
 const VERIFY = 8;
 
-/** An infra-red head that is held over one timer, and from a certain request on over another. */
+/** An infrared head that is held over one timer, and from a certain request on over another. */
 class TwoTimers implements BytePort {
   readonly readable: ReadableStream<Uint8Array>;
   readonly writable: WritableStream<Uint8Array>;
@@ -75,7 +75,7 @@ async function swapped(second: Second, swapAt: number, lost = 0) {
   return { first, other, before, goal, result: result as Partial<WriteReport> & { code?: string } };
 }
 
-describe('another timer under the infra-red head, from any request of a write on', () => {
+describe('another timer under the infrared head, from any request of a write on', () => {
   const requests = Array.from({ length: FRESH + SETS + VERIFY }, (_, index) => index + 1);
 
   it.each<[Second, number, string]>([
@@ -121,7 +121,7 @@ describe('another timer under the infra-red head, from any request of a write on
   );
 });
 
-describe('another timer under the infra-red head, after silence among the values', () => {
+describe('another timer under the infrared head, after silence among the values', () => {
   const sets = [FRESH + 1, FRESH + 2];
 
   it.each([1, 2, 4])('with other content: it gets none of them, however many requests were lost: %i', async (lost) => {

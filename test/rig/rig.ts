@@ -175,7 +175,7 @@ export class Rig {
   }
 
   /**
-   * Covers the infra-red head as soon as this many more bytes have passed in this direction: no more pass in any, until
+   * Covers the infrared head as soon as this many more bytes have passed in this direction: no more pass in any, until
    * {@link uncover}.
    * @returns a promise that settles when it is covered.
    */

@@ -134,7 +134,7 @@ test.for<[Direction, number]>([
   },
 );
 
-/** Begins a write and covers the infra-red head in the middle of it: after the times, and before the last position. */
+/** Begins a write and covers the infrared head in the middle of it: after the times, and before the last position. */
 async function halfWritten(): Promise<{ rig: Rig; pilot: Pilot }> {
   const { rig, pilot } = await connected();
   await pilot.type(values(1));

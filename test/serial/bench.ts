@@ -13,7 +13,7 @@ export interface TimerOptions extends Omit<VirtualTimerOptions, 'clock'> {
   readonly noise?: boolean;
 }
 
-/** An adapter on a mock port, with a virtual timer in front of its infra-red head. */
+/** An adapter on a mock port, with a virtual timer in front of its infrared head. */
 export class Adapter {
   readonly timer: VirtualTimer;
   answersAt: number | undefined;

@@ -29,7 +29,7 @@ describe('finding the timer', () => {
     await app.button('Connect').click();
     await app.text(/^No answer for /).waitFor();
     await app.text('Waiting for the timer').waitFor();
-    await app.page.getByRole('heading', { name: 'Hold the infra-red head closer than 20 cm' }).waitFor();
+    await app.page.getByRole('heading', { name: 'Hold the infrared head closer than 20 cm' }).waitFor();
     await app.bench((bench) => bench.press());
     await app.hasRead();
     await app.text(/^No answer for /).waitFor({ state: 'detached' });

@@ -70,7 +70,7 @@ class Device {
     return new Device(app);
   }
 
-  /** Puts the timer of another model under the infra-red head. */
+  /** Puts the timer of another model under the infrared head. */
   async hold(memories: Memories): Promise<void> {
     await this.app.page.evaluate((held) => {
       const { core } = window.workbench.adapter.timer;

@@ -5,7 +5,7 @@ import type { SerialPortLike } from '../../serial/index.js';
 import { exampleMemories, ReplayTimer, VirtualTimer } from '../../simulator/index.js';
 import type { SimulatedClass } from '../session/timer-access.js';
 
-/** How long an adapter and a timer take to answer, in milliseconds: about as long as over infra-red. */
+/** How long an adapter and a timer take to answer, in milliseconds: about as long as over infrared. */
 const LATENCY = 40;
 
 /**

@@ -26,7 +26,7 @@ export const firstSteps = {
   steps: {
     read: {
       title: 'Read the timer',
-      text: 'Press Connect, wake the timer and hold the infra-red head close. The page reads what the timer holds. Reading changes nothing and moves nothing.',
+      text: 'Press Connect, wake the timer and hold the infrared head close. The page reads what the timer holds. Reading changes nothing and moves nothing.',
     },
     write: {
       title: 'Change and write',
@@ -172,7 +172,7 @@ export const troubles = {
       title: 'The write was interrupted',
       steps: [
         'Do not fly this model yet. Nobody knows what the memory holds until it is read.',
-        'Wake the timer, hold the infra-red head close, press Connect. The page reads it. Then it offers to finish the write, or to go back to the old values.',
+        'Wake the timer, hold the infrared head close, press Connect. The page reads it. Then it offers to finish the write, or to go back to the old values.',
         'What the timer held before is kept: see the backups under Memories.',
       ],
     },

@@ -70,7 +70,7 @@ const steps = {
   'usb-power':
     'If it happens again and again, open the Device Manager, USB Root Hub, Power Management. There, clear the box that lets the computer turn the device off.',
   wake: 'The timer falls asleep after one or two minutes. Press its switch briefly. Nothing is lost.',
-  near: 'Hold the infra-red head closer than 20\u00a0cm, pointed at the timer, and shade both from the sun.',
+  near: 'Hold the infrared head closer than 20\u00a0cm, pointed at the timer, and shade both from the sun.',
   battery:
     'Is the battery of the timer charged and plugged in? When its battery is empty, a timer stands at its DT position.',
   'other-port': 'Press “Choose a port”: the timer may be on another adapter.',

@@ -41,8 +41,8 @@ export const link = {
         text: 'Wake the timer: press its switch briefly',
       },
       near: {
-        now: 'Hold the infra-red head closer than 20\u00a0cm',
-        text: 'Hold the infra-red head closer than 20\u00a0cm, out of the sun',
+        now: 'Hold the infrared head closer than 20\u00a0cm',
+        text: 'Hold the infrared head closer than 20\u00a0cm, out of the sun',
       },
       other: {
         now: 'Is the timer on another adapter?',
@@ -63,12 +63,12 @@ export const link = {
     }),
     noise: (_: string, rate: number) => ({
       title: 'No timer answers. Bytes come that no timer sends.',
-      advice: `They come at ${rate} baud. Something else talks on this port, or light disturbs the infra-red head. Shade the head, wake the timer and hold the head closer than 20\u00a0cm, or choose another port.`,
+      advice: `They come at ${rate} baud. Something else talks on this port, or light disturbs the infrared head. Shade the head, wake the timer and hold the head closer than 20\u00a0cm, or choose another port.`,
     }),
     echo: () => ({
       title: 'Only what this page sends comes back.',
       advice:
-        'The timer sleeps or is too far away, or something else is on this port. Press the switch of the timer briefly and hold the infra-red head closer than 20\u00a0cm, or choose another port.',
+        'The timer sleeps or is too far away, or something else is on this port. Press the switch of the timer briefly and hold the infrared head closer than 20\u00a0cm, or choose another port.',
     }),
   },
   chooseAnother: 'Choose another port',

@@ -42,7 +42,7 @@ export const connection: Record<ConnectionErrorCode, Said> = {
   },
   'bad-reply': {
     title: 'Something answered, but not as a timer does.',
-    advice: 'Choose another port, or move the infra-red head closer and press Connect again.',
+    advice: 'Choose another port, or move the infrared head closer and press Connect again.',
   },
   lost: {
     title: 'The connection is gone.',
@@ -56,7 +56,7 @@ export const timer: Record<TimerErrorCode, Said> = {
   'no-answer': {
     title: 'The timer did not answer.',
     advice:
-      'Is it awake, and the infra-red head closer than 20\u00a0cm? Press the switch of the timer briefly and try again. What you typed is kept.',
+      'Is it awake, and the infrared head closer than 20\u00a0cm? Press the switch of the timer briefly and try again. What you typed is kept.',
   },
   'bad-reply': {
     title: 'The answer of the timer cannot be right.',
@@ -65,7 +65,7 @@ export const timer: Record<TimerErrorCode, Said> = {
   },
   unstable: {
     title: 'The line is too noisy to trust.',
-    advice: 'Too many bytes were damaged. Move the infra-red head closer, shade it from the sun, and try again.',
+    advice: 'Too many bytes were damaged. Move the infrared head closer, shade it from the sun, and try again.',
   },
   crowded: {
     title: 'More than one timer seems to answer.',
@@ -165,12 +165,12 @@ export const notes = {
   'select-unanswered': {
     title: 'The timer did not answer when a memory was selected.',
     advice:
-      'It answers other requests. Hold the infra-red head closer and try again. If it happens again, this timer may want the request without a correct checksum. You can try that here, and later under “About this timer”.',
+      'It answers other requests. Hold the infrared head closer and try again. If it happens again, this timer may want the request without a correct checksum. You can try that here, and later under “About this timer”.',
   },
   strays: {
     title: 'Answers came that nobody asked for.',
     advice:
-      'The page read everything again until two readings agreed. Keep other timers and programmers out of the beam of the infra-red head.',
+      'The page read everything again until two readings agreed. Keep other timers and programmers out of the beam of the infrared head.',
   },
   'taken-over': {
     title: 'Another tab of this page uses the port now.',

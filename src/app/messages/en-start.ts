@@ -7,7 +7,7 @@ export const start = {
   steps: {
     adapter: 'Plug in the adapter',
     wake: 'Wake the timer: press its switch briefly',
-    near: 'Hold the infra-red head closer than 20\u00a0cm',
+    near: 'Hold the infrared head closer than 20\u00a0cm',
   },
   /** What Firefox does differently. */
   firefox: {

@@ -161,7 +161,7 @@ export const en = {
   disturbed: {
     /** In place of other advice. */
     reading: (seconds: number) =>
-      `The line is disturbed. Hold the infra-red head closer and shade it from the sun. The reading ends in ${seconds}\u00a0s at the latest.`,
+      `The line is disturbed. Hold the infrared head closer and shade it from the sun. The reading ends in ${seconds}\u00a0s at the latest.`,
     /** Beside the progress of any job. */
     job: (seconds: number) => `The line is disturbed. This ends in ${seconds}\u00a0s at the latest.`,
   },

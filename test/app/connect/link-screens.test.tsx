@@ -143,8 +143,8 @@ describe('what to do while no timer answers', () => {
     expect(help()).toBeNull();
     await idle(8000);
     expect([stage(), current()]).toEqual([
-      'Hold the infra-red head closer than 20\u00a0cm',
-      'Hold the infra-red head closer than 20\u00a0cm, out of the sun',
+      'Hold the infrared head closer than 20\u00a0cm',
+      'Hold the infrared head closer than 20\u00a0cm, out of the sun',
     ]);
     await idle(20_000);
     expect([stage(), current()]).toEqual(['Is the timer on another adapter?', 'Another adapter?Choose another port']);
@@ -188,10 +188,10 @@ describe('what to do while no timer answers', () => {
     fireEvent.click(button('Connect'));
     await idle(12_000);
     expect(stage()).toMatch(/^Program:/);
-    expect(screen.getByText('Hold the infra-red head closer than 20 cm')).toBeTruthy();
+    expect(screen.getByText('Hold the infrared head closer than 20 cm')).toBeTruthy();
     expect(field('DT time').value).toBe('3:00');
     await press('Stop');
-    expect(screen.queryByText('Hold the infra-red head closer than 20 cm')).toBeNull();
+    expect(screen.queryByText('Hold the infrared head closer than 20 cm')).toBeNull();
   });
 
   it('is shown in full from 10 s on, stays open during the wait, and goes when the timer answers', async () => {
