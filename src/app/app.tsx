@@ -113,7 +113,7 @@ export function App({ models }: { readonly models: AppModels }) {
         }
         staged={isStart && hasStage(session)}
       />
-      {!isStart && <ViewLinks views={views} />}
+      {!isStart && <ViewLinks views={views} printed={models.printOrder.home} />}
       <ViewFrame views={views} busy={session.runner.busy.value} whole={hasProgram && shown === 'program'}>
         <RecoveryPanel session={session} write={write} />
         {view[shown]()}

@@ -9,15 +9,28 @@ export const memoryKey = (memory: number): string => `memory ${memory}`;
 /** Whether it is the key of a setting in the library: none of those has a space. */
 export const isOfLibrary = (key: string): boolean => !key.includes(' ');
 
+/** A view from which something is printed. */
+export type PrintHome = 'program' | 'memories' | 'library';
+
 /** Which settings to print. The other views need to know nothing else about printing. */
 export class PrintOrder {
   readonly #keys = signal<readonly string[]>([ON_SCREEN]);
   /** The keys of the settings in their order, {@link ON_SCREEN} among them. */
   readonly keys: ReadonlySignal<readonly string[]> = this.#keys;
 
+  readonly #home = signal<PrintHome>('program');
+  /** The view to which the print leads back. What is added to the print, or removed, does not change it. */
+  readonly home: ReadonlySignal<PrintHome> = this.#home;
+
   /** Prints only these settings; without any, the program on the screen. */
   choose(keys: readonly string[] = [ON_SCREEN]): void {
     this.#keys.value = [...new Set(keys)];
+    this.#home.value = homeOf(keys[0]);
+  }
+
+  /** Removes all settings from the print. */
+  clear(): void {
+    this.#keys.value = [];
   }
 
   /** Adds a setting to the print, or removes it. */
@@ -25,4 +38,9 @@ export class PrintOrder {
     const keys = this.#keys.peek();
     this.#keys.value = keys.includes(key) ? keys.filter((each) => each !== key) : [...keys, key];
   }
+}
+
+/** The view in which the first of what is printed is at home. */
+function homeOf(key: string = ON_SCREEN): PrintHome {
+  return isOfLibrary(key) ? 'library' : key === ON_SCREEN ? 'program' : 'memories';
 }

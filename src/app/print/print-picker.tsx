@@ -56,7 +56,7 @@ export function PrintPicker({ print }: PrintPickerProps) {
       {listed.length === 0 && <p class="hint">{print.search.value.trim() === '' ? words.empty : words.none}</p>}
       {found.length > listed.length && <p class="hint">{words.more(found.length - listed.length)}</p>}
       {chosen.length > 1 && (
-        <button type="button" class="quiet" onClick={() => order.choose([])}>
+        <button type="button" class="quiet" onClick={() => order.clear()}>
           {words.clear}
         </button>
       )}

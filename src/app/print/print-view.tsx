@@ -10,7 +10,7 @@ import { LeafPage, useLeaves } from './leaf-page.js';
 import { leavesOn, type Paper } from './paper.js';
 import { Print } from './print.js';
 import { PrintChoices } from './print-choices.js';
-import { isOfLibrary, ON_SCREEN, type PrintOrder } from './print-order.js';
+import type { PrintOrder } from './print-order.js';
 import { PrintPicker } from './print-picker.js';
 import './print-view.css';
 
@@ -24,8 +24,6 @@ export interface PrintViewProps {
 /** The setting sheets as the printer will print them. */
 export function PrintView({ session, order, onPrint }: PrintViewProps) {
   const print = useMemo(() => new Print(session, order, location.href), [session, order]);
-  // The choice may change later; the way back stays.
-  const from = useMemo(() => homeOf(order.keys.peek()[0]), [order]);
   const { leaves, galley } = useLeaves(print.copies.value);
   const printed = useMemo(() => dateText(Date.now()), [leaves]);
   const failed = useSignal(false);
@@ -33,13 +31,14 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
   const pages = onPaper(leaves, leavesOn(paper));
   const { value: missing } = print.missing;
   const { value: left } = print.left;
+  const { value: home } = order.home;
   return (
     <>
       <div class="print-tools">
         <div class="print-head">
-          <a href={`#${from}`}>
+          <a href={`#${home}`}>
             <BackSign />
-            {messages.value.views.names[from]}
+            {messages.value.views.names[home]}
           </a>
           <h1>{words.title}</h1>
         </div>
@@ -71,11 +70,6 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
       {galley}
     </>
   );
-}
-
-/** The view in which the first of what is printed is at home. */
-function homeOf(key: string = ON_SCREEN): 'library' | 'memories' | 'program' {
-  return isOfLibrary(key) ? 'library' : key === ON_SCREEN ? 'program' : 'memories';
 }
 
 /** The pages on each sheet of paper. */

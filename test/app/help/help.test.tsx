@@ -1,5 +1,5 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { TABS_BELOW } from '../../../src/app/ui/use-query.js';
 import { idle, type MemoryStore, reloaded, run } from '../bench/bench.js';
 import { button, connected, drawn, goTo, inWindow, opened, press, type } from '../screen.js';
@@ -28,6 +28,26 @@ describe('the help', () => {
     expect(screen.getByRole('heading', { level: 2, name: PAGES[page] })).toBeTruthy();
     const current = within(screen.getByRole('navigation', { name: 'Help pages' })).getAllByRole('link');
     expect(current.filter((link) => link.getAttribute('aria-current') === 'page')).toHaveLength(1);
+  });
+
+  it('marks the link that leads to it: on a phone that of the settings', async () => {
+    const real = window.matchMedia;
+    onTestFinished(() => {
+      window.matchMedia = real;
+    });
+    const marked = () =>
+      [...document.querySelectorAll('.view-links [aria-current]')].map((link) => [
+        link.textContent,
+        link.getAttribute('aria-current'),
+      ]);
+    await opened();
+    await goTo('help');
+    expect(marked()).toEqual([['Help', 'page']]);
+    cleanup();
+    window.matchMedia = ((query: string) => ({ ...real.call(window, query), matches: true })) as typeof real;
+    await opened();
+    await goTo('help');
+    expect(marked()).toEqual([['Settings', 'true']]);
   });
 
   it.each(['', 'nowhere', 'words/more', 'constructor'])('begins with the checklist at “%s”', async (path) => {

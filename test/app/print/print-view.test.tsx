@@ -45,17 +45,20 @@ describe('the print view', () => {
     const app = await connected();
     const back = (name: string) =>
       screen.getByRole('main').querySelector(`.print-head a[href="#${name}"]`)?.textContent;
+    /** The view that is marked in the rail: this one has no link there. */
+    const marked = () =>
+      [...document.querySelectorAll('.view-links [aria-current="true"]')].map(({ textContent }) => textContent);
     await goTo('print');
-    expect(back('program')).toBe('Program');
+    expect([back('program'), marked()]).toEqual(['Program', ['Program']]);
     screen.getByText('On this print: the program on the screen');
     await goTo('program');
     app.models.printOrder.choose(['memory 1']);
     await goTo('print');
-    expect(back('memories')).toBe('Memories');
+    expect([back('memories'), marked()]).toEqual(['Memories', ['Memories']]);
     await goTo('program');
     app.models.printOrder.choose(['some-setting']);
     await goTo('print');
-    expect(back('library')).toBe('Library');
+    expect([back('library'), marked()]).toEqual(['Library', ['Library']]);
   });
 
   it('is opened by Ctrl+P where a sheet can be printed; elsewhere, and over a dialog, the browser prints', async () => {
@@ -113,6 +116,7 @@ describe('the print view', () => {
     await press('Remove all');
     expect(screen.getByText(/Nothing is chosen/)).toBeTruthy();
     expect(screen.getByRole<HTMLButtonElement>('button', { name: /^Print/ }).disabled).toBe(true);
+    expect(document.querySelector('.print-head a')?.textContent, 'the way back stays').toBe('Library');
   });
 
   it('prints two on a page, leaves out unwanted parts, and remembers both choices', async () => {
