@@ -31,7 +31,7 @@ export function ComparePage({ session, pair, following, onBack }: ComparePagePro
   const second = compare.second.value;
   return (
     <section class="compare-page" aria-labelledby="compare-title">
-      <BackHead back={words.back} onBack={onBack} titleId="compare-title" heading={heading}>
+      <BackHead back={words.back} to={onBack} titleId="compare-title" heading={heading}>
         {words.title}
       </BackHead>
       <div class="compare-choice">

@@ -1,7 +1,7 @@
 import { useEffect, useLayoutEffect } from 'preact/hooks';
 import { flightMessages } from '../messages/en-flights.js';
 import type { Session } from '../session/session.js';
-import { BackSign } from '../ui/back-sign.js';
+import { BackHead } from '../ui/back-head.js';
 import { CsvExport } from './csv-export.js';
 import { FilterBar } from './filter-bar.js';
 import { NO_FILTER } from './flight-filter.js';
@@ -34,13 +34,9 @@ export function FlightsView({ session, log }: FlightsViewProps) {
   const shown = filtered(list.value, filter, Date.now());
   return (
     <div class="flights">
-      <div class="flights-head">
-        <a href="#library">
-          <BackSign />
-          {words.library}
-        </a>
-        <h1>{words.title}</h1>
-      </div>
+      <BackHead back={words.library} to="#library">
+        {words.title}
+      </BackHead>
       <FlyingThis session={session} log={log} again />
       {!loaded.value && list.value.length === 0 && (
         <p class="hint" role="status">

@@ -28,7 +28,7 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
   const unread = [first, second].filter((memory) => session.knowledge.of(memory).state === 'unread');
   return (
     <section class="comparison" aria-labelledby="comparison-title">
-      <BackHead back={words.all} onBack={() => memories.compare(null)} titleId="comparison-title" heading={heading}>
+      <BackHead back={words.all} to={() => memories.compare(null)} titleId="comparison-title" heading={heading}>
         {words.compared(...names)}
       </BackHead>
       <div class="comparison-choice">

@@ -3,7 +3,7 @@ import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { print as words } from '../messages/en-print.js';
 import { dateText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { BackSign } from '../ui/back-sign.js';
+import { BackHead } from '../ui/back-head.js';
 import { Problem } from '../ui/problem.js';
 import type { SetLeaf } from './galley.js';
 import { LeafPage, useLeaves } from './leaf-page.js';
@@ -35,13 +35,9 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
   return (
     <>
       <div class="print-tools">
-        <div class="print-head">
-          <a href={`#${home}`}>
-            <BackSign />
-            {messages.value.views.names[home]}
-          </a>
-          <h1>{words.title}</h1>
-        </div>
+        <BackHead back={messages.value.views.names[home]} to={`#${home}`}>
+          {words.title}
+        </BackHead>
         <p class="hint">{words.lead}</p>
         <PrintChoices print={print} />
         {left > 0 && <p role="status">{words.left(left)}</p>}

@@ -5,22 +5,32 @@ import './back-head.css';
 interface BackHeadProps {
   /** The name of the place to which it leads back. */
   readonly back: string;
-  readonly onBack: () => void;
-  readonly titleId: string;
-  /** The heading, which can have the focus. */
-  readonly heading: RefObject<HTMLHeadingElement | null>;
+  /** The address of that place, or how to get there. */
+  readonly to: `#${string}` | (() => void);
+  readonly titleId?: string;
+  /** The heading, if it can have the focus. */
+  readonly heading?: RefObject<HTMLHeadingElement | null> | null;
   readonly children: ComponentChildren;
 }
 
 /** The head of a page that replaced another, with a way back to that. */
-export function BackHead({ back, onBack, titleId, heading, children }: BackHeadProps) {
+export function BackHead({ back, to, titleId, heading = null, children }: BackHeadProps) {
+  const way = (
+    <>
+      <BackSign />
+      {back}
+    </>
+  );
   return (
     <div class="back-head">
-      <button type="button" class="quiet" onClick={onBack}>
-        <BackSign />
-        {back}
-      </button>
-      <h1 id={titleId} ref={heading} tabIndex={-1}>
+      {typeof to === 'string' ? (
+        <a href={to}>{way}</a>
+      ) : (
+        <button type="button" class="quiet" onClick={to}>
+          {way}
+        </button>
+      )}
+      <h1 id={titleId} ref={heading} tabIndex={heading ? -1 : undefined}>
         {children}
       </h1>
     </div>

@@ -43,8 +43,7 @@ describe('the print view', () => {
 
   it('leads back to where the first of what it prints is at home', async () => {
     const app = await connected();
-    const back = (name: string) =>
-      screen.getByRole('main').querySelector(`.print-head a[href="#${name}"]`)?.textContent;
+    const back = (name: string) => screen.getByRole('main').querySelector(`.back-head a[href="#${name}"]`)?.textContent;
     /** The view that is marked in the rail: this one has no link there. */
     const marked = () =>
       [...document.querySelectorAll('.view-links [aria-current="true"]')].map(({ textContent }) => textContent);
@@ -116,7 +115,7 @@ describe('the print view', () => {
     await press('Remove all');
     expect(screen.getByText(/Nothing is chosen/)).toBeTruthy();
     expect(screen.getByRole<HTMLButtonElement>('button', { name: /^Print/ }).disabled).toBe(true);
-    expect(document.querySelector('.print-head a')?.textContent, 'the way back stays').toBe('Library');
+    expect(document.querySelector('.back-head a')?.textContent, 'the way back stays').toBe('Library');
   });
 
   it('prints two on a page, leaves out unwanted parts, and remembers both choices', async () => {
