@@ -34,6 +34,8 @@ interface Part extends FlightDay {
  * the others keep their space.
  */
 export function FlightRows({ days, ...props }: FlightRowsProps) {
+  // Of a single day, the totals above say the same.
+  const counted = days.length > 1;
   return (
     <div class="flight-days">
       {chunksOf(days).map((parts, at) => (
@@ -45,7 +47,9 @@ export function FlightRows({ days, ...props }: FlightRowsProps) {
             0,
           )}
         >
-          {() => parts.map((part) => <Day key={`${part.key} ${part.records[0]?.key}`} part={part} {...props} />)}
+          {() =>
+            parts.map((part) => <Day key={`${part.key} ${part.records[0]?.key}`} {...{ part, counted }} {...props} />)
+          }
         </Near>
       ))}
     </div>
@@ -110,9 +114,11 @@ function Near({ begin, about, children }: NearProps) {
 
 interface DayProps extends Omit<FlightRowsProps, 'days'> {
   readonly part: Part;
+  /** Whether to say how many flights the day has. */
+  readonly counted: boolean;
 }
 
-function Day({ part, ...props }: DayProps) {
+function Day({ part, counted, ...props }: DayProps) {
   const words = flightMessages;
   const { at, place, goesOn, count, records } = part;
   const title = words.day(dayHeading(at), place);
@@ -120,7 +126,7 @@ function Day({ part, ...props }: DayProps) {
     <section class="flight-day" aria-label={title}>
       {!goesOn && (
         <h2>
-          <span>{title}</span> <span class="flight-count">{words.dayCount(count)}</span>
+          <span>{title}</span> {counted && <span class="flight-count">{words.dayCount(count)}</span>}
         </h2>
       )}
       <ul>

@@ -9,7 +9,7 @@ export const flightMessages = {
   library: 'Library',
   empty: {
     title: 'No flight is logged yet.',
-    advice: 'Read or write a timer, then click “Flying this”: the log keeps what the timer holds, with date and place.',
+    advice: 'Read or write a timer, then press “Flying this”: the log keeps what the timer holds, with date and place.',
   },
   loading: 'Loading the flights',
   failed: 'The browser cannot read the flights that it may have kept.',
