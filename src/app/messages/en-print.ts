@@ -52,8 +52,8 @@ export const print = {
   code: 'QR code of this setting',
   codeHint: 'The camera of a phone can read this setting here, without its note.',
   flights: 'Flights',
-  columns: ['Date', 'Round', 'Wind m/s', 'Temp. °C', 'Time', 'Remarks'],
-  printed: (date: string) => `printed ${date}`,
+  columns: ['Date', 'Round', 'Wind m/s', 'Temp. °C', 'Result', 'Note'],
+  printed: (date: string) => `Printed ${date}`,
   continued: (model: string, setting: string) => dotted([model, setting]),
   /** Where the values come from. */
   origins: {
