@@ -83,7 +83,7 @@ export const erase = {
   unknown: 'not known',
   rest: 'Colours, presets and other choices, the right to use serial ports, and the page for use without a network',
   uncertain:
-    'A write was cut off, and it is not known what that timer holds. Without the note of that write this page cannot warn you: read that timer before you fly.',
+    'A write was interrupted, and it is not known what that timer holds. Without the note of that write this page cannot warn you: read that timer before you fly.',
   start: 'Delete everything',
   running: 'Deleting',
   failed: (left: readonly (keyof typeof places)[]) =>

@@ -7,7 +7,7 @@ export const knowledge = {
   title: 'Not certain',
   uncertain: (memory: string, values: string) => `It is not known what ${memory} holds: ${values}.`,
   noFly: 'Do not fly before it is read.',
-  since: (time: string) => `A write was cut off on ${time}.`,
+  since: (time: string) => `A write was interrupted on ${time}.`,
   thisMemory: 'the current memory',
   /** For a timer that is not connected. */
   memoryOf: (memory: string, timer: string) => `${memory} of ${timer}`,

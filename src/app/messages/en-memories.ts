@@ -110,7 +110,7 @@ export const overview = {
   readAt: (time: string) => `read ${time}`,
   notRead: 'Not read yet.',
   or: ' or ',
-  notCertain: 'Not certain: a write into it was cut off. Shown as it was before that write.',
+  notCertain: 'Not certain: a write into it was interrupted. Shown as it was before that write.',
   edited: 'Shown as the timer holds it, without your changes.',
   all: 'All memories',
   compared: (first: string, second: string) => `${first} and ${second} compared`,

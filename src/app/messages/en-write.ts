@@ -11,7 +11,7 @@ export const write = {
   to: 'Will hold',
   wasRead: 'Was read',
   conflict: {
-    title: 'The timer has other values than when you made your changes.',
+    title: 'The timer holds other values than when you made your changes.',
     advice: 'Is this the same timer?',
   },
   moved: {

@@ -128,7 +128,7 @@ describe('the memories', () => {
     expect(said('M3')).toEqual([
       'DT 3:00 min or 6:00 min',
       'motor stop 10.0 s',
-      'Not certain: a write into it was cut off. Shown as it was before that write.',
+      'Not certain: a write into it was interrupted. Shown as it was before that write.',
     ]);
   });
 
