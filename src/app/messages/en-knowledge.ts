@@ -22,7 +22,7 @@ export const knowledge = {
   /** @param more how many further values there are. */
   list: (named: readonly string[], more: number) =>
     more > 0
-      ? `${named.join(', ')}, and ${plural(more, 'more value is', 'more values are')} not certain`
+      ? `${named.join(', ')}, and ${plural(more, 'more\u00a0value is', 'more\u00a0values are').replace(' ', '\u00a0')} not certain`
       : named.join(' and '),
   connect: 'Connect and read',
   forget: 'Forget this…',
