@@ -15,6 +15,7 @@ import { computedList } from './computed-list.js';
 import { type Content, conflictsWith, followed, ontoReading, textsFor } from './content.js';
 import { putBack, replaceAll, withValues } from './edit.js';
 import { EMPTY_HISTORY, groupOf, type History, mapStates, type StepName, settle } from './history.js';
+import { MINUTE } from './units.js';
 import { WorkingCopy } from './working-copy.js';
 
 /** What can be put back into an editor; see {@link Editor.snapshot}. */
@@ -45,7 +46,7 @@ const NO_CONFLICTS: ReadonlyMap<string, Change> = new Map();
 export class Editor extends WorkingCopy {
   readonly #baseline = signal<TimerProgram | null>(null, { name: 'baseline' });
   readonly #fresh = signal(false, { name: 'fresh' });
-  readonly #shortDt = signal(6000, { name: 'shortDt' });
+  readonly #shortDt = signal(MINUTE, { name: 'shortDt' });
   readonly #moved = signal(NO_CONFLICTS, { name: 'moved' });
   /** No two programs have the same time, because the time is their key in the storage. */
   #lastMade = 0;

@@ -9,6 +9,9 @@
  */
 export type UnreadableReason = 'empty' | 'not-a-time' | 'too-fine' | 'not-a-whole-number' | 'ambiguous';
 
+/** A minute in hundredths of a second. */
+export const MINUTE = 6000;
+
 export type Parsed = { readonly value: number } | { readonly unreadable: Exclude<UnreadableReason, 'ambiguous'> };
 
 /** Nobody sees these: they come with a copied text. */
@@ -79,7 +82,7 @@ export function parseTime(text: string): Parsed {
   const [, minutes = '0', seconds = '', fraction = ''] = match ?? [];
   if (!match || (seconds === '' && fraction === '')) return { unreadable: 'not-a-time' };
   if (/[1-9]/.test(fraction.slice(2))) return { unreadable: 'too-fine' };
-  return { value: Number(minutes) * 6000 + Number(seconds) * 100 + Number(fraction.slice(0, 2).padEnd(2, '0')) };
+  return { value: Number(minutes) * MINUTE + Number(seconds) * 100 + Number(fraction.slice(0, 2).padEnd(2, '0')) };
 }
 
 /** The same time with a colon, or in plain seconds. A text of another form stays as it is. */
@@ -133,7 +136,7 @@ export function readTime(text: string, { isDt }: { readonly isDt: boolean }): Ty
   const forms = isDt ? DT_FORMS : FORMS;
   const meant = forms.flatMap(([form, perHundredth]) => {
     const [, minutes, part = ''] = form.exec(trimmed) ?? [];
-    return minutes === undefined ? [] : [Number(minutes) * 6000 + Number(part.padEnd(2, '0')) * perHundredth];
+    return minutes === undefined ? [] : [Number(minutes) * MINUTE + Number(part.padEnd(2, '0')) * perHundredth];
   });
   const [first, ...more] = meant.filter((value) => value !== parsed.value && value <= LONGEST_DT);
   if (first === undefined) return parsed;
@@ -202,7 +205,7 @@ export interface Figure {
  * @param step hundredths of a second.
  */
 export function formatFigure(hundredths: number, step: number): Figure {
-  const unit = hundredths < 6000 ? 's' : 'min';
+  const unit = hundredths < MINUTE ? 's' : 'min';
   const [whole = '', fraction = ''] = formatTime(hundredths).split('.');
   const needed = unit === 'min' || step % 100 === 0 ? 0 : step % 10 === 0 ? 1 : 2;
   const shown = fraction.replace(/0+$/, '').padEnd(needed, '0');
@@ -211,7 +214,7 @@ export function formatFigure(hundredths: number, step: number): Figure {
 
 /** The parts of a time for a spoken form: `2` and `30`, `0` and `2.3`. */
 export function spokenParts(hundredths: number): { readonly minutes: number; readonly seconds: string } {
-  return { minutes: Math.floor(hundredths / 6000), seconds: plainSeconds(hundredths % 6000) };
+  return { minutes: Math.floor(hundredths / MINUTE), seconds: plainSeconds(hundredths % MINUTE) };
 }
 
 /** Seconds without needless zeros: `230`, `2.3`. */

@@ -13,6 +13,7 @@ import {
   formatFigure,
   formatInterval,
   formatTime,
+  MINUTE,
   plainSeconds,
   spokenParts,
 } from '../editing/units.js';
@@ -69,7 +70,7 @@ export function spokenTime(hundredths: number): string {
 export function eitherTexts(either: Ambiguous['either']): readonly string[] {
   const asSeconds = either.length - 1;
   return either.map((value, at) =>
-    at < asSeconds || Math.abs(value) < 6000
+    at < asSeconds || Math.abs(value) < MINUTE
       ? spokenTime(value)
       : messages.value.times.asSeconds(plainSeconds(value), formatInterval(value)),
   );
@@ -96,7 +97,7 @@ export function figureText(identity: Identity, field: ProgramField, value: numbe
 
 /** A DT on a button: “20 s”, “3 min”, “1:30 min”. */
 export function presetText(value: number): string {
-  if (value % 6000 === 0) return spokenTime(value);
+  if (value % MINUTE === 0) return spokenTime(value);
   return inUnit(formatFigure(value, 100));
 }
 

@@ -4,7 +4,7 @@ import type { Editor } from '../editing/editor.js';
 import { type StepOptions, setInterval, stepInterval } from '../editing/edits.js';
 import { intervalAt, intervalKey } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
-import { type Ambiguous, type Figure, formatInterval, readInterval } from '../editing/units.js';
+import { type Ambiguous, type Figure, formatInterval, MINUTE, readInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
 import type { EditedValue } from './hand.js';
 
@@ -44,7 +44,7 @@ export class IntervalModel implements EditedValue {
   readonly unit: ReadonlySignal<Figure['unit'] | null> = computed(() => {
     const interval = this.#interval.value;
     if (interval === null || typeof this.#entry.value?.text === 'string') return null;
-    return Math.abs(interval) < 6000 ? 's' : 'min';
+    return Math.abs(interval) < MINUTE ? 's' : 'min';
   });
   readonly was: ReadonlySignal<string | null> = signal(null);
   readonly canPutBack: ReadonlySignal<boolean> = signal(false);

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import type { TimerProgram } from '../../program/index.js';
-import { formatTime } from '../editing/units.js';
+import { formatTime, MINUTE } from '../editing/units.js';
 import { messages, momentText, slotLabel } from '../messages/index.js';
 import { SlotHead } from './slot-head.js';
 import './slot-table.css';
@@ -51,7 +51,7 @@ export function TimesTable({ program, caption }: Pick<SlotTableProps, 'program' 
   const heading = `${words.time}\u00a0${times.units.s}`;
   const rows = program.times.map((time, slot) => ({
     slot,
-    cells: [slot === 0 ? words.origin : time < 6000 ? formatTime(time) : momentText(time)],
+    cells: [slot === 0 ? words.origin : time < MINUTE ? formatTime(time) : momentText(time)],
   }));
   return <SlotTable program={program} caption={caption} headings={[heading]} rows={rows} />;
 }
