@@ -120,6 +120,25 @@ export function lineOf(
   return { line, back };
 }
 
+/** Half the width of the tip above a line that lies higher than its lane, in pixels. */
+const TIP = 4;
+
+/** A tip above each part of a servo's line that would lie higher than its lane, as the data of a path. */
+export function tipsOf({ positions }: TimerProgram, stages: readonly Stage[], servo: number, layout: Layout): string {
+  const { from: edge, top } = layout.lanes[servo] ?? { from: layout.box.top, top: layout.box.top };
+  const { left, right } = layout.box;
+  return stages
+    .filter(({ slot }) => (positions[servo]?.[slot] ?? 0) > layout.highest)
+    .map(({ from, until }) => [layout.x(from), until === null ? right : layout.x(until)] as const)
+    .filter(([from, until]) => Math.max(from, until) >= left && Math.min(from, until) <= right)
+    .map(([from, until]) => {
+      // In the middle of what is in view of it.
+      const middle = rounded((Math.max(left, Math.min(from, until)) + Math.min(right, Math.max(from, until))) / 2);
+      return `M${middle - TIP} ${top}L${middle} ${edge}L${middle + TIP} ${top}Z`;
+    })
+    .join('');
+}
+
 /**
  * Moves numbers as little as possible, so that neighbours are `gap` apart. Equal numbers keep their order. Where there
  * is too little room they are closer.

@@ -2,7 +2,7 @@ import type { TimerProgram } from '../../program/index.js';
 import { motorStopOf, stagesOf } from './flight.js';
 import type { Geometry } from './geometry.js';
 import { Kept } from './kept.js';
-import { type Layout, lineOf } from './layout.js';
+import { type Layout, lineOf, tipsOf } from './layout.js';
 import { servoClass } from './servo-class.js';
 import './lines.css';
 
@@ -22,10 +22,12 @@ export function Lines({ geometry, front }: LinesProps) {
           on={[row.join(), stages, layout, servo === front]}
           draw={() => {
             const { line, back } = lineOf(program, stages, servo, layout);
+            const tips = tipsOf(program, stages, servo, layout);
             return (
               <g class={`servo-line ${servoClass(servo)} ${servo === front ? 'front' : ''}`} data-servo={servo}>
                 <path class="line" d={line} />
                 {back !== '' && <path class="back" d={back} />}
+                {tips !== '' && <path class="tip" d={tips} />}
               </g>
             );
           }}

@@ -576,6 +576,19 @@ describe('reading', () => {
     expect(screen.getByText('Function 2 is skipped: Function 3 comes at the same time.')).toBeTruthy();
   });
 
+  it('has a tip above each part of a line that lies higher than its lane', () => {
+    const positions = [
+      [10, 300, 10, 999, 10],
+      [200, 200, 200, 255, 200],
+      [30, 30, 30, 30, 30],
+    ];
+    shown(programOf('Q', [1000, 200, 400, 600, 18000], positions));
+    const tips = [...document.querySelectorAll('.servo-line')].map(
+      (line) => line.querySelector('.tip')?.getAttribute('d')?.match(/M/g)?.length ?? 0,
+    );
+    expect(tips).toEqual([2, 0, 0]);
+  });
+
   it('has the same values as a table', async () => {
     shown(programOf('Q', [1000, 200, 400, 400, 18000]));
     const details = screen.getByText('As a table').closest('details') as HTMLDetailsElement;
