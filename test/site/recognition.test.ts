@@ -85,7 +85,7 @@ test('two programs are shown side by side, and one value is copied', async () =>
   await app.button('Swap').click();
   await expect.poll(() => choice('Compare').locator('option:checked').textContent()).toBe('Timer, M1');
   await expect.poll(() => choice('with').locator('option:checked').textContent()).toBe('On the screen');
-  await app.button('Take 52 for Function 4, S2').click();
+  await app.button('Take 52 for function 4, S2').click();
   await app.text('They hold the same.').waitFor();
   await app.goTo('Program');
   await expect.poll(() => app.valueOf('Function 4, S2')).toBe('52');

@@ -5,6 +5,8 @@ import { Keys } from './keys.js';
 import { PHONE } from './page.js';
 
 const FIELD = 'Function 3 time';
+/** In the name of a step. */
+const MOVING = 'moving function 3 time';
 
 interface Seen {
   readonly app: AppPage;
@@ -50,10 +52,10 @@ async function isMoved({ app, mark }: Seen): Promise<void> {
     .not.toBeNull();
   await app.table.getByText('was 11.50 s').waitFor();
   await app.text('1 change').waitFor();
-  await app.button(`Undo moving ${FIELD}`).click();
+  await app.button(`Undo ${MOVING}`).click();
   await expect.poll(() => cell(app).inputValue()).toBe('11.50');
   await expect.poll(() => app.undo.isDisabled(), { message: 'the whole drag was one step of undo' }).toBe(true);
-  await app.button(`Redo moving ${FIELD}`).click();
+  await app.button(`Redo ${MOVING}`).click();
   await expect.poll(() => cell(app).inputValue()).toBe(value);
 }
 

@@ -150,7 +150,7 @@ describe('a finger on the table', () => {
     // The row has got a button: that may take a few pixels.
     expect(Math.abs((await topOf('Function 2, S2')) - before), 'the page does not scroll').toBeLessThan(10);
     await app.button('Done').tap();
-    await app.button('Undo stepping Function 2, S2').tap();
+    await app.button('Undo stepping function 2, S2').tap();
     await expect.poll(() => app.valueOf('Function 2, S2')).toBe('35');
     await expect.poll(() => app.undo.isDisabled()).toBe(true);
 

@@ -1,12 +1,6 @@
 import type { Identity } from '../../protocol/index.js';
-import { messages, slotLabel } from '../messages/index.js';
+import { messages, slotInSentence } from '../messages/index.js';
 import type { Done } from './bench.js';
-
-/** “Servos at function 4”, but “Servos at DT”. */
-export function slotInSentence(identity: Identity, slot: number): string {
-  const label = slotLabel(identity, slot);
-  return /^[A-Z][a-z]/.test(label) ? label.charAt(0).toLowerCase() + label.slice(1) : label;
-}
 
 /** Where the servos stand. @param at the slot; null when it is not known. */
 export function standText(identity: Identity, at: number | null): string {

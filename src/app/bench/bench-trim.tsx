@@ -1,9 +1,8 @@
 import { type ProgramField, valueAt } from '../../program/index.js';
 import { stepValue } from '../editing/edits.js';
-import { fieldLabel, messages } from '../messages/index.js';
+import { fieldLabel, messages, slotInSentence } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Bench } from './bench.js';
-import { slotInSentence } from './bench-text.js';
 import type { Follow } from './follow.js';
 import './bench-trim.css';
 

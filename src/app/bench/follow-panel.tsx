@@ -2,11 +2,11 @@ import type { ComponentChildren } from 'preact';
 import { type Change, fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { setValues } from '../editing/edit.js';
-import { fieldLabel, messages } from '../messages/index.js';
+import { fieldLabel, messages, slotInSentence } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import type { Bench } from './bench.js';
-import { doneText, slotInSentence, standText } from './bench-text.js';
+import { doneText, standText } from './bench-text.js';
 import type { Follow } from './follow.js';
 import './follow-panel.css';
 

@@ -1,9 +1,9 @@
 import { useComputed } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { messages } from '../messages/index.js';
+import { messages, slotInSentence } from '../messages/index.js';
 import type { Bench } from './bench.js';
-import { slotInSentence, standText } from './bench-text.js';
+import { standText } from './bench-text.js';
 import type { Follow } from './follow.js';
 import './servos-here.css';
 

@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { type Change, differences, fieldKey, type ProgramField } from '../../program/index.js';
 import { comparingMessages } from '../messages/en-compare.js';
-import { dayText, fieldLabel, figureText, messages } from '../messages/index.js';
+import { dayText, fieldInSentence, figureText, messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { ProgramPair } from '../side-by-side/program-pair.js';
@@ -86,7 +86,7 @@ function Pair({ session, compare, following, first, second }: PairProps) {
     return (
       <TakeButton
         field={change.field}
-        name={words.takeOf(fieldLabel(identity, change.field), figureText(identity, change.field, value))}
+        name={words.takeOf(fieldInSentence(identity, change.field), figureText(identity, change.field, value))}
         onTake={() => compare.take(change.field)}
       />
     );

@@ -1,5 +1,5 @@
 import type { Progress } from '../../client/index.js';
-import { clockText, dateText, fieldLabel, figureText, messages, type Said } from '../messages/index.js';
+import { clockText, dateText, fieldInSentence, figureText, messages, type Said } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { openValues } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
@@ -197,7 +197,7 @@ function endText(session: Session, { memory, state, known, change }: MemoryEnd):
   if (state !== 'unknown' || known.state !== 'uncertain') return words.ends[state](name);
   const open = openValues(known).map(({ field, from, to }) => {
     const [either, or] = [from, to].map((value) => figureText(known.before.identity, field, value ?? 0));
-    return words.either(fieldLabel(known.before.identity, field), either ?? '', or ?? '');
+    return words.either(fieldInSentence(known.before.identity, field), either ?? '', or ?? '');
   });
   return words.uncertain(name, open.slice(0, SHOWN), open.length - SHOWN);
 }

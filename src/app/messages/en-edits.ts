@@ -62,7 +62,7 @@ export const edits = {
   beforeLaunch: 'This would be before launch.',
   nothingDone: 'Nothing was changed.',
   cells,
-  /** “DT time 3:00 → 6:00”. */
+  /** “DT: 3:00 min → 6:00 min”. */
   change: (field: string, from: string, to: string) => `${field}: ${from} → ${to}`,
   field: {
     putBack: (field: string) => `Put back ${field}`,

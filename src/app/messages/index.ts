@@ -54,6 +54,20 @@ export function fieldName(identity: Identity, field: ProgramField): string {
   return field.slot === identity.functions ? program.dt : fieldLabel(identity, field);
 }
 
+/** The same inside a sentence: “DT”, “motor stop”, “function 3 time”, “function 3, S1”. */
+export function fieldInSentence(identity: Identity, field: ProgramField): string {
+  return inSentence(fieldName(identity, field));
+}
+
+/** The name of a slot inside a sentence: “function 3”, “start”, “DT”. */
+export function slotInSentence(identity: Identity, slot: number): string {
+  return inSentence(slotLabel(identity, slot));
+}
+
+function inSentence(name: string): string {
+  return /^[A-Z][a-z]/.test(name) ? name.charAt(0).toLowerCase() + name.slice(1) : name;
+}
+
 /** What a servo moves: the pilot's name for it, or the name of its duty. */
 export function dutyName({ duty, name }: { duty: keyof Messages['preview']['duties']; name: string }): string {
   return name || messages.value.preview.duties[duty];
@@ -194,16 +208,16 @@ export function valueText(identity: Identity, field: ProgramField, value: number
   return unit === 's' ? inUnit({ text, unit }) : text;
 }
 
-/** The name of a step: “shift from Function 3 by 0.50 s”. */
+/** The name of a step: “shift from function 3 by 0.50 s”. */
 export function stepText(identity: Identity, { code, params }: StepName): string {
   const { edits, servoName, seconds } = messages.value;
   const shown = Object.entries(params).map(([name, value]): [string, string] => {
     if (name === 'field') {
       const field = fieldsOf(identity).find((each) => fieldKey(each) === value);
-      return [name, field ? fieldLabel(identity, field) : String(value)];
+      return [name, field ? fieldInSentence(identity, field) : String(value)];
     }
     if (typeof value === 'string') return [name, value];
-    if (name === 'slot') return [name, slotLabel(identity, value)];
+    if (name === 'slot') return [name, slotInSentence(identity, value)];
     if (name === 'servo' || name === 'from' || name === 'to') return [name, servoName(value)];
     if (name === 'by') return [name, seconds(formatInterval(value))];
     return [name, name === 'count' ? edits.cells(value) : String(value)];

@@ -1,7 +1,16 @@
 import { checkProgram, type Model, type ServoUse, slotKind, type TimerProgram } from '../../program/index.js';
 import { intervalAt } from '../editing/grid.js';
 import { formatInterval, formatTime } from '../editing/units.js';
-import { dutyName, fieldLabel, figureOf, findingText, messages, slotLabel, timerName } from '../messages/index.js';
+import {
+  dutyName,
+  fieldLabel,
+  fieldName,
+  figureOf,
+  findingText,
+  messages,
+  slotLabel,
+  timerName,
+} from '../messages/index.js';
 import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
 
 /** The source of a sheet. */
@@ -88,7 +97,7 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
     warnings: findings
       .filter(({ severity }) => severity !== 'warning')
       .map((finding) =>
-        finding.field ? `${about(fieldLabel(identity, finding.field))} ${findingText(finding)}` : findingText(finding),
+        finding.field ? `${about(fieldName(identity, finding.field))} ${findingText(finding)}` : findingText(finding),
       ),
     note: source.note.split('\n').map((line) => line.trimEnd()),
   };

@@ -4,7 +4,7 @@ import { type Finding, fieldKey } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { fixFor } from '../editing/fixes.js';
-import { fieldLabel, fieldName, figureText, messages } from '../messages/index.js';
+import { fieldName, figureText, messages } from '../messages/index.js';
 import { useLate } from '../ui/use-late.js';
 import { allNotes } from './field-notes.js';
 import './checks-panel.css';
@@ -56,7 +56,7 @@ function FixButton({ editor, finding }: { readonly editor: Editor; readonly find
     <button
       type="button"
       class="fix"
-      aria-label={edits.fixOf(fieldLabel(identity, field), shown)}
+      aria-label={edits.fixOf(fieldName(identity, field), shown)}
       onClick={() => editor.apply(setValues({ code: 'fix', params: { field: fieldKey(field) } }, [{ field, value }]))}
     >
       {edits.fix(shown)}

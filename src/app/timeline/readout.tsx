@@ -1,6 +1,6 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { formatFigure, formatTime } from '../editing/units.js';
-import { fieldLabel, figureOf, messages, slotLabel } from '../messages/index.js';
+import { fieldName, figureOf, messages, slotLabel } from '../messages/index.js';
 import { motorStopOf, reachedAt } from './flight.js';
 import type { TimelineModel } from './view-model.js';
 import './readout.css';
@@ -42,7 +42,7 @@ function ValueFigure({ program, field, fineness = 0 }: ValueFigureProps) {
   const { text, unit } = figureOf(program.identity, field, value);
   const shownUnit = unit ? times.units[unit] : field.kind === 'position' ? timeline.stepsUnit : '';
   const more = fineness === 0 ? '' : fineness < 1 ? timeline.finer : timeline.finest;
-  const label = fieldLabel(program.identity, field);
+  const label = fieldName(program.identity, field);
   return <Figure text={text} unit={shownUnit} what={label} more={more} />;
 }
 

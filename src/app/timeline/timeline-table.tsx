@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
-import { messages, slotLabel } from '../messages/index.js';
+import { messages, slotInSentence, slotLabel } from '../messages/index.js';
 import { SlotTable } from '../ui/slot-table.js';
 import { motorStopOf, stagesOf } from './flight.js';
 import './timeline-table.css';
@@ -66,8 +66,9 @@ export function TimelineNotes({ program }: { program: TimerProgram }) {
   const notes = stagesOf(program)
     .filter(({ slot, passing }) => passing === 'back' || (passing === 'passed' && changes(program, slot)))
     .map(({ slot, passing }) => {
-      const [here, next] = [slotLabel(identity, slot), slotLabel(identity, slot + 1)] as const;
-      return passing === 'back' ? timeline.goesBack(next, here) : timeline.passedOver(here, next);
+      return passing === 'back'
+        ? timeline.goesBack(slotLabel(identity, slot + 1), slotInSentence(identity, slot))
+        : timeline.passedOver(slotLabel(identity, slot), slotInSentence(identity, slot + 1));
     });
   if (notes.length === 0) return null;
   return (

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import type { ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { dateText, fieldLabel, figureText, messages, timerName, valueText } from '../messages/index.js';
+import { dateText, fieldInSentence, figureText, messages, timerName, valueText } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
 import { isSimulated } from '../session/knowledge.js';
 import { openValues } from '../session/known.js';
@@ -144,8 +144,7 @@ function uncertainText(one: UnfinishedWrite, timer: string | null): string {
   const shown = (field: ProgramField, value: number | null): string =>
     value === null ? valueText(identity, field, value) : figureText(identity, field, value);
   const values = named.map(({ field, from, to }) => {
-    const name = keyName(identity, field) ?? fieldLabel(identity, field);
-    return words.either(name, shown(field, from), shown(field, to));
+    return words.either(fieldInSentence(identity, field), shown(field, from), shown(field, to));
   });
   const name = memory === null ? words.thisMemory : memoryName(memory);
   const where = timer === null ? name : words.memoryOf(name, timer);

@@ -113,10 +113,10 @@ describe('values of the other program', () => {
   it('are taken one by one into the program on the screen, each as one step', async () => {
     const bench = await page(true, setting('trimmed', TRIMMED));
     await compare(bench, 'screen', 'setting/trimmed');
-    await press('Take 77 for Function 4, S2');
+    await press('Take 77 for function 4, S2');
     expect(bench.editor.working.value?.positions[1]?.[4]).toBe(77);
     expect(said()).toBe('2 values differ.');
-    await press('Take 4:00 min for DT time');
+    await press('Take 4:00 min for DT');
     expect(bench.editor.changes.value).toHaveLength(2);
     bench.editor.undo();
     expect(bench.editor.undoStep.value).toMatchObject({ code: 'take-across', params: { field: 'position:1:4' } });
@@ -126,14 +126,14 @@ describe('values of the other program', () => {
   it('are taken in the other order, too', async () => {
     const bench = await page(true, setting('trimmed', TRIMMED));
     await compare(bench, 'setting/trimmed', 'screen');
-    await press('Take 77 for Function 4, S2');
+    await press('Take 77 for function 4, S2');
     expect(bench.editor.working.value?.positions[1]?.[4]).toBe(77);
   });
 
   it('stay where they are while the servos follow', async () => {
     const bench = await page(true, setting('trimmed', TRIMMED));
     await compare(bench, 'screen', 'setting/trimmed');
-    expect(button('Take 77 for Function 4, S2')).toBeTruthy();
+    expect(button('Take 77 for function 4, S2')).toBeTruthy();
     bench.session.safety.confirm();
     await run(bench.models.follow.start());
     await idle();
@@ -146,7 +146,7 @@ describe('values of the other program', () => {
     await compare(bench, 'setting/calm', 'setting/trimmed');
     await press('Open calm to take values into it');
     expect([chosen('Compare'), chosen('with')]).toEqual(['On the screen: calm', 'Lancer · trimmed']);
-    await press('Take 77 for Function 4, S2');
+    await press('Take 77 for function 4, S2');
     const { working } = bench.editor;
     expect(working.value && differences(CALM, { ...working.value, idleThrottle: 30 })).toHaveLength(1);
   });

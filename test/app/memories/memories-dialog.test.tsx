@@ -66,7 +66,7 @@ describe('copying a memory', () => {
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
     await write();
     expect(lines()).toContain(
-      'It is not known what M3 holds: DT time is 6:00 min or 3:00 min. Do not fly it before it is read.',
+      'It is not known what M3 holds: DT is 6:00 min or 3:00 min. Do not fly it before it is read.',
     );
     expect(dialog('Copy a memory').getByRole('status').textContent).toBe(
       'It is not known which memory flies next. When you connected it was M1.',

@@ -124,7 +124,7 @@ describe('stepping', () => {
     expect(field('Function 1 time').value).toBe('10.60');
     await key('ArrowDown', { altKey: true, shiftKey: true });
     expect(field('Function 1 time').value).toBe('9.60');
-    await press('Undo stepping Function 1 time');
+    await press('Undo stepping function 1 time');
     expect(field('Function 1 time').value).toBe('10.50');
   });
 
@@ -212,7 +212,7 @@ describe('intervals', () => {
       '12.50',
       '3:00',
     ]);
-    await press('Undo interval of Function 3');
+    await press('Undo interval of function 3');
     expect(field('Function 3 time').value).toBe('11.50');
   });
 
@@ -243,7 +243,7 @@ describe('intervals', () => {
     await typeOut('Function 3 interval', '700');
     await enter('Function 3 interval', '2');
     expect([field('Function 3 interval').value, field('Function 4 time').value]).toEqual(['2.00', '13.50']);
-    await press('Undo interval of Function 3');
+    await press('Undo interval of function 3');
     expect([field('Function 3 interval').value, field('Function 4 time').value]).toEqual(['0.50', '12.00']);
   });
 
@@ -492,7 +492,7 @@ describe('many fields at once', () => {
     fireEvent.click(screen.getByRole('checkbox', { name: 'Move DT too' }));
     await press('Earlier');
     expect(field('DT time').value).toBe('2:59.70');
-    await press('Undo shift from Function 2 by -0.30 s');
+    await press('Undo shift from function 2 by -0.30 s');
     expect(field('DT time').value).toBe('3:00');
   });
 });
@@ -543,7 +543,7 @@ describe('undo by keys', () => {
     expect(editor.undoStep.value).toBeNull();
     const again = await appBench({ store });
     render(<App models={again.models} />);
-    await press('Undo typing in DT time');
+    await press('Undo typing in DT');
     expect(field('DT time').value).toBe('4:00');
   });
 });
@@ -564,7 +564,7 @@ describe('DT', () => {
     await connected();
     await press('DT 6 min');
     expect(field('DT time').value).toBe('6:00');
-    await press('Undo preset of DT time');
+    await press('Undo preset of DT');
     expect(field('DT time').value).toBe('3:00');
   });
 
@@ -746,7 +746,7 @@ describe('the checks', () => {
     await expect.poll(() => screen.queryByRole('button', { name: fix })).not.toBeNull();
     await press(fix);
     expect(field('Function 3 time').value).toBe('11.10');
-    await press('Undo correcting Function 3 time');
+    await press('Undo correcting function 3 time');
     expect(field('Function 3 time').value).toBe('10.50');
   });
 
@@ -754,7 +754,7 @@ describe('the checks', () => {
     await connected();
     await enter('Function 9 time', '350');
     await expect.poll(() => document.querySelector('.checks .where')?.textContent).toMatch(/^(Function|DT)/);
-    expect(screen.queryByRole('button', { name: /^Set to .*: DT time$/ })).toBeNull();
+    expect(screen.queryByRole('button', { name: /^Set to .*: DT$/ })).toBeNull();
   });
 });
 

@@ -568,12 +568,12 @@ describe('reading', () => {
     shown(programOf('Q', [1000, 500, 200, 600, 18000]), { cursor: 300 });
     expect(document.querySelector('.timeline-readout')?.textContent).toBe('3.00 s Not known: the times fall');
     expect(document.querySelectorAll('.unknown rect')).toHaveLength(1);
-    expect(screen.getByText(/^Function 2 comes before Function 1. It is not known what the timer does/)).toBeTruthy();
+    expect(screen.getByText(/^Function 2 comes before function 1. It is not known what the timer does/)).toBeTruthy();
   });
 
   it('says which functions are skipped', () => {
     shown(programOf('Q', [1000, 200, 400, 400, 18000]));
-    expect(screen.getByText('Function 2 is skipped: Function 3 comes at the same time.')).toBeTruthy();
+    expect(screen.getByText('Function 2 is skipped: function 3 comes at the same time.')).toBeTruthy();
   });
 
   it('has a tip above each part of a line that lies higher than its lane', () => {
@@ -587,6 +587,15 @@ describe('reading', () => {
       (line) => line.querySelector('.tip')?.getAttribute('d')?.match(/M/g)?.length ?? 0,
     );
     expect(tips).toEqual([2, 0, 0]);
+  });
+
+  it('names DT and the motor stop as a pilot does, beside the figure', async () => {
+    shown();
+    const read = (): string | null | undefined => document.querySelector('.timeline-readout')?.textContent;
+    await act(() => (handle('DT time') as SVGElement).focus());
+    expect(read()).toBe('3:00 min DT');
+    await act(() => (handle('Motor stop time') as SVGElement).focus());
+    expect(read()).toBe('10.0 s Motor stop');
   });
 
   it('has the same values as a table', async () => {
