@@ -4,6 +4,8 @@ import { HELP_PAGES } from '../../src/app/help/help.js';
 import { AppPage } from './app-page.js';
 import { IN_SUN, PHONE } from './page.js';
 
+const TABLET = { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true };
+
 /** A laptop at 200 %. */
 const LOW = { width: 640, height: 400 };
 
@@ -212,12 +214,7 @@ test.each([3, 5])('on a small phone in the sun functions are in sight above the 
 });
 
 test('on a tablet in the sun what is known does not stand word below word', async () => {
-  const app = await AppPage.open({
-    viewport: { width: 820, height: 1180 },
-    hasTouch: true,
-    isMobile: true,
-    before: IN_SUN,
-  });
+  const app = await AppPage.open({ ...TABLET, before: IN_SUN });
   await app.button('Try a simulated F1Q timer').tap();
   await app.page.getByText('As in the timer, read').waitFor();
   const height = await app.page.locator('.strip-line').evaluate((line) => (line as HTMLElement).offsetHeight);
@@ -313,4 +310,37 @@ test('on a phone, what is said of a memory that is looked at keeps off the edges
   await app.lookAt('M2');
   const box = await app.page.getByRole('heading', { name: 'M2 has not been read' }).boundingBox();
   expect(box?.x).toBeGreaterThanOrEqual(8);
+});
+
+/** The room of an element in the window. */
+const edgesOf = (place: Locator) =>
+  place.evaluate((element) => {
+    const { left, right, top, bottom } = element.getBoundingClientRect();
+    return { left, right, top, bottom };
+  });
+
+test.each([
+  ['tools of a row', (app: AppPage) => app.button('Tools for Function 4'), '.row-panel'],
+  ['keys for a finger', (app: AppPage) => app.field('Function 4, S2'), '.edit-sheet'],
+] as const)('on a tablet the %s lie beside the table, and the page stays as it was', async (_, opener, sheet) => {
+  const app = await AppPage.open({ ...TABLET, before: IN_SUN });
+  await app.button('Try a simulated F1Q timer').tap();
+  await app.page.getByText('As in the timer, read').waitFor();
+  const page = () => app.page.evaluate(() => [scrollY, document.documentElement.scrollHeight]);
+  const before = await page();
+  await opener(app).tap();
+  const [beside, table] = [await edgesOf(app.page.locator(sheet)), await edgesOf(app.table)];
+  expect(beside.left).toBeGreaterThanOrEqual(table.right);
+  expect(beside.right, 'nothing stands out beside it').toBe(TABLET.viewport.width);
+  expect(await page()).toEqual(before);
+});
+
+test('on a desktop the tools of a row do not reach over the picture', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 1280, height: 800 }, before: IN_SUN });
+  await app.connect();
+  await app.button('Tools for Motor stop').click();
+  const [panel, table] = [await edgesOf(app.page.locator('.row-panel')), await edgesOf(app.table)];
+  const times = await edgesOf(app.field('Function 5 time'));
+  expect(panel.right).toBeLessThanOrEqual(table.right);
+  expect(panel.left, 'the times that move stay in sight').toBeGreaterThan(times.right - 12);
 });

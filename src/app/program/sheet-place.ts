@@ -48,7 +48,7 @@ function makeRoom(sheet: HTMLElement, around: Element, block: ScrollLogicalPosit
     // count, only its height.
     const covers = around.getBoundingClientRect().right > sheet.getBoundingClientRect().left;
     document.documentElement.style.setProperty('--sheet', `${covers ? sheet.offsetHeight : 0}px`);
-    around.scrollIntoView({ block });
+    around.scrollIntoView({ block: covers ? block : 'nearest' });
   };
   const observer = new ResizeObserver(place);
   observer.observe(sheet);
