@@ -344,3 +344,25 @@ test('on a desktop the tools of a row do not reach over the picture', async () =
   expect(panel.right).toBeLessThanOrEqual(table.right);
   expect(panel.left, 'the times that move stay in sight').toBeGreaterThan(times.right - 12);
 });
+
+test('on a small phone in the sun the buttons of the preview stand on one line', async () => {
+  const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
+  await app.button('Try a simulated F1Q timer').tap();
+  await app.button('Picture').tap();
+  const lines = await app.page
+    .locator('.preview-controls button')
+    .evaluateAll((buttons) => new Set(buttons.map((button) => button.getBoundingClientRect().top)).size);
+  expect(lines).toBe(1);
+});
+
+test('on a phone on its side nothing of a new program is below the edge', async () => {
+  const app = await AppPage.open({ ...PHONE, viewport: { width: 844, height: 390 }, before: IN_SUN });
+  await app.button('New program…').tap();
+  const dialog = app.page.getByRole('dialog', { name: 'New program' });
+  await dialog.waitFor();
+  const [caution, buttons] = [
+    await edgesOf(dialog.getByText('The positions of your model are not known here.')),
+    await edgesOf(dialog.locator('.buttons')),
+  ];
+  expect(caution.bottom).toBeLessThanOrEqual(buttons.top);
+});
