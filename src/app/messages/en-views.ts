@@ -35,7 +35,7 @@ export const strip = {
   /** For a setting of the library. */
   ofSetting: (changes: number) => (changes === 0 ? 'saved' : `${changes} not saved`),
   /** For a program that was made here and is in no timer. */
-  made: 'new',
+  made: 'in no timer',
 };
 
 /** Every action by its name. */

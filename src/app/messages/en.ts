@@ -90,6 +90,8 @@ export const en = {
     undoAll: 'Undo all',
     read: 'Read again',
     connectAndWrite: 'Connect and write…',
+    /** The same where there is little room: what the button does first. */
+    connectFirst: 'Connect…',
     /** @param count of the values that differ. */
     write: (count: number) => (count === 0 ? 'Write…' : `Write ${count}…`),
     picture: 'Picture',

@@ -45,7 +45,7 @@ export function WriteButton({ session, write, brief }: WriteButtonProps) {
       disabled={!isConnected && (!isOff || session.link.unavailable !== null)}
       onClick={() => void press()}
     >
-      {isOff && !brief ? program.connectAndWrite : program.write(count)}
+      {isOff ? (brief ? program.connectFirst : program.connectAndWrite) : program.write(count)}
     </button>
   );
 }

@@ -1,6 +1,7 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
-import { describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { platformOf } from '../../../src/app/browser/platform.js';
+import { NARROW } from '../../../src/app/ui/use-query.js';
 import { idle, reloaded, run } from '../bench/bench.js';
 import { connected, drawn, field, goTo, opened, press, table, type } from '../screen.js';
 
@@ -16,6 +17,8 @@ async function make(choose: () => void = () => {}): Promise<void> {
   choose();
   await press('Make the program');
 }
+
+afterEach(() => void vi.restoreAllMocks());
 
 describe('a new program', () => {
   it('is made for a class and a layout, edited, and never shown as being in a timer', async () => {
@@ -57,6 +60,14 @@ describe('a new program', () => {
     await press(/^Write \d+ changes$/);
     expect([timer.core.content.times[10], timer.core.content.positions[2]?.[9]]).toEqual([24000, 65]);
     expect(screen.getByText('Verified.')).toBeTruthy();
+  });
+
+  it('says on a phone, in the room that there is, that Connect comes first', async () => {
+    vi.spyOn(globalThis, 'matchMedia').mockImplementation((query) => ({ matches: query === NARROW }) as MediaQueryList);
+    await opened({ plug: { granted: true } });
+    await make();
+    await type('DT time', '4:00');
+    expect(screen.getByRole('button', { name: 'Connect and write…' }).textContent).toBe('Connect…');
   });
 
   it('waits for a timer that sleeps, and writes nothing unasked when it wakes', async () => {
