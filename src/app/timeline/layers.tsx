@@ -1,6 +1,6 @@
 import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { figureText, messages } from '../messages/index.js';
-import { marksOf, reachedAt } from './flight.js';
+import { marksOf, motorStopOf, reachedAt } from './flight.js';
 import { FLAG, type Geometry, type Marks as MarksOf } from './geometry.js';
 import { Kept } from './kept.js';
 import type { Layout } from './layout.js';
@@ -28,6 +28,7 @@ export function Picture({ geometry, front, selected, overlay, names, clip }: Pic
   const { program, layout, measures, flags, ticks, stages, motorStop } = geometry;
   const { left, right } = layout.box;
   const chosen = selected && selected.kind !== 'idleThrottle' ? selected.slot : null;
+  const hasStop = overlay !== null && motorStopOf(overlay) !== motorStop;
   const time = selected?.kind === 'time' ? (program.times[selected.slot] ?? null) : null;
   return (
     <>
@@ -36,7 +37,9 @@ export function Picture({ geometry, front, selected, overlay, names, clip }: Pic
       </clipPath>
       <Kept on={[layout, front]} draw={() => <Grid layout={layout} front={front} />} />
       <g clip-path={`url(#${clip})`}>
-        {overlay && <Kept on={[overlay, layout]} draw={() => <Overlay program={overlay} layout={layout} />} />}
+        {overlay && (
+          <Kept on={[overlay, layout, hasStop]} draw={() => <Overlay {...{ program: overlay, layout, hasStop }} />} />
+        )}
         <Kept on={[geometry.flags, motorStop]} draw={() => <MotorRun {...geometry} />} />
         <Kept on={[stages, layout]} draw={() => <Unknown stages={stages} layout={layout} />} />
         <Kept on={[flags, chosen]} draw={() => <Marks {...geometry} chosen={chosen} />} />

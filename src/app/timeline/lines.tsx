@@ -37,12 +37,19 @@ export function Lines({ geometry, front }: LinesProps) {
   );
 }
 
+interface OverlayProps {
+  readonly program: TimerProgram;
+  readonly layout: Layout;
+  /** Whether to draw its motor stop. Dashes would show through the thin line of an equal one, as if it differed. */
+  readonly hasStop: boolean;
+}
+
 /** A second program behind the first, thin and dashed: its lines, its DT and its motor stop. */
-export function Overlay({ program, layout }: { readonly program: TimerProgram; readonly layout: Layout }) {
+export function Overlay({ program, layout, hasStop }: OverlayProps) {
   const { top, bottom } = layout.box;
   const stages = stagesOf(program);
   const dt = stages.at(-1)?.from ?? 0;
-  const stop = motorStopOf(program);
+  const stop = hasStop ? motorStopOf(program) : null;
   return (
     <g class="overlay">
       {program.positions.map((_, servo) => {

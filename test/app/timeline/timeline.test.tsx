@@ -616,6 +616,18 @@ describe('reading', () => {
     ]);
   });
 
+  it('draws the motor stop of a second program only where it is another one', () => {
+    const marks = (stop: number): number => {
+      const { unmount } = shown(PROGRAM, {
+        overlay: { program: programOf('Q', [stop, 200, 400, 600, 18000]), name: '' },
+      });
+      const { length } = document.querySelectorAll('.overlay .mark');
+      unmount();
+      return length;
+    };
+    expect([marks(1000), marks(900)]).toEqual([1, 2]);
+  });
+
   it('draws a second program behind, with its name', () => {
     shown(PROGRAM, { overlay: { program: programOf('Q', [900, 100, 400, 600, 36000]), name: 'Timer holds' } });
     expect(screen.getByText('Timer holds')).toBeTruthy();
