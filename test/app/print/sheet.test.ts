@@ -70,7 +70,7 @@ describe('a setting sheet', () => {
   it('says what may cost a model, and a DT that is short', () => {
     const short = sheetOf(sourceOf({ ...SETTING.program, times: [3000, 30, 1050, 1300, 2000] }));
     expect(short.figures[0]).toMatchObject({ text: '20 s', isShort: true });
-    expect(short.warnings.join()).toMatch(/Motor stop time: The motor stops after DT/);
+    expect(short.warnings.join()).toMatch(/Motor stop: The motor stops after DT/);
     expect(sheetOf(sourceOf(SETTING.program)).warnings).toEqual([]);
     expect(
       sheetOf(sourceOf({ ...SETTING.program, times: [1000, 30, 1050, 1300, 7000] }), 9000).figures[0]?.isShort,
