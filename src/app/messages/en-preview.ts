@@ -14,7 +14,8 @@ export const preview = {
   time: 'Time of the flight',
   sound: 'Ticks',
   launch: 'Launch',
-  at: (what: string, time: string) => `${what} at ${time}`,
+  /** After what has happened. */
+  at: (time: string) => `at ${time}`,
   sketch: 'The model from the side, and its rudder from above',
   /** Whether the motor runs. */
   motor: { true: 'Climb, motor runs', false: 'Glide, motor stopped' },
@@ -31,7 +32,7 @@ export const preview = {
   },
   naming: {
     title: 'Name the servos',
-    lead: 'Set once what each servo moves. It is kept on this device. Up and down mean the trailing edge.',
+    lead: 'Set once what each servo moves, and between which steps. It is kept on this device. Up and down mean the trailing edge.',
     duty: (servo: string) => `${servo} moves`,
     name: (servo: string) => `Name for what ${servo} moves`,
     namePlace: 'Its name',

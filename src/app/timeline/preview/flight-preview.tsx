@@ -153,22 +153,40 @@ function Happening({ program, player }: ShownProps) {
     () =>
       computed(() => {
         const time = player.shown.value;
-        return reachedAt(program, time).certain ? lastText(program, time) : timeline.notKnown;
+        return reachedAt(program, time).certain ? lastNames(program, time) : timeline.notKnown;
       }),
     [program, player, timeline],
   );
+  const since = useMemo(
+    () =>
+      computed(() => {
+        const time = player.shown.value;
+        return reachedAt(program, time).certain ? (eventsBetween(program, -1, time).at(-1)?.time ?? null) : null;
+      }),
+    [program, player],
+  );
+  const isNow = useMemo(() => computed(() => since.value === player.shown.value), [since, player]);
   const isUnderWay = useMemo(() => computed(() => player.cursor.value !== null), [player]);
-  return <p role={isUnderWay.value ? 'status' : undefined}>{text.value}</p>;
+  return (
+    <p role={isUnderWay.value ? 'status' : undefined}>
+      {text.value}
+      {since.value !== null && (
+        // The clock above shows it, but is not heard.
+        <span class={isNow.value ? 'visually-hidden' : ''}> {messages.value.preview.at(momentText(since.value))}</span>
+      )}
+    </p>
+  );
 }
 
 /** The latest event up to a time; all of them when several happen at once. */
-function lastText(program: TimerProgram, time: number): string {
-  const { preview } = messages.value;
+function lastNames(program: TimerProgram, time: number): string {
   const events = eventsBetween(program, -1, time);
   const last = events.at(-1);
-  if (!last) return preview.launch;
-  const names = events.filter((event) => event.time === last.time).map((event) => eventName(program, event));
-  return preview.at(names.join(', '), momentText(last.time));
+  if (!last) return messages.value.preview.launch;
+  return events
+    .filter((event) => event.time === last.time)
+    .map((event) => eventName(program, event))
+    .join(', ');
 }
 
 function eventName({ identity }: TimerProgram, event: FlightEvent): string {

@@ -48,6 +48,8 @@ const press = (name: string | RegExp) => act(() => void fireEvent.click(screen.g
 const seek = (player: Player, time: number) => act(() => player.seek(time));
 const said = () => screen.getByRole('status').textContent;
 const clock = () => document.querySelector('.preview-clock')?.textContent;
+/** The line below the clock that says what has happened. */
+const happened = () => document.querySelector('.preview-facts p:last-of-type') as HTMLElement;
 const stands = () => [...document.querySelectorAll('.preview li')].map((item) => item.textContent);
 const turned = (surface: string) => document.querySelector<SVGElement>(`[data-surface=${surface}]`)?.style.transform;
 
@@ -133,6 +135,20 @@ describe('the flight preview', () => {
     ]);
   });
 
+  it('does not show the time of an event twice, but says it', async () => {
+    const { player } = shown();
+    const seen = () => {
+      const hidden = happened().querySelector('.visually-hidden');
+      return [clock(), happened().textContent?.replace(hidden?.textContent ?? '', '')];
+    };
+    await seek(player, 0);
+    expect(seen()).toEqual(['0.00 s', 'Launch']);
+    await seek(player, 200);
+    expect([...seen(), said()]).toEqual(['2.00 s', 'Function 1', 'Function 1 at 2.00 s']);
+    await seek(player, 300);
+    expect(seen()).toEqual(['3.00 s', 'Function 1 at 2.00 s']);
+  });
+
   it('can be dragged from launch to the end, and says where it is', async () => {
     const { player } = shown();
     const slider = screen.getByRole<HTMLInputElement>('slider', { name: 'Time of the flight' });
@@ -160,7 +176,11 @@ describe('the flight preview', () => {
   it('shows the selected cell, and moves without the pilot only when it is played', async () => {
     const { player } = shown();
     await act(() => player.take(600));
-    expect([clock(), screen.getByText('Function 3 at 6.00 s').getAttribute('role')]).toEqual(['6.00 s', null]);
+    expect([clock(), happened().textContent, happened().getAttribute('role')]).toEqual([
+      '6.00 s',
+      'Function 3 at 6.00 s',
+      null,
+    ]);
     await act(() => player.ask(200));
     expect(clock()).toBe('2.00 s');
   });
