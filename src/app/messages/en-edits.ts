@@ -154,7 +154,6 @@ export const edits = {
     done: 'Done',
     use: (time: string) => `DT ${time}`,
     remove: (time: string) => `Remove ${time}`,
-    removeHint: 'Press a preset to remove it.',
     add: 'New preset',
     example: 'such as 2:30',
     addButton: 'Add',

@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
@@ -7,6 +7,7 @@ import { type Ambiguous, readTime } from '../editing/units.js';
 import { dtText, messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import { Icon } from '../ui/icon.js';
+import { useHandedFocus } from '../ui/use-handed-focus.js';
 import { useLateComputed } from '../ui/use-late.js';
 import { TimeQuestion } from './time-question.js';
 import './presets.css';
@@ -25,48 +26,39 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
   const field: ProgramField = { kind: 'time', slot };
   const key = fieldKey(field);
   const current = useLateComputed(() => editor.working.value?.times[slot], editor.baseline);
+  const box = useHandedFocus('[aria-expanded]');
   return (
-    <div class="presets">
+    <div class={`presets ${changing.value ? 'changing' : ''}`} {...box}>
       <fieldset class="chips">
         <legend>
           <span aria-hidden="true">{messages.value.program.dt}</span>
           <span class="visually-hidden">{words.title}</span>
         </legend>
-        {preferences.presets.value.map((value) =>
-          changing.value ? (
-            <button
-              type="button"
-              class="remove"
-              key={value}
-              aria-label={words.remove(presetText(value))}
-              onClick={() => preferences.removePreset(value)}
-            >
-              {presetText(value)}
-            </button>
-          ) : (
-            <button
-              type="button"
-              key={value}
-              aria-label={words.use(presetText(value))}
-              aria-current={value === current}
-              onClick={() => editor.apply(setValues({ code: 'preset', params: { field: key } }, [{ field, value }]))}
-            >
-              {presetText(value)}
-            </button>
-          ),
-        )}
+        {preferences.presets.value.map((value) => (
+          <button
+            type="button"
+            key={value}
+            aria-label={words.use(presetText(value))}
+            aria-current={value === current}
+            onClick={() => editor.apply(setValues({ code: 'preset', params: { field: key } }, [{ field, value }]))}
+          >
+            {presetText(value)}
+          </button>
+        ))}
         <button
           type="button"
           class="quiet"
-          aria-label={changing.value ? undefined : words.change}
-          title={changing.value ? undefined : words.change}
+          aria-label={words.change}
+          title={words.change}
           aria-expanded={changing.value}
           onClick={() => (changing.value = !changing.value)}
         >
-          {changing.value ? words.done : <Icon path="M3 17L4 13L13.5 3.5L16.5 6.5L7 16ZM11.5 5.5L14.5 8.5" />}
+          <Icon path="M3 17L4 13L13.5 3.5L16.5 6.5L7 16ZM11.5 5.5L14.5 8.5" />
         </button>
       </fieldset>
-      {changing.value && <PresetSettings editor={editor} preferences={preferences} />}
+      {changing.value && (
+        <PresetSettings editor={editor} preferences={preferences} onDone={() => (changing.value = false)} />
+      )}
     </div>
   );
 }
@@ -78,8 +70,15 @@ interface Asked {
   readonly use: (value: number) => boolean;
 }
 
-function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
+interface PresetSettingsProps extends Omit<DtPresetsProps, 'slot'> {
+  readonly onDone: () => void;
+}
+
+function PresetSettings({ editor, preferences, onDone }: PresetSettingsProps) {
   const { presets: words } = messages.value.edits;
+  const form = useRef<HTMLFormElement>(null);
+  // Among the large figures of a phone it opens below what is in sight.
+  useLayoutEffect(() => form.current?.scrollIntoView({ block: 'nearest' }), []);
   const added = useSignal('');
   const limitInput = useRef<HTMLInputElement>(null);
   const limit = useSignal(dtText(editor.shortDt.value));
@@ -107,6 +106,7 @@ function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
   };
   return (
     <form
+      ref={form}
       class="preset-settings"
       onSubmit={(event) => {
         event.preventDefault();
@@ -115,7 +115,21 @@ function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
         take(added.value, words.add, add);
       }}
     >
-      <p class="hint">{words.removeHint}</p>
+      <ul>
+        {preferences.presets.value.map((value) => (
+          <li key={value}>
+            {presetText(value)}
+            <button
+              type="button"
+              class="preset-remove quiet"
+              aria-label={words.remove(presetText(value))}
+              onClick={() => preferences.removePreset(value)}
+            >
+              <Icon path="M6 6L14 14M14 6L6 14" />
+            </button>
+          </li>
+        ))}
+      </ul>
       <label>
         {words.add}
         <input
@@ -145,6 +159,9 @@ function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
           }}
         />
       </label>
+      <button type="button" class="quiet" onClick={onDone}>
+        {words.done}
+      </button>
       {asked.value && (
         <TimeQuestion
           label={asked.value.label}

@@ -586,6 +586,21 @@ describe('DT', () => {
     expect(again.editor.shortDt.value).toBe(21000);
   });
 
+  it('keeps its presets to press, and the focus, while they are changed', async () => {
+    const { models } = await connected();
+    await press('Change presets');
+    await press('DT 6 min');
+    expect([field('DT time').value, models.preferences.presets.value.includes(36000)]).toEqual(['6:00', true]);
+    const change = screen.getByRole('button', { name: 'Change presets' });
+    for (const name of ['Remove 6 min', 'Done']) {
+      screen.getByRole('button', { name }).focus();
+      await press(name);
+      expect(document.activeElement, name).toBe(change);
+    }
+    expect(change.getAttribute('aria-expanded')).toBe('false');
+    expect(screen.queryByRole('button', { name: 'DT 6 min' })).toBeNull();
+  });
+
   it('adds no preset when the limit is confirmed with Enter', async () => {
     const { models } = await connected();
     const before = models.preferences.presets.value;
