@@ -90,7 +90,7 @@ async function tried(app: AppPage, field: string, text: string): Promise<number>
   await expect.poll(() => app.undo.isDisabled(), { message: 'after Cancel there is no step to undo' }).toBe(true);
 
   await paste(app, field, text);
-  await dialog.getByText(/^This changes/).waitFor();
+  await dialog.getByText(/^(This|The rest) changes/).waitFor();
   const promised = await dialog.getByRole('listitem').filter({ hasText: ' → ' }).allInnerTexts();
   const take = dialog.getByRole('button', { name: /^Paste/ });
   if (await take.isDisabled()) await app.page.keyboard.press('Escape');

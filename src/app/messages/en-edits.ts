@@ -136,11 +136,13 @@ export const edits = {
   },
   pasting: {
     title: 'Paste',
-    lead: (count: number) => (count === 0 ? 'This changes nothing.' : `This changes ${cells(count)}.`),
+    /** @param rest what is left besides that which cannot be pasted. */
+    lead: (count: number, rest: boolean) =>
+      `${rest ? 'The rest' : 'This'} changes ${count === 0 ? 'nothing' : cells(count)}.`,
     /** In a table, an ambiguous text is read in one way only, so the page says which. */
     reading: (field: string, text: string, time: string) => `${field}: “${text}” is read as ${time}.`,
     ignored: (count: number) => `${cells(count)} ${count === 1 ? 'has' : 'have'} no place here and will be left out.`,
-    problems: 'This cannot be pasted',
+    problems: (all: boolean) => (all ? 'This cannot be pasted' : 'Part of this cannot be pasted'),
     /** Where a problem is that belongs to no field: in the text that was copied. */
     place: (row: number, column: number) => `Row ${row}, column ${column} of the copied text`,
     problem: (place: string, text: string, reason: string) => `${place}${text === '' ? '' : `, “${text}”`}: ${reason}`,

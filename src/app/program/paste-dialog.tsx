@@ -66,6 +66,7 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
   // The program may change while the dialog is open, as when a timer comes back. What is shown is what will be done.
   const preview = previewPaste(working, range, text, { headings, unreadable: editor.unreadable.value });
   const { changes, problems, readings, ignored } = preview;
+  const isNone = preview.values.length === 0;
   const apply = (): void => {
     editor.apply(pasted(preview, true));
     close();
@@ -75,7 +76,7 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
       {problems.length > 0 && (
         <div class="notice bad">
           <p>
-            <strong>{words.problems}</strong>
+            <strong>{words.problems(isNone)}</strong>
           </p>
           <ul>
             {problems.slice(0, TOLD).map((problem) => (
@@ -87,7 +88,7 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
           {problems.length > TOLD && <p>{words.more(problems.length - TOLD)}</p>}
         </div>
       )}
-      <p>{words.lead(changes.length)}</p>
+      <p>{words.lead(changes.length, problems.length > 0 && !isNone)}</p>
       {changes.length > 0 && (
         <ul class="paste-changes">
           {byFunction(changes).map((change) => (
@@ -110,7 +111,7 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
       {ignored > 0 && <p class="hint">{words.ignored(ignored)}</p>}
       <div class="buttons">
         <CancelButton onClick={close} />
-        <button type="button" class="primary" disabled={preview.values.length === 0} onClick={apply}>
+        <button type="button" class="primary" disabled={isNone} onClick={apply}>
           {problems.length > 0 ? words.applyRest : words.apply}
         </button>
       </div>

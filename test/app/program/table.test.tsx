@@ -368,6 +368,18 @@ describe('a paste', () => {
     expect(field('Function 3, S2').value).toBe('45');
   });
 
+  it.each([
+    ['1\tup', 'Part of this cannot be pasted', 'The rest changes 1 value.', 'Paste the rest', false],
+    ['up\tup', 'This cannot be pasted', 'This changes nothing.', 'Paste the rest', true],
+  ])('of %j says what cannot be pasted', async (text, problems, lead, button, disabled) => {
+    await connected();
+    field('Function 2, S1').focus();
+    await paste(text);
+    const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
+    expect([dialog.getByText(problems), dialog.getByText(lead)]).toHaveLength(2);
+    expect(dialog.getByRole<HTMLButtonElement>('button', { name: button }).disabled).toBe(disabled);
+  });
+
   it('that is cancelled leaves no trace', async () => {
     const { editor } = await connected();
     field('Function 2, S1').focus();
