@@ -12,7 +12,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await app.type('DT time', '20 s');
   await app.write();
   await app.result('Verified.');
-  await app.dialog.getByText('M1 · DT 20 s · motor stop 10.0 s').waitFor();
+  await app.dialog.getByText(/^M1\sverified\s\d\d:\d\d\s· DT\s20\ss\s· motor\sstop\s10\.0\ss/).waitFor();
   await app.button('Flying this').click();
   await app.dialog.getByText(/^Flight\slogged\s\d\d:\d\d/).waitFor();
   // What is typed after the flight does not belong to it.

@@ -13,7 +13,7 @@ interface FlyingThisProps {
   readonly log: FlightLog;
   /** The form of the flight is about to open. */
   readonly onFillIn?: () => void;
-  /** Whether the last flight can be logged again without a timer. */
+  /** For the log of flights: it shows what would be logged, and logs the last flight again without a timer. */
   readonly again?: boolean;
 }
 
@@ -65,7 +65,8 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   if (!held) return null;
   return (
     <div class="flying-this" {...box}>
-      <p class="hint">{heldText(held)}</p>
+      {/* After a write, the figures stand above. */}
+      <p class="hint">{again ? heldText(held) : words.purpose}</p>
       <button type="button" class={again ? 'primary' : undefined} onClick={() => log.flying()}>
         {words.button}
       </button>

@@ -20,6 +20,7 @@ export const flightMessages = {
   flying: {
     /** One tap logs a flight with what the timer holds. */
     button: 'Flying this',
+    purpose: 'Logs a flight with what the timer holds.',
     /** @param figures such as “DT 3:00 min”. */
     held: (memory: string | null, figures: readonly string[]) => dotted([memory, ...figures]),
     logged: (time: string, names: readonly string[]) => dotted([`Flight logged ${time}`, ...names]),

@@ -221,6 +221,9 @@ describe('after a verified write', () => {
     app.session.safety.confirm();
     await idle(0);
     await press(/^Write \d+ change/);
+    const written = within(screen.getByRole('dialog', { name: 'Write to the timer' }));
+    expect(written.getAllByText(/DT 20 s/).length, 'the figures stand once').toBe(1);
+    expect(written.getByText('Logs a flight with what the timer holds.')).toBeTruthy();
     button('Flying this').focus();
     await press('Flying this');
     expect(document.activeElement, 'the focus does not leave the dialog').toBe(button('Fill in'));
