@@ -40,8 +40,8 @@ export const write = {
   acknowledge: 'I have read this and want to write it anyway.',
   move: {
     why: 'This timer seems to keep positions only where its servos stand. If the servos do not move, it will probably not keep these.',
-    label: 'Move the servos to each function before its positions are stored',
-    hint: 'The servos will move then: hold the model safely, with nothing in their way.',
+    label: 'Move the servos to each function before its positions are stored.',
+    hint: 'Hold the model safely, with nothing in their way.',
     notHeld: {
       title: 'The timer acknowledged the positions but did not keep them.',
       advice:

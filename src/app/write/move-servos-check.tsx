@@ -9,16 +9,12 @@ export function MoveServosCheck({ servoMoves }: { readonly servoMoves: ServoMove
   return (
     <div class="notice">
       <p>{move.why}</p>
-      <Check
-        checked={servoMoves.allowed.value}
-        describedBy="move-servos-hint"
-        onChange={(checked) => servoMoves.allow(checked)}
-      >
-        {move.label}
+      <Check checked={servoMoves.allowed.value} onChange={(checked) => servoMoves.allow(checked)}>
+        {/* In the label: what follows the box may lie behind the buttons when it is ticked. */}
+        <span>
+          {move.label} <strong>{move.hint}</strong>
+        </span>
       </Check>
-      <p id="move-servos-hint">
-        <strong>{move.hint}</strong>
-      </p>
     </div>
   );
 }

@@ -380,8 +380,7 @@ describe('writing', () => {
     );
     await press('Write again…');
     expect(move()?.checked).toBe(false);
-    const hint = document.getElementById(move()?.getAttribute('aria-describedby') ?? '');
-    expect(hint?.textContent).toMatch(/^The servos will move/);
+    expect(move()?.labels?.[0]?.textContent, 'the label itself says how').toMatch(/Hold the model safely/);
     expect(screen.getByText(/will probably not keep these/)).toBeTruthy();
     fireEvent.click(move() as HTMLElement);
     await press('Write 1 change');
