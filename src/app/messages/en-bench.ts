@@ -32,7 +32,7 @@ export const bench = {
     'First the page reads the timer and keeps a backup. Then you change a position of the function where the servos stand: the timer stores it at once, and its servo moves.',
   followingNow:
     'Following: when you change a position of the function where the servos stand, the timer stores it at once.',
-  followingAt: (slot: string) => `Following at ${slot}: the timer stores each position that you change there at once.`,
+  followingAt: (slot: string) => `Following at ${slot}: change a position there, and the timer stores it at once.`,
   starting: 'Reading the timer and keeping a backup.',
   unkept: 'This device could not keep a backup. Without it you cannot bring back what the timer holds now.',
   followUnkept: 'Follow without a backup',
