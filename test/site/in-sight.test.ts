@@ -304,6 +304,75 @@ test('on a phone on its side the way to stop following is in the window, with al
   expect(outside).toEqual([]);
 });
 
+test.each([
+  ['in the light', undefined],
+  ['in the sun', IN_SUN],
+] as const)(
+  'on a desktop the checks are in sight %s, also above the note that the servos follow',
+  async (_, before) => {
+    const app = await AppPage.open({
+      bench: { granted: true },
+      viewport: { width: 1280, height: 800 },
+      ...(before && { before }),
+    });
+    await app.connect();
+    /** How much of the line of the checks lies below the upper edge of the commands. */
+    const covered = () =>
+      app.page.evaluate(() => {
+        const [checks, bar] = ['.checks', '.actions'].map((name) => document.querySelector(name));
+        return (checks?.getBoundingClientRect().bottom ?? 0) - (bar?.getBoundingClientRect().top ?? 0);
+      });
+    await expect.poll(covered).toBeLessThanOrEqual(0);
+    await app.goTo('Bench');
+    await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
+    await app.page.getByRole('switch').click();
+    await app.page.getByRole('switch', { checked: true }).waitFor();
+    await app.button('Next function').click();
+    await app.text('Servos at start').waitFor();
+    await app.goTo('Program');
+    await app.type('Start, S1', '7');
+    await app.text('1 tried in the timer').first().waitFor();
+    await expect.poll(covered).toBeLessThanOrEqual(0);
+  },
+);
+
+test.each([
+  ['a small phone', { width: 360, height: 740 }],
+  ['a phone on its side', { width: 844, height: 390 }],
+])(
+  'in the sun, what changes the presets opens in sight on %s, and the player has one line of buttons',
+  async (_, viewport) => {
+    const app = await AppPage.open({ ...PHONE, viewport, before: IN_SUN });
+    await app.trySimulated('F1Q');
+    await app.button('Picture').tap();
+    const lines = () =>
+      app.page
+        .locator('.preview-controls button')
+        .evaluateAll((buttons) => new Set(buttons.map((button) => button.getBoundingClientRect().top)).size);
+    await expect.poll(lines).toBe(1);
+    await app.button('Table').tap();
+    await app.showFigures();
+    await app.button('Change presets').tap();
+    const hidden = () =>
+      app.page.locator('.preset-settings :is(button, input)').evaluateAll((controls) =>
+        controls.flatMap((control) => {
+          const { left, top, width, height } = control.getBoundingClientRect();
+          const there = document.elementFromPoint(left + width / 2, top + height / 2);
+          return control.contains(there) ? [] : [control.ariaLabel ?? control.textContent];
+        }),
+      );
+    await expect.poll(hidden).toEqual([]);
+    // Only the cross removes one.
+    await app.page
+      .locator('.preset-settings li')
+      .first()
+      .tap({ position: { x: 12, y: 24 } });
+    await app.button('Remove 20 s').waitFor();
+    await app.button('Remove 20 s').tap();
+    await app.button('Remove 20 s').waitFor({ state: 'detached' });
+  },
+);
+
 test('on a phone, what is said of a memory that is looked at keeps off the edges', async () => {
   const app = await AppPage.open({ ...PHONE, bench: { granted: true } });
   await app.connect();
