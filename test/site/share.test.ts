@@ -1,5 +1,5 @@
 import { expect, inject, test } from 'vitest';
-import { encodeLink, LINK_MARK } from '../../src/program/index.js';
+import { encodeLink, LIMITS, LINK_MARK } from '../../src/program/index.js';
 import { SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
@@ -72,11 +72,14 @@ test('the QR code of a setting can be read from the screen, in every theme', asy
   }
 });
 
-test('the whole code and the link are in sight at once, on every size and in every theme', async () => {
+const NAMES = [name, 'WETTBEWERBSFLIEGER '.repeat(4).slice(0, LIMITS.name)];
+test.each(NAMES)('code and link of “%s” are in sight at once, on every size and in every theme', async (name) => {
   const app = await AppPage.open();
-  await app.trySimulated('F1Q');
+  await arrive(app, LINK_MARK + encodeLink({ ...SHARED, name, note: '' }));
+  await app.button('Keep in the library').click();
+  await app.button('Show in the library').click();
   await app.button('Share…').click();
-  await app.page.getByRole('img', { name: 'QR code of “F1Q M1”' }).waitFor();
+  await app.page.getByRole('img', { name: `QR code of “${name}”` }).waitFor();
   for (const [width, height] of [
     [390, 844],
     [360, 740],
@@ -104,6 +107,8 @@ test('the whole code and the link are in sight at once, on every size and in eve
       for (const part of [code, link, copy]) expect(part?.bottom, where).toBeLessThanOrEqual(close?.top ?? 0);
       expect(Math.min(code?.top ?? 0, link?.top ?? 0), where).toBeGreaterThan(0);
       expect(close?.bottom, where).toBeLessThanOrEqual(height);
+      const dialog = await app.page.getByRole('dialog').boundingBox();
+      if (width < 600) expect(dialog?.width, `${where}: a phone has no room to give away`).toBeGreaterThan(width - 24);
       expect(code?.width, `${where}: a camera needs some pixels for each square`).toBeGreaterThan(159);
     }
   }
