@@ -29,7 +29,7 @@ export const share = {
     newModel: (name: string) => `New model “${name}”`,
     noModel: 'No model',
     keep: 'Keep in the library',
-    open: 'Open in the editor',
+    open: 'Open',
     openOver: 'Load into the table',
     discard: 'Do not keep',
     /** What happens to unwritten edits. @param over whether the setting replaces what the connected timer holds. */

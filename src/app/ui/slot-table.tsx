@@ -1,16 +1,23 @@
 import type { ComponentChildren } from 'preact';
 import type { TimerProgram } from '../../program/index.js';
 import { formatTime, MINUTE } from '../editing/units.js';
-import { messages, momentText, slotLabel } from '../messages/index.js';
+import { messages, slotLabel } from '../messages/index.js';
 import { SlotHead } from './slot-head.js';
 import './slot-table.css';
+
+interface SlotRow {
+  readonly slot: number;
+  /** The unit of its figures where it is not that of the heading. It stands beside the name. */
+  readonly unit?: string | null;
+  readonly cells: readonly ComponentChildren[];
+}
 
 interface SlotTableProps {
   readonly program: TimerProgram;
   readonly caption: string;
   /** The headings between the name of a slot and its positions. */
   readonly headings: readonly string[];
-  readonly rows: readonly { readonly slot: number; readonly cells: readonly ComponentChildren[] }[];
+  readonly rows: readonly SlotRow[];
   /** Further rows. */
   readonly children?: ComponentChildren;
 }
@@ -25,9 +32,12 @@ export function SlotTable({ program, caption, headings, rows, children }: SlotTa
       <caption class="visually-hidden">{caption}</caption>
       <SlotHead slot={words.slot} headings={headings} servos={identity.servos} />
       <tbody>
-        {rows.map(({ slot, cells }) => (
+        {rows.map(({ slot, unit, cells }) => (
           <tr key={slot}>
-            <th scope="row">{slotLabel(identity, slot)}</th>
+            <th scope="row">
+              {slotLabel(identity, slot)}
+              {unit && <span class="slot-unit"> {unit}</span>}
+            </th>
             {cells.map((cell, index) => (
               <td key={headings[index]}>{cell}</td>
             ))}
@@ -51,7 +61,8 @@ export function TimesTable({ program, caption }: Pick<SlotTableProps, 'program' 
   const heading = `${words.time}\u00a0${times.units.s}`;
   const rows = program.times.map((time, slot) => ({
     slot,
-    cells: [slot === 0 ? words.origin : time < MINUTE ? formatTime(time) : momentText(time)],
+    unit: slot === 0 || time < MINUTE ? null : times.units.min,
+    cells: [slot === 0 ? words.origin : formatTime(time)],
   }));
   return <SlotTable program={program} caption={caption} headings={[heading]} rows={rows} />;
 }

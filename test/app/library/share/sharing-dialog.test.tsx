@@ -76,7 +76,7 @@ describe('a setting that comes by link', () => {
       'Function 1 0.30 25 15',
       'Function 2 10.50 40 60',
       'Function 3 13.00 55 70',
-      'DT 3:00 min 115 115',
+      'DT min 3:00 115 115',
     ]);
     await press('Do not keep');
     expect(isOpen()).toBe(false);
@@ -158,7 +158,7 @@ describe('a setting that comes by link', () => {
   it('is opened without a timer', async () => {
     const bench = await opened();
     await comes(bench);
-    await press('Open in the editor');
+    await press('Open');
     expect([isOpen(), bench.views.shown.value]).toEqual([false, 'program']);
     expect(bench.editor.working.value?.times).toEqual(SETTING.program.times);
   });
