@@ -1,5 +1,6 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
+import { whole } from '../messages/dotted.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Select } from '../ui/choice.js';
@@ -82,7 +83,8 @@ function LineChoice({ view }: { readonly view: LineView }) {
 
 function Counts({ view }: { readonly view: LineView }) {
   const { out, in: incoming, damaged, errors } = view.counts.value;
-  return <p class="hint">{messages.value.line.counts(out, incoming, damaged, errors)}</p>;
+  const counts = messages.value.line.counts(out, incoming, damaged, errors);
+  return <p class="hint">{counts.map(whole).join(', ')}</p>;
 }
 
 function LoadButton({ view }: { view: LineView }) {

@@ -151,13 +151,12 @@ export const line = {
   filters,
   search: 'Search',
   searchHint: 'name or hex',
-  counts: (out: number, incoming: number, damaged: number, errors: number) =>
-    [
-      `${out} to the timer`,
-      `${incoming} from the timer`,
-      `${damaged} damaged`,
-      plural(errors, 'line error', 'line errors'),
-    ].join(', '),
+  counts: (out: number, incoming: number, damaged: number, errors: number) => [
+    `${out} to the timer`,
+    `${incoming} from the timer`,
+    `${damaged} damaged`,
+    plural(errors, 'line error', 'line errors'),
+  ],
   more: (shown: number, all: number) => `The newest ${shown} of ${all} are shown.`,
   older: 'Show older',
 
@@ -208,6 +207,6 @@ export const report = {
   errors: (errors: readonly string[]) => `Line errors: ${errors.length > 0 ? errors.join(', ') : 'none'}`,
   unasked: (strays: number, delay: number | null) =>
     `Unasked frames: ${strays}; latest reply: ${delay === null ? 'in time' : `after ${Math.round(delay)} ms`}`,
-  line: (counts: string, repeats: number | null) =>
-    `Line: ${counts}${repeats === null ? '' : `, ${plural(repeats, 'repeat', 'repeats')}`}`,
+  line: (counts: readonly string[], repeats: number | null) =>
+    `Line: ${counts.join(', ')}${repeats === null ? '' : `, ${plural(repeats, 'repeat', 'repeats')}`}`,
 };

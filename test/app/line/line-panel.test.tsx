@@ -95,7 +95,8 @@ describe('the rows', () => {
     ]);
     expect(messagesShown()[1]).toMatch(/^Damaged: checksum/);
     expect(screen.getAllByRole('row')[1]?.className).toBe('damaged');
-    expect(screen.getByText('7 to the timer, 7 from the timer, 1 damaged, 1 line error')).toBeTruthy();
+    const counts = screen.getByText('7 to the timer, 7 from the timer, 1 damaged, 1 line error');
+    expect(counts.textContent?.split(' '), 'a line ends only between two counts').toHaveLength(4);
   });
 
   it('stay where they are in the page when new ones come', async () => {
