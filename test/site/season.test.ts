@@ -179,7 +179,7 @@ class Device {
     await page.evaluate(() => location.assign('#library'));
     await this.app.text('No model yet').waitFor();
     await importFile(this.app, 'from the lost one.sidus.json', text);
-    await this.app.text('In it: 3 models, 12 settings, 30 flights.').waitFor();
+    await this.app.text('It holds 3 models, 12 settings, 30 flights.').waitFor();
     await this.app.button('Import 45').click();
     await this.app.text(/^Imported from .*: 3\smodels, 12\ssettings, 30\sflights\.$/).waitFor();
   }

@@ -54,8 +54,8 @@ export const filesMessages = {
     title: (name: string) => `Import ${name}`,
     reading: 'Reading the file',
     drop: 'Drop the file to see what is in it',
-    lead: (date: string, by: string) => `Written ${date}${by === '' ? '' : ` by ${apart(by)}`}.`,
-    holds: (what: string) => (what === '' ? 'There is nothing in it.' : `In it: ${what}.`),
+    lead: (date: string, by: string) => `Saved ${date}${by === '' ? '' : ` by ${apart(by)}`}.`,
+    holds: (what: string) => (what === '' ? 'It holds nothing.' : `It holds ${what}.`),
     ignored: (count: number) =>
       `This version of the page does not know what ${plural(count, 'entry is', 'entries are')}. The import leaves ${count === 1 ? 'it' : 'them'} out.`,
     nothing: 'You have all of this already.',
@@ -104,7 +104,7 @@ export const filesMessages = {
   refused: {
     title: (name: string) => `${name} cannot be imported`,
     nothing: 'Nothing was imported.',
-    line: (line: number, column: number) => `Line ${line}, column ${column}.`,
+    line: (line: number, column: number) => `Line\u00a0${line}, column\u00a0${column}.`,
     /** Where a fault stands: “Setting “calm morning”, function 2, time.” */
     place: ({ kind, number, name, slot, field }: Place) =>
       [
@@ -115,7 +115,7 @@ export const filesMessages = {
         .filter(Boolean)
         .join(', ')
         .concat('.'),
-    again: 'Export it again, or ask the sender for it.',
+    again: 'Export the file again, or ask its sender for a new one.',
     between: (min: number, max: number) => `It must be ${min} to ${max}.`,
     characters: (min: number, max: number) => `It must have ${min} to ${max} characters.`,
     files: {

@@ -59,7 +59,7 @@ export const libraryMessages = {
         ['trimming', 'DT 20 s'],
       ],
     },
-    lead: 'A model holds its settings: programs that you keep under a name, with notes, only on this device.',
+    lead: 'A model holds its settings: programs with a name and notes. They are kept only on this device.',
     hint: 'Make a model, or save the program on the screen.',
     /** Without a program on the screen. */
     hintWithout: 'Make a model, or read a timer and save its program.',

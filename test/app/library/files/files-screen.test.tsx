@@ -75,7 +75,7 @@ describe('an import', () => {
     const app = await library({});
     expect(await drop(file())).toBe(true);
     expect(dialog().getByRole('heading', { name: 'Import lancer.sidus.json' })).toBeTruthy();
-    dialog().getByText(/^Written .* by Sidus Timer 1\.0\.0\. In it: 1 model, 1 setting, 1 flight\.$/);
+    dialog().getByText(/^Saved .* by Sidus Timer 1\.0\.0\. It holds 1 model, 1 setting, 1 flight\.$/);
     dialog().getByText('New: 1 model, 1 setting, 1 flight');
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
     await press('Import 3');
@@ -93,7 +93,7 @@ describe('an import', () => {
     const content = formatLibraryFile(ALL, { writtenAt: 1, writtenBy: '\u202eSidus\nTimer' });
     await drop(file(content, 'lancer\u202enosj.sidus'));
     expect(dialog().getByRole('heading', { name: 'Import lancernosj.sidus' })).toBeTruthy();
-    dialog().getByText(/^Written .* by Sidus Timer\. In it: 1 model, 1 setting, 1 flight\.$/);
+    dialog().getByText(/^Saved .* by Sidus Timer\. It holds 1 model, 1 setting, 1 flight\.$/);
     await press('Import 3');
     notice(/^Imported from “lancernosj\.sidus”: /);
   });
@@ -321,22 +321,22 @@ describe('what cannot be imported', () => {
   it.each([
     ['{ "format": "sidus-timer library", "version": 2 }', 'A newer version of this page made this file.', null],
     ['{ "format": "else" }', 'This is not a library file of Sidus Timer.', null],
-    [text().slice(0, -30), 'The file is not complete: it ends too early.', 'Line 72, column 8.'],
-    [text().replace('"memory"', 'memory'), 'The text of the file is broken.', 'Line 31, column 9.'],
+    [text().slice(0, -30), 'The file is not complete: it ends too early.', 'Line\u00a072, column\u00a08.'],
+    [text().replace('"memory"', 'memory'), 'The text of the file is broken.', 'Line\u00a031, column\u00a09.'],
     [
       text().replace('"0.30"', '"700.00"'),
       'A value is out of its range. It must be 0 to 655.35.',
-      'Setting “calm morning”, function 1, time. Line 36, column 34.',
+      'Setting “calm morning”, function 1, time. Line\u00a036, column\u00a034.',
     ],
     [
       text().replace('"positions": [115, 115]', '"positions": [115, 1150]'),
       'A value is out of its range. It must be 0 to 255.',
-      'Setting “calm morning”, DT, S2. Line 39, column 64.',
+      'Setting “calm morning”, DT, S2. Line\u00a039, column\u00a064.',
     ],
     [
       text().replace('"name": "Lancer 07"', '"name": ""'),
       'A value is out of its range. It must have 1 to 60 characters.',
-      'Model 1 in the file, name. Line 9, column 15.',
+      'Model 1 in the file, name. Line\u00a09, column\u00a015.',
     ],
     [`ÿþ{`, 'The letters of the file cannot be read. Save it as UTF-8.', null],
     [Uint8Array.of(0x7b, 0xff, 0x00), 'The file is not text.', null],
@@ -349,7 +349,7 @@ describe('what cannot be imported', () => {
     if (place) expect(document.querySelector('.import-place')?.textContent?.trim()).toBe(place);
     else expect(document.querySelector('.import-place')).toBeNull();
     dialog().getByText(
-      place ? 'Nothing was imported. Export it again, or ask the sender for it.' : 'Nothing was imported.',
+      place ? 'Nothing was imported. Export the file again, or ask its sender for a new one.' : 'Nothing was imported.',
     );
     await press('Close');
     expect(kept(app)).toEqual(before);
