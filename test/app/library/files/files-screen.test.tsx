@@ -176,6 +176,82 @@ describe('an import', () => {
     expect(kept(app).settings).toEqual([SETTING]);
   });
 
+  it('has no rule for what differs where nothing differs, and only its own two choices', async () => {
+    await library({});
+    await drop(file());
+    expect(dialog().queryByText(/stays as it is/)).toBeNull();
+    const names = [...dialog().getByRole('combobox').querySelectorAll('option')].map(({ text }) => text);
+    expect(names).toEqual(['Import', 'Leave out']);
+    await choose('Lancer 07', 'Leave out');
+    dialog().getByText('Everything in the file is left out.');
+  });
+
+  it('says what each way does', async () => {
+    await library();
+    await drop(file(text({ ...ALL, settings: [windy] })));
+    dialog().getByText('What is newer here, or has the same date, stays as it is.');
+    await choose('Lancer 07', 'Keep both');
+    dialog().getByText('Both stay. The one from the file gets a number after its name.');
+  });
+
+  it('names three of the entries that differ, and counts the others', async () => {
+    const at = Date.now() + DAY;
+    const settings = ['a', 'b', 'c'].map((id) => ({ ...SETTING, id, name: id }));
+    const newer: Kept = {
+      models: [{ ...MODEL, note: 'new' }],
+      settings: settings.map((each) => ({ ...each, note: 'new', at })),
+      flights: [{ ...FLIGHT, note: 'new', at }],
+    };
+    await library({ ...ALL, settings });
+    await drop(file(text(newer, at)));
+    dialog().getByText('Newer in the file: the model itself, a, b, and 2 more');
+    await press('Cancel');
+    await drop(file(text({ ...newer, models: [MODEL], settings: [] }, at)));
+    dialog().getByText(/^Newer in the file: flight of \S/);
+  });
+
+  it('names the models that have no name here', async () => {
+    await library({});
+    const settings = ['gone', null].map((model, at) => ({ ...SETTING, id: `s${at}`, model }));
+    await drop(file(text({ models: [], settings, flights: [] })));
+    dialog().getByRole('combobox', { name: 'A model that is not here: what to do with it' });
+    dialog().getByRole('combobox', { name: 'Without a model: what to do with it' });
+  });
+
+  it('of nothing says so once', async () => {
+    await library({});
+    await drop(file(text({ models: [], settings: [], flights: [] })));
+    dialog().getByText(/It holds nothing\.$/);
+    expect(dialog().queryByText('You have all of this already.')).toBeNull();
+    button('Close');
+  });
+
+  it('says that it leaves out what this version does not know', async () => {
+    await library({});
+    await drop(file(text().replace('"name": "Lancer 07"', '"name": "Lancer 07", "colour": "red"')));
+    dialog().getByText('This version of the page does not know what 1 entry is. The import leaves it out.');
+  });
+
+  it('begins anew with each file, and Escape leaves it', async () => {
+    await library();
+    const newer = file(text({ ...ALL, settings: [windy] }));
+    await drop(newer);
+    await choose('Lancer 07', 'Leave out');
+    act(() => void fireEvent(screen.getByRole('dialog'), new Event('cancel', { cancelable: true })));
+    await idle();
+    expect(screen.queryByRole('dialog')).toBeNull();
+    await drop(newer);
+    expect(button('Import 1').disabled).toBe(false);
+  });
+
+  it('shows the library with what has come', async () => {
+    const app = await library({});
+    await goTo('settings');
+    await drop(file());
+    await press('Import 3');
+    expect(app.views.shown.value).toBe('library');
+  });
+
   it('compares with the library at the click on Import, not at the opening of the file', async () => {
     const app = await library({});
     await drop(file());
@@ -194,6 +270,23 @@ describe('an import', () => {
     await press('Undo the import');
     expect(kept(app)).toEqual({ models: [], settings: [{ ...SETTING, note: 'flew well' }], flights: [] });
     notice(/What has changed since then stays\.$/);
+  });
+
+  it('brings back each entry that it has replaced, and its message goes at a click', async () => {
+    const app = await library();
+    const at = Date.now() + DAY;
+    const newer: Kept = {
+      models: [{ ...MODEL, note: 'new' }],
+      settings: [windy],
+      flights: [{ ...FLIGHT, note: 'new', at }],
+    };
+    await drop(file(text(newer, at)));
+    await press('Import 3');
+    expect(kept(app)).toEqual(newer);
+    await press('Undo the import');
+    expect(kept(app)).toEqual(ALL);
+    await press('Dismiss');
+    expect(screen.queryByText(/^The import was undone/)).toBeNull();
   });
 
   it('says when the browser does not keep it, and offers the way out', async () => {
@@ -563,6 +656,17 @@ describe('the reminder to export', () => {
     await drop(file(text({ ...ALL, settings, flights: [] }, Date.now() - DAY)));
     await press('Import 7');
     expect(reminder()).toBeNull();
+  });
+
+  it('stays after an import among other entries, and after the export of one model', async () => {
+    const app = await season(old, [...six, SETTING]);
+    await app.session.library.keepModel(MODEL);
+    await drop(file(text({ ...ALL, models: [], settings: [] }, Date.now())));
+    await press('Import 1');
+    downloads();
+    act(() => void filesOf(app.models).export({ kind: 'model', id: MODEL.id }, MODEL.name));
+    await idle();
+    expect(reminder()).not.toBeNull();
   });
 
   it('is put off for long by one click, also after a reload', async () => {

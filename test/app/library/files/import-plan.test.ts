@@ -128,6 +128,30 @@ describe('an import', () => {
     expect(again.settings[0]?.setting.name.endsWith(' (3)')).toBe(true);
   });
 
+  it('gives each copy a name of its own, and looks only at the settings beside it', () => {
+    const twice = (name: string) => ['a', 'b'].map((id) => ({ ...SETTING, id, name }));
+    const elsewhere = { ...SETTING, id: 'c', model: null, name: 'calm morning (2)' };
+    const recordsFor = (settings: readonly (typeof SETTING)[]) =>
+      settings.map((setting, at) => ({ key: setting.id, setting, order: at + 1, changedAt: 1000 }));
+    const held = { ...HELD, settings: recordsFor([...twice('calm morning'), elsewhere]) };
+    const theirs = { ...held, settings: recordsFor(twice('calm morning').map((each) => ({ ...each, note: 'x' }))) };
+    const names = imported(fileOf(theirs), held, 'both').settings.map(({ setting }) => setting.name);
+    expect(names).toEqual(['calm morning (2)', 'calm morning (3)']);
+  });
+
+  it('keeps both of a model under two names, the second after all others', () => {
+    const theirs = { ...HELD, models: HELD.models.map((record) => ({ ...record, model: { ...MODEL, note: 'x' } })) };
+    const [copy] = imported(fileOf(theirs), HELD, 'both').models;
+    expect(copy).toMatchObject({ model: { name: 'Lancer 07 (2)', note: 'x' }, order: 5 });
+    expect(copy?.key).toBe(copy?.model.id);
+    expect(copy?.key).not.toBe(MODEL.id);
+  });
+
+  it('leaves a model that it replaces in its place', () => {
+    const theirs = HELD.models.map((record) => ({ ...record, model: { ...MODEL, note: 'x' }, changedAt: 2000 }));
+    expect(imported(fileOf({ ...HELD, models: theirs }), HELD, 'newer').models[0]?.order).toBe(4);
+  });
+
   it('recognises an entry whose name has signs that reverse the text of the file', () => {
     const turned: Records = {
       models: HELD.models.map((record) => ({
