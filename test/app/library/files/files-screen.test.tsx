@@ -160,10 +160,12 @@ describe('an import', () => {
     act(() => void fireEvent.click(dialog().getByRole('radio', { name: 'Leave out' })));
     await idle(0);
     expect(button('Nothing to import').disabled).toBe(true);
+    await choose('Lancer 07', 'Keep both');
     act(() => void fireEvent.click(dialog().getByRole('radio', { name: 'Take the newer' })));
     await idle(0);
     await press('Import 2');
     expect(kept(app).models.map(({ note }) => note)).toEqual([MODEL.note, 'new']);
+    expect(kept(app).settings, 'the choice for all is also that of Lancer 07').toEqual([windy]);
   });
 
   it('can be different for one model', async () => {
@@ -579,6 +581,28 @@ describe('an export', () => {
     await press('Export to another file…');
     expect([...disk.keys()]).toEqual(['my library.sidus.json', 'another.sidus']);
     button('Save to another.sidus');
+  });
+
+  it('of another model never goes into the file of the first', async () => {
+    const app = await library({ ...ALL, models: [MODEL, { ...MODEL, id: 'b', name: 'Vega' }] });
+    const { disk } = picker(['lancer.sidus', 'vega.sidus']);
+    for (const id of [MODEL.id, 'b']) {
+      act(() => void filesOf(app.models).export({ kind: 'model', id }, id));
+      await idle();
+    }
+    const names = [...disk.values()].map((each) => parseLibraryFile(each).library.models[0]?.name);
+    expect(names).toEqual(['Lancer 07', 'Vega']);
+  });
+
+  it('asks for a file again once its own could not be written', async () => {
+    await library();
+    const { fill } = picker(['mine.sidus']);
+    downloads();
+    await press('Export all…');
+    fill();
+    await press('Save to mine.sidus');
+    notice(/^“mine\.sidus” could not be written/);
+    button('Export all…');
   });
 
   it('is silent when the pilot cancels it, and goes into the downloads when it is refused', async () => {
