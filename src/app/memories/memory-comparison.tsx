@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import { lastRead } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
@@ -20,7 +20,11 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
   const { overview: words, memories: all, look, memoryName } = messages.value;
   const { first, second } = compared;
   const heading = useRef<HTMLHeadingElement>(null);
-  useEffect(() => heading.current?.focus({ preventScroll: true }), []);
+  useLayoutEffect(() => {
+    // The card whose button opened it may be far down.
+    document.documentElement.scrollTop = 0;
+    heading.current?.focus({ preventScroll: true });
+  }, []);
   const count = session.editor.baseline.value?.identity.memories ?? 0;
   const ready = session.runner.ready.value && !session.nextFlight.open.value;
   const names = [memoryText(session, first), memoryText(session, second)] as const;

@@ -179,7 +179,9 @@ describe('two memories', () => {
 
   it('are compared in place of the cards, and Back leads to the cards', async () => {
     await read();
+    document.documentElement.scrollTop = 400;
     await press('Compare with M1: M3');
+    expect(document.documentElement.scrollTop, 'the page is at its top, wherever the button was').toBe(0);
     expect(document.activeElement).toBe(screen.getByRole('heading', { name: 'M3 and M1 compared' }));
     expect(screen.getByText('1 value differs.')).toBeTruthy();
     expect(cells()).toEqual(['4:00 min', '3:00 min']);
