@@ -18,8 +18,11 @@ export function Difference({ before, goal, changes }: DifferenceProps) {
   const { from, to } = messages.value.write;
   // The grid cannot show a value that is not known.
   const isKnown = changes.every((change) => change.from !== null && change.from === valueAt(before, change.field));
-  if (changes.length > LONG_LIST && isKnown)
-    return <ComparisonGrid first={goal} second={before} names={[to, from]} replaces />;
+  if (changes.length > LONG_LIST && isKnown) {
+    // A goal without an idle throttle leaves it as it is.
+    const held = { ...goal, idleThrottle: goal.idleThrottle ?? before.idleThrottle };
+    return <ComparisonGrid first={held} second={before} names={[to, from]} replaces />;
+  }
   return (
     <ValueTable
       identity={goal.identity}

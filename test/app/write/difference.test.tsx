@@ -36,6 +36,14 @@ describe('what a write would change', () => {
     },
   );
 
+  it('shows in the grid what stays because the goal does not say it', () => {
+    const [before, goal] = [program('Q', 0, 30), program('Q', 7, null)];
+    const changes = differences(before, goal).filter(({ to }) => to !== null);
+    render(<Difference {...{ before, goal, changes }} />);
+    expect(shown()).toHaveLength(12);
+    expect(screen.getByRole('row', { name: /^Idle throttle/ }).textContent).toBe('Idle throttle30');
+  });
+
   it('marks each value that changes and no other, whichever these are', () => {
     const before = program('Q', 0, 30);
     const value = fc.integer({ min: 0, max: 130 });
