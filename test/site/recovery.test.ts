@@ -101,7 +101,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
 
   await app.button('Copy to…: M1').click();
   await app.button('Copy M1 to M3…').click();
-  const copy = job('Copy a memory');
+  const copy = job('Copy M1 to M3');
   expect(await copy.getByRole('button', { name: 'Copy' }).isDisabled(), 'a copy can start only after the tick').toBe(
     true,
   );

@@ -23,11 +23,10 @@ const SHOWN = 4;
 /** A job over several memories: its plan, its progress, its result. */
 export function MemoriesDialog({ session, jobs }: { readonly session: Session; readonly jobs: MemoryJobs }) {
   const current = jobs.current.value;
-  const { plans } = messages.value.memories;
   return (
     <Modal
       open={current !== null}
-      title={current ? plans[current.plan.kind].title : ''}
+      title={current ? titleOf(current.plan) : ''}
       head={<UncertainNote session={session} />}
       held={jobs.held}
       onEscape={() => jobs.escape()}
@@ -58,7 +57,7 @@ function Review({ session, jobs, current: { plan, changes, crossing } }: ReviewP
   const movesServos = changes.some(({ changes: all }) => all.some(({ field }) => field.kind === 'position'));
   return (
     <>
-      <p>{lead(session, plan)}</p>
+      <p>{leadOf(session, plan)}</p>
       {changes.map((change) => (
         <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />
       ))}
@@ -113,7 +112,20 @@ function MemoryDifference({ session, change: { memory, before, goal, changes }, 
   );
 }
 
-function lead(session: Session, plan: Plan): string {
+function titleOf(plan: Plan): string {
+  const { memories: words, memoryName } = messages.value;
+  if (plan.kind === 'copy') return words.plans.copy.title(memoryName(plan.from), memoryName(plan.to));
+  return words.plans[plan.kind].title;
+}
+
+/** What it does, and which memory flies next after it. */
+function leadOf(session: Session, plan: Plan): string {
+  const current = session.editor.baseline.value?.memory ?? null;
+  const does = doingOf(session, plan);
+  return current === null ? does : `${does} ${messages.value.memories.atEnd(memoryText(session, current))}`;
+}
+
+function doingOf(session: Session, plan: Plan): string {
   const { memories: words } = messages.value;
   if (plan.kind === 'back-up') return words.plans['back-up'].lead;
   if (plan.kind === 'copy') return words.plans.copy.lead(memoryText(session, plan.from), memoryText(session, plan.to));
@@ -126,7 +138,7 @@ function lead(session: Session, plan: Plan): string {
 function runningLabel(plan: Plan, progress: Progress | null): string {
   const { memories: words, write, memoryName } = messages.value;
   const memory = progress?.memory ?? null;
-  const stage = progress ? write.stages[progress.stage] : words.plans[plan.kind].title;
+  const stage = progress ? write.stages[progress.stage] : titleOf(plan);
   return memory === null ? stage : words.stage(stage, memoryName(memory));
 }
 

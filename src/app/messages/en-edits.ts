@@ -3,6 +3,7 @@ import type { RefusalCode } from '../editing/edit.js';
 import type { StepCode } from '../editing/history.js';
 import type { PasteProblemCode } from '../editing/paste.js';
 import type { UnreadableReason } from '../editing/units.js';
+import { whole } from './dotted.js';
 
 type Params = Readonly<Record<string, string>>;
 
@@ -63,7 +64,7 @@ export const edits = {
   nothingDone: 'Nothing was changed.',
   cells,
   /** “DT: 3:00 min → 6:00 min”. */
-  change: (field: string, from: string, to: string) => `${field}: ${from} → ${to}`,
+  change: (field: string, from: string, to: string) => `${field}: ${whole(from)} → ${whole(to)}`,
   field: {
     putBack: (field: string) => `Put back ${field}`,
     /** Names a button that shows the figure: its name has to hold what can be read on it. */

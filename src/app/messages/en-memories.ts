@@ -56,19 +56,21 @@ export const memories = {
   plans: {
     'back-up': {
       title: 'Read and keep all memories',
-      lead: 'The page selects and reads one memory after the other. At the end the memory that flies next now will fly next again.',
+      lead: 'The page selects and reads one memory after the other.',
     },
     copy: {
-      title: 'Copy a memory',
+      title: (from: string, to: string) => `Copy ${from} to ${to}`,
       lead: (from: string, to: string) =>
-        `${to} will hold the times and positions of ${from}, as read just now. What ${to} holds now is backed up first. At the end the memory that flies next now will fly next again.`,
+        `${to} will hold the times and positions of ${from}, as read just now. What ${to} holds now is backed up first.`,
     },
     restore: {
       title: 'Restore a backup',
       lead: (names: string, time: string) =>
-        `This writes into ${names} what was backed up on ${time}. What is there now is backed up first. At the end the memory that flies next now will fly next again.`,
+        `This writes into ${names} what was backed up on ${time}. What is there now is backed up first.`,
     },
   },
+  /** Said after what a plan does. */
+  atEnd: (current: string) => `At the end ${current} flies next again.`,
   start: { 'back-up': 'Read and keep', copy: 'Copy', restore: 'Restore' },
   stage: (stage: string, memory: string) => `${stage} ${memory}`,
   saved: (count: number) => `${plural(count, 'memory was', 'memories were')} read and kept.`,

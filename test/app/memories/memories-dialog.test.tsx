@@ -24,7 +24,12 @@ async function write(): Promise<void> {
 describe('copying a memory', () => {
   it('shows the difference like a write, DT and motor stop first, and ends with figures', async () => {
     const { timer } = await reviewed();
-    const difference = within(dialog('Copy a memory').getByRole('region', { name: 'M3' }));
+    expect(
+      screen.getByText(
+        'M3 will hold the times and positions of M1, as read just now. What M3 holds now is backed up first. At the end M1 flies next again.',
+      ),
+    ).toBeTruthy();
+    const difference = within(dialog('Copy M1 to M3').getByRole('region', { name: 'M3' }));
     expect(difference.getByText('M3: DT: 6:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
     const rows = difference.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
     expect(rows).toEqual([
@@ -38,7 +43,7 @@ describe('copying a memory', () => {
       (time) => `M3 verified ${clockText(time)} · DT 3:00 min · motor stop 10.0 s · 1 change`,
     );
     expect(said).toContain(lines());
-    expect(dialog('Copy a memory').getByRole('status').textContent).toBe('M1 flies next.');
+    expect(dialog('Copy M1 to M3').getByRole('status').textContent).toBe('M1 flies next.');
     expect(timer.core.memories[2]?.times[10]).toBe(18_000);
   });
 
@@ -68,12 +73,12 @@ describe('copying a memory', () => {
     expect(lines()).toContain(
       'It is not known what M3 holds: DT is 6:00 min or 3:00 min. Do not fly it before it is read.',
     );
-    expect(dialog('Copy a memory').getByRole('status').textContent).toBe(
+    expect(dialog('Copy M1 to M3').getByRole('status').textContent).toBe(
       'It is not known which memory flies next. When you connected it was M1.',
     );
     screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
     await idle(0);
-    expect(screen.getByRole('dialog', { name: 'Copy a memory' }), 'Escape does not close the dialog').toBeTruthy();
+    expect(screen.getByRole('dialog', { name: 'Copy M1 to M3' }), 'Escape does not close the dialog').toBeTruthy();
     await press('Close');
     expect(screen.queryByRole('dialog')).toBeNull();
   });

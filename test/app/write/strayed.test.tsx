@@ -31,7 +31,7 @@ it('so does a copy of a memory', async () => {
   timer.core.onAnswer = ({ name }) => {
     if (name === 'SETTIMERS') timer.core.memory = 0;
   };
-  const dialog = await confirm('Copy a memory', 'Copy');
+  const dialog = await confirm('Copy M1 to M3', 'Copy');
   expect(dialog.textContent).toContain('M1 became current during the write. Some of the values may be in M1 now.');
 });
 

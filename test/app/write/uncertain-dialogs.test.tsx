@@ -17,7 +17,7 @@ const DIALOGS: readonly [title: string, open: () => Promise<unknown>][] = [
       await press('Write…');
     },
   ],
-  ['Copy a memory', () => press('Copy M1 to M3…')],
+  ['Copy M1 to M3', () => press('Copy M1 to M3…')],
   [
     'Paste',
     async () => {
