@@ -6,7 +6,7 @@ import { FIRST_SERVO_COLUMN, TIME_COLUMN } from '../editing/grid.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import { isSameNote, notesFor } from './field-notes.js';
 import type { MotorPlace } from './motor-place.js';
-import type { ProgramRowProps } from './program-row.js';
+import { type ProgramRowProps, TimeUnit } from './program-row.js';
 import { RowMenu } from './row-menu.js';
 import { cellProps, RowModel } from './row-model.js';
 import { RowNotes } from './row-notes.js';
@@ -36,7 +36,7 @@ function MotorRow({ session, tools, identity, servos, selection, hand, marked, r
     <>
       <tr class="motor-stop" data-slot="0">
         <th scope="row" data-short={program.motor}>
-          <span class="row-name">{name}</span>
+          <span class="row-name">{name}</span> <TimeUnit {...{ editor, identity }} slot={0} />
           <RowMenu {...{ tools, identity, name, revert }} slot={0} shifts isChanged={row.isChanged} />
         </th>
         <td {...cellProps(row, TIME_COLUMN, 'time')}>

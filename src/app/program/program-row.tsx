@@ -57,8 +57,7 @@ export function ProgramRow(props: ProgramRowProps) {
     <>
       <tr class={slotKind(identity, slot)} data-slot={slot}>
         <th scope="row" data-short={slotShort(slot, slotKind(identity, slot))}>
-          <span class="row-name">{name}</span>{' '}
-          {slot === identity.functions && <DtUnit {...{ editor, identity, slot }} />}
+          <span class="row-name">{name}</span> {hasTime && <TimeUnit {...{ editor, identity, slot }} />}
           <ServosHere bench={bench} follow={follow} slot={slot} />
           <RowMenu {...{ tools, identity, slot, name, revert }} shifts={slot > 0} isChanged={row.isChanged} />
         </th>
@@ -84,12 +83,12 @@ export function ProgramRow(props: ProgramRowProps) {
   );
 }
 
-interface DtUnitProps extends Pick<ProgramRowProps, 'identity' | 'slot'> {
+interface TimeUnitProps extends Pick<ProgramRowProps, 'identity' | 'slot'> {
   readonly editor: Editor;
 }
 
-/** At “DT”: the heading of the column says seconds, and most DTs are minutes. Screen readers hear it at the field. */
-function DtUnit({ editor, identity, slot }: DtUnitProps) {
+/** At a time in minutes: the heading of the column says seconds. Screen readers hear it at the field. */
+export function TimeUnit({ editor, identity, slot }: TimeUnitProps) {
   const unit = useComputed(() => {
     const time = editor.working.value?.times[slot];
     return time === undefined ? null : figureOf(identity, { kind: 'time', slot }, time).unit;

@@ -749,6 +749,16 @@ describe('figures and their units', () => {
     expect(describedBy('Motor stop time')).toContain('was 10.0 s');
   });
 
+  it('stand at a row in minutes, under a heading that says seconds', async () => {
+    await connected();
+    const rows = (): (string | null | undefined)[] =>
+      [...document.querySelectorAll('.row-unit')].map((unit) => unit.closest('th')?.firstElementChild?.textContent);
+    expect(rows()).toEqual(['DT']);
+    await enter('Function 9 time', '1:05');
+    await enter('Motor stop time', '1:00');
+    expect(rows()).toEqual(['Motor stop', 'Function 9', 'DT']);
+  });
+
   it('are shown on the presets', async () => {
     await connected();
     const presets = within(screen.getByRole('group', { name: 'DT presets' })).getAllByRole('button', { name: /^DT/ });
