@@ -115,6 +115,10 @@ test('every action that is possible can be found by its name and done with Enter
   // It is closed over no question: nothing may hide what is asked.
   await app.goTo('Program');
   await app.type('DT time', '5:00');
+  await app.page.keyboard.press('Control+k');
+  await palette.getByRole('option', { name: 'Write 1 change…' }).waitFor();
+  await app.page.keyboard.press('Escape');
+  await palette.waitFor({ state: 'hidden' });
   await app.review();
   await app.page.keyboard.press('Control+k');
   await expect.poll(() => palette.count()).toBe(0);
