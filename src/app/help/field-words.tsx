@@ -23,7 +23,7 @@ export function WordsPage() {
               <p>
                 {short} {more}
               </p>
-              <p class="field-range">{words.range(range)}</p>
+              <p class="field-range">{range}</p>
             </dd>
           </div>
         );
@@ -53,7 +53,7 @@ export function WordsDialog({ help, session, onMore }: WordsDialogProps) {
             <dt>{words.fields[field].name}</dt>
             <dd>
               <p>{words.fields[field].short}</p>
-              <p class="field-range">{words.range(words.fields[field].range)}</p>
+              <p class="field-range">{words.fields[field].range}</p>
             </dd>
           </div>
         ))}

@@ -47,56 +47,56 @@ export const firstSteps = {
 export const words = {
   title: 'What the values are',
   more: 'More about each',
-  range: (range: string) => `Range: ${range}.`,
   fields: {
     function: {
       name: 'Function',
       short: 'A step of the flight. At its time each servo goes to its position.',
       more: 'The functions come one after the other: start, function 1, function 2 and so on, then DT. A function cannot be switched off. Give one that you do not need the positions of the one before: then nothing moves.',
-      range: 'Usually start, nine functions and DT',
+      range: 'Usually start, nine functions and DT.',
     },
     time: {
       name: 'Time',
       short: 'When a function begins, counted from launch.',
       more: 'Type seconds, such as 12.5, or minutes and seconds, such as 2:05. For F1B and F1E the manuals do not say clearly whether the timer counts from launch or from the function before.',
       range:
-        'By the manual, F1Q: 0.1 to 99.9 s in steps of 0.1 s. F1B: functions 1 and 2 0.01 to 9.99 s, the others 0.1 to 99.9 s. F1E: not known',
+        'By the manual. F1Q: 0.1 to 99.9\u00a0s, in steps of 0.1\u00a0s. F1B: 0.01 to 9.99\u00a0s for functions 1 and 2, 0.1 to 99.9\u00a0s for the others. F1E: not known.',
     },
     after: {
       name: 'After',
       short: 'The time between the function before and this one.',
       more: 'When you type a value here, all later functions move with it. DT does not move.',
-      range: 'Seconds, as for the time',
+      range: 'In seconds, like the time.',
     },
     position: {
       name: 'Position',
       short: 'Where a servo stands: S1 is the first servo, S2 the second.',
       more: 'The angle of one step is not known: it depends on the servo and the linkage. Try it on the bench. Under “Name the servos” you tell the page what each one moves.',
-      range: '0 to 130 steps',
+      range: '0 to 130 steps.',
     },
     motorStop: {
       name: 'Motor stop',
       short: 'F1Q only: when the motor stops, counted from launch.',
       more: 'It is not a function: no servo moves with it. It may come at any time between start and DT.',
-      range: 'By the manual 0.1 to 99.9 s in steps of 0.1 s',
+      range: 'By the manual 0.1 to 99.9\u00a0s, in steps of 0.1\u00a0s.',
     },
     dt: {
       name: 'DT',
       short: 'The dethermaliser: the time at which it brings the model down.',
       more: 'It is counted from launch. The page shows a DT in red when it is shorter than your own limit. A short DT is right for a test flight, and wrong for all others.',
-      range: 'By the manual 1 to 720 s in whole seconds. More than 655 s (10:55 min) cannot be sent to any timer',
+      range:
+        'By the manual 1 to 720\u00a0s, in whole seconds. More than 655\u00a0s (10:55\u00a0min) cannot be sent to any timer.',
     },
     idleThrottle: {
       name: 'Idle throttle',
       short: 'F1Q only: probably how fast the motor turns while the start switch is held.',
       more: 'The page reads and writes it as a number. What the number means is not known.',
-      range: '0 to 100 is usual. The unit is not known',
+      range: '0 to 100 is usual. The unit is not known.',
     },
     memory: {
       name: 'Memory',
       short: 'A timer has several memories. Each holds one program. The one that is selected in the timer flies next.',
       more: 'M1 is the first memory. Looking at another memory does not change which one flies next.',
-      range: 'Usually four, M1 to M4. Older timers have five',
+      range: 'Usually four, M1 to M4. Older timers have five.',
     },
   },
 };

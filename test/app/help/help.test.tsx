@@ -75,7 +75,7 @@ describe('the help', () => {
     const { views } = await connected();
     await press('What the values are');
     const dialog = within(screen.getByRole('dialog', { name: 'What the values are' }));
-    expect(dialog.getByText('Range: 0 to 130 steps.')).toBeTruthy();
+    expect(dialog.getByText('0 to 130 steps.')).toBeTruthy();
     expect(dialog.getByText('Motor stop')).toBeTruthy();
     fireEvent.click(dialog.getByRole('button', { name: 'More about each' }));
     await idle(0);
