@@ -15,7 +15,7 @@ async function work(app: AppPage): Promise<Trail> {
   await step(() => app.type('Function 3 interval', '1.25'));
   await step(async () => {
     await app.button('Tools for S2').click();
-    await app.button('Reverse').click();
+    await app.button('Reverse (130 − position)').click();
   });
   await trail.note();
   return trail;

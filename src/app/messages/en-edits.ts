@@ -111,7 +111,7 @@ export const edits = {
     keys: 'Arrows and Enter move between cells. Click the name of a row for its tools. Alt with up or down, or the wheel, changes a value. Shift with an arrow selects. Ctrl+D fills down.',
     tools: (servo: string) => `Tools for ${servo}`,
     copyTo: (servo: string) => `Copy to ${servo}`,
-    reverse: 'Reverse',
+    reverse: 'Reverse (130 − position)',
     revertColumn: 'Put column back',
     rowTools: (row: string) => `Tools for ${row}`,
     revertRow: (slot: string) => `Put back ${slot} with its positions`,

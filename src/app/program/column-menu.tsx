@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import type { ProgramField, TimerProgram } from '../../program/index.js';
+import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
 import { onBackKey } from '../browser/back-key.js';
 import type { Edit } from '../editing/edit.js';
@@ -36,11 +36,14 @@ export function ColumnMenu({ editor, identity, servo }: ColumnMenuProps) {
     if (obstacle) problem.value = `${edits.nothingDone} ${obstacleText(identity, obstacle)}`;
     else close();
   };
+  const fields = Array.from(
+    { length: slotCount(identity) },
+    (_, slot): ProgramField => ({ kind: 'position', servo, slot }),
+  );
+  // While it is closed, a change of a value must not draw it.
+  const isChanged =
+    isOpen && fields.map(fieldKey).some((key) => editor.changed.value.has(key) || editor.unreadable.value.has(key));
   const revert = (): void => {
-    const fields = Array.from(
-      { length: slotCount(identity) },
-      (_, column): ProgramField => ({ kind: 'position', servo, slot: column }),
-    );
     editor.revertFields({ code: 'revert-column', params: { name: servoName(servo) } }, fields);
     close();
   };
@@ -77,9 +80,11 @@ export function ColumnMenu({ editor, identity, servo }: ColumnMenuProps) {
           <button type="button" onClick={() => apply((program) => reverseServo(program, servo))}>
             {edits.table.reverse}
           </button>
-          <button type="button" onClick={revert}>
-            {edits.table.revertColumn}
-          </button>
+          {isChanged && (
+            <button type="button" onClick={revert}>
+              {edits.table.revertColumn}
+            </button>
+          )}
           {problem.value && (
             <span class="bad-text" role="alert">
               {problem.value}
