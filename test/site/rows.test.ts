@@ -71,6 +71,24 @@ describe('a usual timer is fully visible, and no row is too low', () => {
   });
 });
 
+test.each([
+  ['for an F1Q in the lowest window that shows it', 'Q', undefined],
+  ['for an F1Q in the sun', 'Q', IN_SUN],
+  ['for an F1B in the sun, which has a note more', 'B', IN_SUN],
+] as const)('what stands below the table is whole %s', async (_, timerClass, before) => {
+  const viewport = { width: 1280, height: 780 };
+  const app = await AppPage.open({ bench: { granted: true, timerClass }, viewport, ...(before && { before }) });
+  await app.connect();
+  await app.page.locator('.keys-hint').waitFor();
+  const cut = () =>
+    app.page.evaluate(() => {
+      const bar = document.querySelector('.actions')?.getBoundingClientRect().top ?? 0;
+      const hints = [...document.querySelectorAll('.program-main .hint')];
+      return hints.filter((hint) => hint.getBoundingClientRect().bottom > bar).map(({ textContent }) => textContent);
+    });
+  await expect.poll(cut).toEqual([]);
+});
+
 /** The rows that the lower edge cuts, with how many pixels of each are in sight. */
 const cutIn = (app: AppPage): Promise<string[]> =>
   app.page.evaluate(() => {
@@ -137,6 +155,9 @@ describe('a timer of another layout', () => {
     const app = await AppPage.open({ bench: { granted: true, identity }, ...options });
     await app.connect();
     await app.expectNoSidewaysScrolling();
+    const below = () =>
+      app.page.evaluate(() => document.documentElement.scrollHeight - document.documentElement.clientHeight);
+    expect(await below(), 'only the table scrolls, not the page').toBe(0);
     const last = app.table.getByRole('textbox', { name: 'DT, S8', exact: true });
     await last.focus();
     const seen = await last.evaluate((input) => {

@@ -108,7 +108,7 @@ export const edits = {
       clipboardEmpty: 'There is no text to paste.',
       clipboardClosed: 'The browser does not let this page see what was copied. Tap the first field and paste there.',
     },
-    keys: 'Arrows and Enter move between cells. Click the name of a row for its tools. Alt with up or down, or the wheel, changes a value. Shift with an arrow selects. Ctrl+D fills down.',
+    keys: 'Arrows and Enter move between cells. Click a row name for its tools. Alt with up or down, or the wheel, changes a value. Shift with an arrow selects. Ctrl+D fills down.',
     tools: (servo: string) => `Tools for ${servo}`,
     copyTo: (servo: string) => `Copy to ${servo}`,
     reverse: 'Reverse (130 − position)',
