@@ -70,6 +70,7 @@ export const erase = {
   open: 'Delete everything on this device…',
   title: 'Delete everything on this device',
   lead: 'This is deleted from this browser, in all its tabs. It cannot be undone. What timers hold stays as it is.',
+  /** In this order: first what nobody can get again. */
   counts: {
     models: (count: string) => `Models: ${count}`,
     settings: (count: string) => `Settings of the library: ${count}`,
@@ -81,7 +82,12 @@ export const erase = {
     aside: (count: string) => `Records that could not be read: ${count}`,
   } satisfies Record<(typeof SHELVES)[number], (count: string) => string>,
   unknown: 'not known',
-  rest: 'Colours, presets and other choices, the right to use serial ports, and the page for use without a network',
+  /** Always deleted, whatever is kept. */
+  rest: [
+    'Colours, presets and other choices',
+    'The right to use serial ports',
+    'This page, kept for use without a network',
+  ],
   uncertain:
     'A write was interrupted, and it is not known what that timer holds. Without the note of that write this page cannot warn you: read that timer before you fly.',
   start: 'Delete everything',

@@ -1,6 +1,5 @@
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { SHELVES } from '../storage/index.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { ClosingButtons } from '../write/dialog-steps.js';
@@ -44,14 +43,18 @@ interface ReviewProps {
 
 function Review({ erase, counts, uncertain }: ReviewProps) {
   const { erase: words } = messages.value;
+  // Lines that say 0 would hide those that say what is lost.
+  const kept = (Object.keys(words.counts) as (keyof KeptCounts)[]).filter((shelf) => counts[shelf] !== 0);
   return (
     <>
       <p>{words.lead}</p>
       <ul>
-        {SHELVES.map((shelf) => (
-          <li key={shelf}>{words.counts[shelf](counts[shelf] === null ? words.unknown : String(counts[shelf]))}</li>
+        {kept.map((shelf) => (
+          <li key={shelf}>{words.counts[shelf](String(counts[shelf] ?? words.unknown))}</li>
         ))}
-        <li>{words.rest}</li>
+        {words.rest.map((each) => (
+          <li key={each}>{each}</li>
+        ))}
       </ul>
       {uncertain && (
         <div class="notice bad" role="alert">

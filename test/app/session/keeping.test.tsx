@@ -212,8 +212,18 @@ describe('everything on this device', () => {
     render(<App models={bench.models} />);
     act(() => bench.models.views.show('settings'));
     await press('Delete everything on this device…');
-    expect(dialog().getByText('Edits that are not written: 1')).toBeTruthy();
-    expect(dialog().getByText('Adapters with their settings: 1')).toBeTruthy();
+    expect(
+      dialog()
+        .getAllByRole('listitem')
+        .map(({ textContent }) => textContent),
+      'only what there is',
+    ).toEqual([
+      'Edits that are not written: 1',
+      'Adapters with their settings: 1',
+      'Colours, presets and other choices',
+      'The right to use serial ports',
+      'This page, kept for use without a network',
+    ]);
     expect(dialog().queryByRole('alert')).toBeNull();
     expect([bench.store.drafts.records.size, reload.mock.calls.length], 'nothing is deleted before the answer').toEqual(
       [1, 0],
