@@ -34,6 +34,7 @@ export function EnergyPage({ motorStop }: { readonly motorStop: number | null })
   const product = (typed(volts, VOLTAGE) ?? 0) * (typed(amperes, CURRENT) ?? 0);
   const power = way.value === 'watts' ? (typed(watts, POWER) ?? 0) : product;
   const grams = typed(weight, WEIGHT);
+  const rule = ENERGY_RULES[event.value];
   return (
     <div class="energy-page">
       <p>{words.lead}</p>
@@ -73,7 +74,8 @@ export function EnergyPage({ motorStop }: { readonly motorStop: number | null })
         )}
       </div>
       <p>
-        <strong>{words.told(ENERGY_RULES.toldIn)}</strong> {event.value === 'flyOff' && words.flyOffTold}
+        {words.rule(rule.perGram, rule.most, rule.longest)} <strong>{words.told(ENERGY_RULES.toldIn)}</strong>{' '}
+        {event.value === 'flyOff' && words.flyOffTold}
       </p>
       <p class="hint">{words.limiter}</p>
     </div>

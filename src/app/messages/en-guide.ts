@@ -1,4 +1,5 @@
 import { whole } from './dotted.js';
+import { plural } from './plural.js';
 
 /** The help inside the page. Only its own parts need these sentences. */
 export const guide = {
@@ -30,11 +31,11 @@ export const firstSteps = {
     },
     write: {
       title: 'Change and write',
-      text: 'Type a new value: the page marks what differs from the timer. Write shows every difference first. The page says Verified only when it has read the timer again and found what you wanted.',
+      text: 'Type new values: the page marks what differs. Press Write: it first shows every difference. The page says “Verified” only when it has read the timer again and all is as you want it.',
     },
     fly: {
       title: 'Before you fly',
-      text: 'The top of every view says which memory flies next, and its DT. Under Help there is a checklist. All of this works without a network, and nothing leaves this device.',
+      text: 'The top shows which memory flies next, and its DT. Help has a checklist (on a phone: Settings, Help). The page needs no network, and nothing leaves this device.',
     },
   },
   back: 'Back',
@@ -51,7 +52,7 @@ export const words = {
     function: {
       name: 'Function',
       short: 'A step of the flight. At its time each servo goes to its position.',
-      more: 'The functions come one after the other: start, function 1, function 2 and so on, then DT. A function cannot be switched off. Give one that you do not need the positions of the one before: then nothing moves.',
+      more: 'The functions come one after the other: start, function\u00a01, function\u00a02 and so on, then DT. A function cannot be switched off. Do you not need one? Give it the same positions as the function before: then nothing moves.',
       range: 'Usually start, nine functions and DT.',
     },
     time: {
@@ -59,7 +60,7 @@ export const words = {
       short: 'When a function begins, counted from launch.',
       more: 'Type seconds, such as 12.5, or minutes and seconds, such as 2:05. For F1B and F1E the manuals do not say clearly whether the timer counts from launch or from the function before.',
       range:
-        'By the manual. F1Q: 0.1 to 99.9\u00a0s, in steps of 0.1\u00a0s. F1B: 0.01 to 9.99\u00a0s for functions 1 and 2, 0.1 to 99.9\u00a0s for the others. F1E: not known.',
+        'By the manuals. F1Q: 0.1 to 99.9\u00a0s, in steps of 0.1\u00a0s. F1B: 0.01 to 9.99\u00a0s for functions 1 and 2, 0.1 to 99.9\u00a0s for the others. F1E: not known.',
     },
     after: {
       name: 'After',
@@ -90,7 +91,7 @@ export const words = {
       name: 'Idle throttle',
       short: 'F1Q only: probably how fast the motor turns while the start switch is held.',
       more: 'The page reads and writes it as a number. What the number means is not known.',
-      range: '0 to 100 is usual. The unit is not known.',
+      range: 'The page assumes 0 to 100. The unit is not known.',
     },
     memory: {
       name: 'Memory',
@@ -105,7 +106,7 @@ export const words = {
 export const checklist = {
   lead: 'Tick each item. The ticks are for one flight and are not kept.',
   items: {
-    memory: { text: 'The right memory flies next.', why: 'A fly-off memory has another DT.' },
+    memory: { text: 'The right memory flies next.', why: 'Each memory has its own DT.' },
     dtTime: {
       text: 'I have said the DT time aloud.',
       why: 'A short DT from a test flight ends the next flight early.',
@@ -122,9 +123,9 @@ export const checklist = {
     radioDt: { text: 'I have tried the radio DT, if there is one.', why: 'This page cannot send it.' },
     switch: {
       text: 'I pressed the start switch five times, and it sprang back each time.',
-      why: 'While the switch sticks, the motor idles: the sequence does not begin, and no DT comes.',
+      why: 'While the switch sticks, the sequence does not begin, and no DT comes.',
     },
-    propeller: { text: 'The propeller is tight, turns freely, and nobody is in front of it.', why: '' },
+    propeller: { text: 'The propeller is fixed firmly and turns freely. Nobody is in front of it.', why: '' },
   },
   /** What is known about the connected timer. */
   known: {
@@ -138,12 +139,12 @@ export const checklist = {
     unwritten: (count: number) =>
       count === 1 ? '1 change is not in the timer yet.' : `${count} changes are not in the timer yet.`,
   },
-  left: (count: number) => `${count} left`,
+  left: (count: number) => `${plural(count, 'item', 'items')} left`,
   done: 'All ticked. Good flight.',
-  again: 'Start again',
+  again: 'Clear all ticks',
   own: {
     label: 'Add your own item',
-    hint: 'For example: the tracker is on. It stays in the list.',
+    hint: 'For example: the tracker is on. Your items stay in the list.',
     add: 'Add',
     refused: 'It is in the list already, or the list is full.',
     remove: (text: string) => `Remove “${text}”`,
@@ -162,8 +163,8 @@ export const troubles = {
       title: 'The values look wrong',
       steps: [
         'Look at the top: it says which memory is shown, and which one flies next. Each memory has its own values.',
-        'Press “Read again”. When bytes were damaged on the way, the page trusts a value only after two readings agree.',
-        'Do the times fall from row to row? Then the two bytes of each time may be swapped. The page shows both orders and asks you: compare them with what you know of the timer.',
+        'Press “Read again”. When the line was disturbed, the page trusts a value only after two readings agree.',
+        'Do the times get smaller from row to row? Then the two bytes of each time may be swapped. The page shows both orders and asks you: compare them with what you know of the timer.',
         'On F1B and F1E the times may be counted from the function before. Compare them with the handheld programmer.',
         'The page does not round what it shows or writes. A timer may round a value that is finer than its manual allows.',
       ],
@@ -191,17 +192,17 @@ export const troubles = {
       steps: [
         'Has this function the same position as the one before? Then nothing moves.',
         'Is the plug of the servo in, and the battery charged? When the battery is plugged in, the servos go to their DT position.',
-        'Hold the model safely and press the row of the function in the Bench view. The servo goes there if the timer reaches it.',
-        'Does it go to another place than the table says? Some timers store a position only for the function at which the servos stand. The page then offers to move the servos while it writes.',
-        'Does it hum or stop before its end? The linkage may bind: try fewer steps.',
+        'Hold the model safely and press the row of the function in the Bench view. If the servo goes there, it and its plug are in order.',
+        'Does it go to another place than the table says? A timer may store a position only for the function at which the servos stand. The page then offers to move the servos while it writes.',
+        'Does it hum, or stop too early? The linkage may block it: try a smaller movement.',
       ],
     },
     noMotor: {
       title: 'The motor does not start',
       steps: [
-        'After a flight the timer locks the motor. To free it, hold the model and keep your hands away from the propeller: it may start. Then press “Hold to UNLOCK” in the Bench view.',
+        'After a flight the timer locks the motor. To free it, hold the model and keep your hands away from the propeller: it may start. Then hold the button “Hold to UNLOCK” in the Bench view.',
         'Has the start switch sprung back? While it is held, the motor only idles.',
-        'Is the motor stop later than 0.1 s?',
+        'Is the motor stop long enough? At 0.1 s the motor stops as soon as it has started.',
       ],
     },
     noLibrary: {
@@ -219,7 +220,7 @@ export const troubles = {
 
 /** How much energy the rules of F1Q leave for the motor. */
 export const energy = {
-  lead: 'How long may the motor run? The page works it out from the weight of the model and the power of the motor.',
+  lead: 'How long may the motor run? The page calculates it from the weight of the model and the power of the motor.',
   weight: 'Weight of the model',
   grams: 'g',
   power: 'Power',
@@ -250,9 +251,12 @@ export const energy = {
   onScreen: (run: string, joules: number) => `The program on the screen stops the motor at ${run}: ${joules} J.`,
   within: 'That is within the limit.',
   beyond: 'That is more than is allowed.',
+  /** @param longest in seconds */
+  rule: (perGram: number, most: number, longest: number) =>
+    `The rule: ${perGram} J for each gram of the model, at most ${most} J, and at most ${longest} s.`,
   told: (year: number) =>
-    `These figures are the rules of F1Q as pilots told them around ${year}. Rules change: check the current Sporting Code of the FAI before a contest.`,
+    `This is the rule as pilots told it around ${year}. Rules change: check the current Sporting Code of the FAI before a contest.`,
   flyOffTold: 'The figures for a fly-off were less certain even then.',
   limiter:
-    'With an energy limiter on board, the motor stops when the limit is reached, even before the motor stop. DT keeps its time.',
+    'With an energy limiter on board, the motor stops earlier when the limit is reached. The functions after motor stop then come earlier, too. DT keeps its time.',
 };

@@ -197,7 +197,9 @@ describe('the energy', () => {
   it('is worked out while the pilot types, from watts or from volts and amperes, with the age of the rule', async () => {
     const { models } = await opened();
     await look(models, 'energy');
-    expect(screen.getByText(/told them around 2022\. Rules change: check/)).toBeTruthy();
+    expect(screen.getByText(/told it around 2022\. Rules change: check/)).toBeTruthy();
+    const rule = (): string => screen.getByText(/^The rule: /).textContent ?? '';
+    expect(rule()).toMatch(/^The rule: 3 J for each gram of the model, at most 1650 J, and at most 40 s\./);
     fill('Weight of the model', '480');
     fill('Power', '165');
     expect([screen.getByText('1440 J'), screen.getByText('8.7 s')]).toHaveLength(2);
@@ -210,6 +212,7 @@ describe('the energy', () => {
     fireEvent.click(screen.getByRole('radio', { name: 'Fly-off' }));
     await idle(0);
     expect(screen.getByText('960 J')).toBeTruthy();
+    expect(rule()).toMatch(/^The rule: 2 J for each gram .* at most 20 s\..* less certain even then\.$/);
   });
 
   it('says which figures are possible, and gives no result for others', async () => {
