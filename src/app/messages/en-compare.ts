@@ -22,7 +22,7 @@ const compare = {
   take: 'Take',
   /** The same for a screen reader, which does not know the row. */
   takeOf: (field: string, value: string) => `Take ${value} for ${field}`,
-  takeHint: 'Take copies a value of the other program into the one on the screen. Undo takes it back.',
+  takeHint: 'Press Take to copy a value into the program on the screen. Undo takes it back.',
   following: 'Values cannot be taken while the servos follow.',
   openFirst: (name: string) => `Open ${name} to take values into it`,
 };

@@ -1,7 +1,9 @@
 import type { ComponentChildren } from 'preact';
+import { useLayoutEffect, useMemo } from 'preact/hooks';
 import { type Change, differences, type TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { Timeline } from '../timeline/timeline.js';
+import { TimelineModel } from '../timeline/view-model.js';
 import { ComparisonGrid } from '../write/comparison-grid.js';
 import { LONG_LIST } from '../write/difference.js';
 import { ValueTable } from '../write/value-table.js';
@@ -25,6 +27,10 @@ export function ProgramPair({ first, second, names, title, actionOf, children }:
   const { overview: words } = messages.value;
   const changes = differences(first, second);
   const grid = changes.length > LONG_LIST && !actionOf;
+  const servo = firstServo(changes);
+  const model = useMemo(() => new TimelineModel(), []);
+  // A small difference shows only in the tall lane. The pilot may then choose another one.
+  useLayoutEffect(() => model.bringToFront(servo), [model, servo]);
   return (
     <div class="program-pair">
       <div class="pair-values">
@@ -45,7 +51,13 @@ export function ProgramPair({ first, second, names, title, actionOf, children }:
           />
         )}
       </div>
-      <Timeline program={first} overlay={{ program: second, name: names[1] }} title={title} />
+      <Timeline program={first} overlay={{ program: second, name: names[1] }} title={title} model={model} />
     </div>
   );
+}
+
+/** The first servo whose positions differ; the first of all if none do. */
+function firstServo(changes: readonly Change[]): number {
+  const servos = changes.flatMap(({ field }) => (field.kind === 'position' ? [field.servo] : []));
+  return servos.length === 0 ? 0 : Math.min(...servos);
 }

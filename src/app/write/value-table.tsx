@@ -12,7 +12,7 @@ interface ValueTableProps {
     readonly field: ProgramField;
     /** One for each column; null when it is not known. */
     readonly values: readonly (number | null)[];
-    /** Stands after the last value. */
+    /** Stands after the last value, in a column without a heading. */
     readonly note?: ComponentChildren;
   }[];
   /** Whether to emphasise the last column. */
@@ -23,6 +23,7 @@ interface ValueTableProps {
 export function ValueTable({ identity, names, rows, lastCounts = false }: ValueTableProps) {
   const { write } = messages.value;
   const last = names.length - 1;
+  const hasNotes = rows.some(({ note }) => note);
   return (
     <table class="difference">
       <caption class="visually-hidden">{write.sideBySide(names)}</caption>
@@ -33,6 +34,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
               {name}
             </th>
           ))}
+          {hasNotes && <td />}
         </tr>
       </thead>
       <tbody>
@@ -42,16 +44,16 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
             {values.map((value, index) => {
               const text = value === null ? write.status.unknown : figureText(identity, field, value);
               return (
-                <td key={names[index]}>
+                <td key={names[index]} class={index < last ? 'earlier' : undefined}>
                   {lastCounts && index === last ? (
                     <strong class="figure-text">{text}</strong>
                   ) : (
                     <span class="figure-text">{text}</span>
                   )}
-                  {index === last && note && <> {note}</>}
                 </td>
               );
             })}
+            {hasNotes && <td>{note}</td>}
           </tr>
         ))}
       </tbody>

@@ -69,6 +69,17 @@ describe('two programs side by side', () => {
     expect(screen.queryByRole('button', { name: /^Take/ })).toBeNull();
   });
 
+  it('have the lane of the first servo that differs in front, until the pilot selects another one', async () => {
+    const bench = await page(true, setting('trimmed', TRIMMED));
+    await compare(bench, 'screen', 'setting/trimmed');
+    const front = (): string | null =>
+      within(screen.getByRole('group', { name: 'Selected servo' })).getByRole('button', { pressed: true }).textContent;
+    expect(front()).toBe('S2');
+    await press('S3');
+    await press('Take 4:00 min for DT time');
+    expect(front(), 'other values change nothing').toBe('S3');
+  });
+
   it('are a setting and what the timer holds, or a backup', async () => {
     const bench = await page(true, setting('trimmed', TRIMMED));
     await bench.session.backups.add(WIND, 'write', false);
@@ -121,6 +132,13 @@ describe('values of the other program', () => {
     bench.editor.undo();
     expect(bench.editor.undoStep.value).toMatchObject({ code: 'take-across', params: { field: 'position:1:4' } });
     expect(bench.editor.changes.value).toHaveLength(1);
+  });
+
+  it('stand under the name of their program, and the buttons beside them', async () => {
+    const bench = await page(true, setting('trimmed', TRIMMED));
+    await compare(bench, 'screen', 'setting/trimmed');
+    const row = within(screen.getByRole('row', { name: /Function 4, S2/ }));
+    expect(row.getAllByRole('cell').map(({ textContent }) => textContent)).toEqual(['52', '77', 'Take']);
   });
 
   it('are taken in the other order, too', async () => {
