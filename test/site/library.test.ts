@@ -122,6 +122,8 @@ it.each(['mouse', 'finger'] as const)('rows are put into another order with a %s
   const names = () => page.locator('.library-models li[data-key] b').allInnerTexts();
   const grip = (at: number) => page.locator('.library-models li[data-key] .grip').nth(at);
   await grip(4).waitFor();
+  const widths = ({ clientWidth, children }: Element) => (children[1]?.clientWidth ?? 0) / clientWidth;
+  expect(await page.locator('.library-models li[data-key]').first().evaluate(widths), 'the name').toBeGreaterThan(0.5);
   const [first = '', ...others] = await names();
   /** The middle of a handle. */
   const middle = async (at: number): Promise<{ x: number; y: number }> => {
@@ -146,6 +148,24 @@ it.each(['mouse', 'finger'] as const)('rows are put into another order with a %s
   await app.button('Done').click();
   await app.reload();
   await expect.poll(names).toEqual(moved);
+});
+
+it('on a phone on its side all that a setting is saved with is in sight', async () => {
+  const app = await AppPage.open({ ...PHONE, viewport: { width: 844, height: 390 } });
+  await app.trySimulated('F1Q');
+  await app.page.keyboard.press('Control+k');
+  await app.page.keyboard.type('save');
+  await app.page.keyboard.press('Enter');
+  const dialog = app.page.getByRole('dialog', { name: 'Save to library' });
+  const bottoms = () =>
+    dialog
+      .locator('input, select, textarea, .buttons')
+      .evaluateAll((all) =>
+        all.map((each) => each.getBoundingClientRect()[each.matches('.buttons') ? 'top' : 'bottom']),
+      );
+  await expect.poll(async () => (await bottoms()).length).toBe(5);
+  const [buttons = 0, ...fields] = (await bottoms()).reverse();
+  expect(Math.max(...fields)).toBeLessThanOrEqual(buttons);
 });
 
 const noteOf = ({ page }: AppPage) => page.getByRole('textbox', { name: 'Note' });
