@@ -174,7 +174,7 @@ export const libraryMessages = {
     asNew: 'Save as new…',
     title: 'Save to library',
     name: 'Name of the setting',
-    namePlace: 'for example: fly-off, calm',
+    namePlace: 'For example: fly-off, calm',
     model: 'Model',
     newModel: 'New model',
     noModel: 'No model',
