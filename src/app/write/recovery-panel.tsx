@@ -55,6 +55,7 @@ function InterruptedWrite({ session, write, offer: { record, part, read } }: Int
           identity={read.identity}
           names={[words.before, words.goal, words.held]}
           rows={rows(record, part, read)}
+          lastCounts
         />
       </details>
       {!isForeign && <p class="hint">{words.sure}</p>}

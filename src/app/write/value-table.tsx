@@ -15,7 +15,7 @@ interface ValueTableProps {
     /** Stands after the last value, in a column without a heading. */
     readonly note?: ComponentChildren;
   }[];
-  /** Whether to emphasise the last column. */
+  /** Whether the last column is what holds, or will hold: the others are pale then. */
   readonly lastCounts?: boolean;
 }
 
@@ -44,7 +44,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
             {values.map((value, index) => {
               const text = value === null ? write.status.unknown : figureText(identity, field, value);
               return (
-                <td key={names[index]} class={index < last ? 'earlier' : undefined}>
+                <td key={names[index]} class={lastCounts && index < last ? 'earlier' : undefined}>
                   {lastCounts && index === last ? (
                     <strong class="figure-text">{text}</strong>
                   ) : (
