@@ -76,7 +76,7 @@ describe('two programs side by side', () => {
       within(screen.getByRole('group', { name: 'Selected servo' })).getByRole('button', { pressed: true }).textContent;
     expect(front()).toBe('S2');
     await press('S3');
-    await press('Take 4:00 min for DT time');
+    await press('Take 4:00 min for DT');
     expect(front(), 'other values change nothing').toBe('S3');
   });
 
