@@ -47,8 +47,8 @@ describe('the memories', () => {
       null,
     ]);
     const held = within(screen.getByRole('table', { name: 'What was read of M3' }));
-    const row = held.getByRole('rowheader', { name: 'DT' }).parentElement;
-    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00 min');
+    const row = held.getByRole('rowheader', { name: 'DT min' }).parentElement;
+    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00');
     expect(held.queryAllByRole('textbox')).toEqual([]);
     expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
     expect([app.session.notices.current.value, app.session.nextFlight.word.value]).toEqual([null, null]);
