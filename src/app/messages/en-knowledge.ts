@@ -1,4 +1,5 @@
 import { apart } from './apart.js';
+import { whole } from './dotted.js';
 import { plural } from './plural.js';
 
 /** What is known about the content of a timer, and what is not. */
@@ -22,7 +23,7 @@ export const knowledge = {
   /** @param more how many further values there are. */
   list: (named: readonly string[], more: number) =>
     more > 0
-      ? `${named.join(', ')}, and ${plural(more, 'more\u00a0value is', 'more\u00a0values are').replace(' ', '\u00a0')} not certain`
+      ? `${named.join(', ')}, and ${whole(plural(more, 'more value', 'more values'))} ${more === 1 ? 'is' : 'are'} not certain`
       : named.join(' and '),
   connect: 'Connect and read',
   forget: 'Forget this…',
