@@ -118,9 +118,10 @@ function titleOf(plan: Plan): string {
   return words.plans[plan.kind].title;
 }
 
-/** What it does, and which memory flies next after it. */
+/** What it does, and which memory flies next after it, if that is known. */
 function leadOf(session: Session, plan: Plan): string {
-  const current = session.editor.baseline.value?.memory ?? null;
+  const { editor, nextFlight } = session;
+  const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
   const does = doingOf(session, plan);
   return current === null ? does : `${does} ${messages.value.memories.atEnd(memoryText(session, current))}`;
 }

@@ -1,4 +1,4 @@
-import { screen, within } from '@testing-library/preact';
+import { act, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { clockText } from '../../../src/app/messages/index.js';
 import { type AppBench, idle } from '../bench/bench.js';
@@ -45,6 +45,15 @@ describe('copying a memory', () => {
     expect(said).toContain(lines());
     expect(dialog('Copy M1 to M3').getByRole('status').textContent).toBe('M1 flies next.');
     expect(timer.core.memories[2]?.times[10]).toBe(18_000);
+  });
+
+  it('says which memory flies next after it only while that is known', async () => {
+    const { session, timer } = await connected();
+    timer.core.memory = 1;
+    await press('Copy M1 to M3…');
+    expect(screen.getByText(/At the end M2 flies next again\.$/), 'another one than on the screen').toBeTruthy();
+    act(() => session.nextFlight.doubt());
+    expect(screen.queryByText(/flies next again/)).toBeNull();
   });
 
   it('says when it would change nothing', async () => {
