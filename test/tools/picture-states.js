@@ -113,6 +113,17 @@ async function lookAt(page, memory) {
   await page.getByRole('radio', { name: memory }).click({ force: true });
 }
 
+/** Reads all memories in their view. @param {Page} page */
+async function readAll(page) {
+  await connect(page);
+  await goTo(page, 'memories');
+  await press(page, 'Read and keep all…');
+  await page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
+  await page.getByText('were read and kept').waitFor();
+  await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+  await settled(page);
+}
+
 /** For a page in which a workbench replaces the browser's serial ports. @param {Page} page */
 async function connectPort(page) {
   await press(page, 'Connect');
@@ -145,11 +156,17 @@ async function drop(page, text) {
   }, text);
 }
 
-/** A library of one model with one setting. @param {Page} page */
-async function fill(page) {
-  await drop(page, example);
+/** Imports a file of one model with one setting. @param {Page} page @param {string} [text] */
+async function take(page, text = example) {
+  await drop(page, text);
   await press(page, 'Import 2');
   await page.getByText(/^Imported from/).waitFor();
+}
+
+/** A library of one model with one setting. @param {Page} page */
+async function fill(page) {
+  await take(page);
+  await press(page, 'Dismiss');
 }
 
 /** Runs a command of the list of commands, found by its words. @param {Page} page @param {string} words */
@@ -362,15 +379,7 @@ export const states = {
   },
   memories: {
     title: 'All memories',
-    reach: async (page) => {
-      await connect(page);
-      await page.getByRole('link', { name: 'Memories' }).click();
-      await press(page, 'Read and keep all…');
-      await page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
-      await page.getByText('were read and kept').waitFor();
-      await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
-      await settled(page);
-    },
+    reach: readAll,
   },
   looked: {
     title: 'A memory that is looked at',
@@ -562,7 +571,6 @@ export const states = {
     title: 'What a file would bring',
     reach: async (page) => {
       await fill(page);
-      await press(page, 'Dismiss');
       await drop(
         page,
         example.replaceAll('"calm morning"', '"windy morning"').replaceAll('2026-11-18T', '2026-11-24T'),
@@ -572,7 +580,7 @@ export const states = {
   },
   imported: {
     title: 'What a file has brought',
-    reach: fill,
+    reach: (page) => take(page),
   },
   'import-refused': {
     title: 'A file that cannot be read',
@@ -594,7 +602,6 @@ export const states = {
     title: 'A model and its settings',
     reach: async (page) => {
       await fill(page);
-      await press(page, 'Dismiss');
       await page
         .getByRole('link', { name: /^Lancer 07/ })
         .first()
@@ -606,7 +613,6 @@ export const states = {
     title: 'A setting',
     reach: async (page) => {
       await fill(page);
-      await press(page, 'Dismiss');
       await goTo(page, 'library/lancer-07/calm-morning');
       await page.getByRole('article', { name: 'calm morning' }).waitFor();
     },
@@ -664,12 +670,7 @@ export const states = {
   compared: {
     title: 'Two memories compared',
     reach: async (page) => {
-      await connect(page);
-      await goTo(page, 'memories');
-      await press(page, 'Read and keep all…');
-      await page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
-      await page.getByText('were read and kept').waitFor();
-      await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+      await readAll(page);
       await press(page, 'Compare with M1: M3');
     },
   },
@@ -685,7 +686,6 @@ export const states = {
     title: 'Which model is connected',
     reach: async (page) => {
       await fill(page);
-      await press(page, 'Dismiss');
       await goTo(page, 'program');
       await connect(page);
       if (!(await page.locator('.memories').isVisible())) await showFigures(page);
@@ -713,10 +713,7 @@ export const states = {
     title: 'The models are put in order',
     reach: async (page) => {
       await fill(page);
-      await press(page, 'Dismiss');
-      await drop(page, example.replaceAll(/"lancer-07"|"calm-morning"/g, '"other"').replace('Lancer 07', 'Siesta'));
-      await press(page, 'Import 2');
-      await page.getByText(/^Imported from/).waitFor();
+      await take(page, example.replaceAll(/"lancer-07"|"calm-morning"/g, '"other"').replace('Lancer 07', 'Siesta'));
       await press(page, 'Dismiss');
       await press(page, 'Arrange');
     },
