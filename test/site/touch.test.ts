@@ -135,31 +135,6 @@ describe('a finger on the table', () => {
     };
   }
 
-  test('that swipes steps the field that has the focus, and that is one step to undo', async () => {
-    const { app, draw, tap, marked, topOf } = await opened();
-    await draw('Function 2, S2', 60, 0);
-    await expect
-      .poll(() => app.undo.isDisabled(), { message: 'a swipe over a field without the focus changes nothing' })
-      .toBe(true);
-
-    await tap('Function 2, S2');
-    const before = await topOf('Function 2, S2');
-    await draw('Function 2, S2', 60, 40);
-    await expect.poll(() => app.valueOf('Function 2, S2')).toBe('39');
-    await expect.poll(() => marked('Function 2, S2'), { message: 'the whole text is still selected' }).toEqual([0, 2]);
-    // The row has got a button: that may take a few pixels.
-    expect(Math.abs((await topOf('Function 2, S2')) - before), 'the page does not scroll').toBeLessThan(10);
-    await app.button('Done').tap();
-    await app.button('Undo stepping function 2, S2').tap();
-    await expect.poll(() => app.valueOf('Function 2, S2')).toBe('35');
-    await expect.poll(() => app.undo.isDisabled()).toBe(true);
-
-    await app.page.locator('.strip-figures').tap();
-    await tap('DT');
-    await draw('DT', -60, 0);
-    await expect.poll(() => app.valueOf('DT')).toBe('2:56');
-  });
-
   test('that moves up over the field with the focus scrolls the page, and changes nothing', async () => {
     const { app, draw, tap, marked, topOf, focused } = await opened();
     await tap('Function 2, S2');

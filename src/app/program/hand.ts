@@ -81,7 +81,7 @@ export class Hand {
     const options = { capture: true, signal: end.signal };
     documentElement.addEventListener('pointerdown', point, options);
     documentElement.addEventListener('keydown', press, options);
-    // Before a click, the focus has gone where the tap leads. A swipe ends without a click, and asks for no sheet.
+    // Before a click, the focus has gone where the tap leads. A scroll ends without a click, and asks for no sheet.
     documentElement.addEventListener('click', arrive, options);
     return () => end.abort();
   }

@@ -9,7 +9,6 @@ import { IntervalModel } from './interval-model.js';
 import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
-import { useSwipe } from './use-swipe.js';
 import './value-field.css';
 
 interface IntervalFieldProps {
@@ -40,7 +39,6 @@ export function IntervalField({ editor, selection, hand, slot, label }: Interval
     model.leave();
   };
   useWheel(input, step);
-  useSwipe(input, step);
   return (
     <span class={`value ${either ? 'asked' : problem ? 'wrong' : ''}`} onFocusOut={leave} {...refuseDrag}>
       <input

@@ -10,7 +10,6 @@ import type { Hand } from './hand.js';
 import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
-import { useSwipe } from './use-swipe.js';
 import { OldValue, WasText } from './was-text.js';
 import './value-field.css';
 
@@ -54,7 +53,6 @@ export function ValueField(props: ValueFieldProps) {
     if (!readOnly) model.step(direction, options);
   };
   useWheel(input, step);
-  useSwipe(input, step);
   return (
     <span class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''}`} {...refuseDrag}>
       <input

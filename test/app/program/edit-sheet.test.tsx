@@ -83,7 +83,7 @@ describe('the sheet', () => {
     fireEvent.click(write);
     await idle();
     expect(sheets()).toBe(0);
-    // A swipe over the field of the keys ends without a click. A tap there asks for the sheet.
+    // A scroll over the field of the keys ends without a click. A tap there asks for the sheet.
     field('Function 4, S2').focus();
     await key('2');
     fireEvent.pointerDown(field('Function 4, S2'), { pointerType: 'touch' });
