@@ -14,8 +14,8 @@ async function work(app: AppPage): Promise<Trail> {
   await step(() => app.type('Function 2, S1', '7'));
   await step(() => app.type('Function 3 interval', '1.25'));
   await step(async () => {
-    await app.button('Tools for S2').click();
-    await app.button('Reverse (130 − position)').click();
+    await app.button('Tools for Function 4').click();
+    await app.button('+1.0 s').click();
   });
   await trail.note();
   return trail;

@@ -644,13 +644,6 @@ export const states = {
       await page.getByRole('textbox', { name: 'Function 4 time' }).waitFor();
     },
   },
-  column: {
-    title: 'The tools of a column',
-    reach: async (page) => {
-      await connect(page);
-      await press(page, 'Tools for S2');
-    },
-  },
   legend: {
     title: 'What the rows and columns mean',
     reach: async (page) => {

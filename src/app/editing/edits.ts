@@ -1,5 +1,4 @@
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import { MAX_POSITION } from '../../protocol/index.js';
 import {
   type CellValue,
   checked,
@@ -159,26 +158,6 @@ function steppedInterval(
   if (interval === null || !step) return { values: [] };
   const by = step.value - (program.times[slot] as number);
   return shifted(program, slot, Math.max(by, Math.min(0, -interval)), options);
-}
-
-/** Gives one servo all positions of another. Positions past the last step, which a timer may hold, are not copied. */
-export function copyServo(program: TimerProgram, from: number, to: number): Edit {
-  const row = program.positions[from] ?? [];
-  const copies = row.map((value, slot): CellValue => ({ field: { kind: 'position', servo: to, slot }, value }));
-  return { name: { code: 'copy-servo', params: { from, to } }, ...checked(program, copies) };
-}
-
-/**
- * Mirrors all positions of a servo (130 - p), as for a servo that works the other way round.
- * A position past the last step stays.
- */
-export function reverseServo(program: TimerProgram, servo: number): Edit {
-  const row = program.positions[servo] ?? [];
-  const values = row.flatMap((value, slot): FieldValue[] => {
-    const field: CellField = { kind: 'position', servo, slot };
-    return refusalOf(field, value) ? [] : [{ field, value: MAX_POSITION - value }];
-  });
-  return { name: { code: 'reverse-servo', params: { servo } }, values };
 }
 
 /**

@@ -119,7 +119,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
         >
           <caption class="visually-hidden">{program.tableCaption}</caption>
           <TableHead
-            {...{ editor, identity, servos, onExplain }}
+            {...{ servos, onExplain }}
             onSwitch={() => {
               intervals.value = !intervals.value;
             }}

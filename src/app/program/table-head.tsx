@@ -1,14 +1,9 @@
 import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
-import type { Identity } from '../../protocol/index.js';
-import type { Editor } from '../editing/editor.js';
 import { messages } from '../messages/index.js';
-import { ColumnMenu } from './column-menu.js';
 import './table-head.css';
 
 interface TableHeadProps {
-  readonly editor: Editor;
-  readonly identity: Identity;
   readonly servos: readonly number[];
   /** Where there is room for only one of the two, shows the other one. */
   readonly onSwitch: () => void;
@@ -16,8 +11,8 @@ interface TableHeadProps {
   readonly onExplain: () => void;
 }
 
-/** The headings of the columns, with units. For a servo also a menu for all its positions. */
-export function TableHead({ editor, identity, servos, onSwitch, onExplain }: TableHeadProps) {
+/** The headings of the columns, with units. */
+export function TableHead({ servos, onSwitch, onExplain }: TableHeadProps) {
   const { program, edits, servoName } = messages.value;
   const { table } = edits;
   return (
@@ -42,7 +37,6 @@ export function TableHead({ editor, identity, servos, onSwitch, onExplain }: Tab
         {servos.map((servo) => (
           <th scope="col" class="servo" key={servo} aria-label={servoName(servo)}>
             {servoName(servo)}
-            <ColumnMenu editor={editor} identity={identity} servo={servo} />
           </th>
         ))}
       </tr>

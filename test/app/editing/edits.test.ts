@@ -1,15 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Edit, putBack, replaceAll, setValues, withValues } from '../../../src/app/editing/edit.js';
-import {
-  copyServo,
-  fillDown,
-  reverseServo,
-  setInterval,
-  shiftFrom,
-  stepInterval,
-  stepValue,
-} from '../../../src/app/editing/edits.js';
+import { fillDown, setInterval, shiftFrom, stepInterval, stepValue } from '../../../src/app/editing/edits.js';
 import { intervalAt } from '../../../src/app/editing/grid.js';
 import { pasted, previewPaste } from '../../../src/app/editing/paste.js';
 import {
@@ -239,46 +231,6 @@ describe('a step', () => {
   });
 });
 
-describe('a servo', () => {
-  it('is copied to another, which alone changes', () => {
-    const after = withValues(program, valuesOf(copyServo(program, 0, 1)));
-    expect(after).toEqual({ ...program, positions: [program.positions[0], program.positions[0]] });
-  });
-
-  it('with a position that cannot be set is not copied, except to one that holds the same', () => {
-    const odd = { ...program, positions: [[10, 200, 30, 40, 50, 60], program.positions[1] ?? []] };
-    expect(refusalIn(copyServo(odd, 0, 1))).toBe('position-out-of-range position:1:1');
-    const same = {
-      ...program,
-      positions: [
-        [10, 200, 30, 40, 50, 60],
-        [11, 200, 31, 41, 51, 61],
-      ],
-    };
-    expect(refusalIn(copyServo(same, 0, 1))).toBe('done');
-  });
-
-  it('is mirrored about the middle of its travel, except values that are not steps', () => {
-    const odd = { ...program, positions: [[0, 130, 65, 200, -1, 60], program.positions[1] ?? []] };
-    const after = withValues(odd, valuesOf(reverseServo(odd, 0)));
-    expect(after).toEqual({ ...odd, positions: [[130, 0, 65, 200, -1, 70], odd.positions[1]] });
-  });
-
-  it('mirrored twice is as before', () => {
-    fc.assert(
-      fc.property(anyProgram, fc.nat(2), (before, servo) => {
-        const once = withValues(before, valuesOf(reverseServo(before, servo)));
-        expect(withValues(once, valuesOf(reverseServo(once, servo)))).toEqual(before);
-      }),
-      { numRuns: 200 },
-    );
-  });
-
-  it('that does not exist is not edited', () => {
-    expect([copyServo(program, 7, 0), reverseServo(program, 7)].map(valuesOf)).toEqual([[], []]);
-  });
-});
-
 describe('fill down', () => {
   const filled = (top: number, left: number, bottom: number, right: number, moveDt = false): TimerProgram =>
     withValues(program, valuesOf(fillDown(program, { top, left, bottom, right }, { moveDt })));
@@ -361,8 +313,6 @@ describe('every edit', () => {
     [setInterval(program, 0, 99), 'interval', { slot: 0 }, 'type interval:0'],
     [stepInterval(program, 3, 1), 'interval', { slot: 3 }, 'step interval:3'],
     [shiftFrom(program, 3, 100), 'shift', { slot: 3, by: 100 }, undefined],
-    [copyServo(program, 0, 1), 'copy-servo', { from: 0, to: 1 }, undefined],
-    [reverseServo(program, 1), 'reverse-servo', { servo: 1 }, undefined],
     [fillDown(program, range), 'fill', { count: 2 }, undefined],
     [pasted(previewPaste(program, range, '65')), 'paste', { count: 3 }, undefined],
     [setValues(name, [{ field, value: 1 }], 'g'), 'preset', {}, 'g'],

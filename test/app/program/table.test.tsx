@@ -459,24 +459,6 @@ describe('a paste', () => {
 });
 
 describe('many fields at once', () => {
-  it('a servo is copied, reversed and put back', async () => {
-    await connected();
-    await press('Tools for S1');
-    expect(screen.queryByRole('button', { name: 'Put column back' }), 'nothing in it is changed').toBeNull();
-    await press('Reverse (130 − position)');
-    expect(field('Function 2, S1').value).toBe('95');
-    await press('Tools for S1');
-    await press('Copy to S3');
-    expect(field('Function 2, S3').value).toBe('95');
-    await press('Tools for S1');
-    await press('Put column back');
-    expect([field('Function 2, S1').value, field('Function 2, S3').value]).toEqual(['35', '95']);
-    await press('Undo putting back S1');
-    await press('Undo copying S1 to S3');
-    await press('Undo reversing S1');
-    expect(screen.getByText(/^As in the timer, read \d\d:\d\d$/)).toBeTruthy();
-  });
-
   it('a row is put back', async () => {
     await connected();
     await enter('Function 2, S1', '7');
