@@ -1,5 +1,15 @@
 import type { Progress } from '../../client/index.js';
-import { clockText, dateText, fieldInSentence, figureText, messages, type Said } from '../messages/index.js';
+import { valueAt } from '../../program/index.js';
+import {
+  clockText,
+  dateText,
+  fieldInSentence,
+  fieldName,
+  figureText,
+  findingText,
+  messages,
+  type Said,
+} from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { openValues } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
@@ -15,7 +25,7 @@ import { SafetyCheck } from '../write/safety-check.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 import type { MemoriesStep, MemoryJobs } from './memory-jobs.js';
 import { nextFlightText } from './next-flight-line.js';
-import { isGood, type MemoriesOutcome, type MemoryChange, type MemoryEnd, type Plan } from './plan.js';
+import { isGood, type MemoriesOutcome, type MemoryChange, type MemoryEnd, type Plan, refusalsOf } from './plan.js';
 
 /** How many uncertain values are named. */
 const SHOWN = 4;
@@ -58,6 +68,7 @@ function Review({ session, jobs, current: { plan, changes, crossing } }: ReviewP
   return (
     <>
       <p>{leadOf(session, plan)}</p>
+      <Refusals session={session} changes={changes} />
       {changes.map((change) => (
         <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />
       ))}
@@ -75,6 +86,34 @@ function Review({ session, jobs, current: { plan, changes, crossing } }: ReviewP
         </button>
       </div>
     </>
+  );
+}
+
+/** The values that cannot be written, and why. Then nothing is. */
+function Refusals({ session, changes }: { readonly session: Session; readonly changes: readonly MemoryChange[] }) {
+  const { memories: words, about } = messages.value;
+  const refused = changes.filter((change) => refusalsOf(change).length > 0);
+  if (refused.length === 0) return null;
+  return (
+    <div class="notice bad" role="alert">
+      {refused.map((change) => (
+        <div key={change.memory}>
+          <p>{words.refused(memoryText(session, change.memory))}</p>
+          <ul>
+            {refusalsOf(change).map((finding) => {
+              const { identity } = change.goal;
+              const { field } = finding;
+              const what = field && words.figure(fieldName(identity, field), String(valueAt(change.goal, field)));
+              return (
+                <li key={what}>
+                  {about(what ?? '')} {findingText(finding)}
+                </li>
+              );
+            })}
+          </ul>
+        </div>
+      ))}
+    </div>
   );
 }
 

@@ -15,6 +15,7 @@ import {
   type MemoryChange,
   memoriesOf,
   type Plan,
+  refusalsOf,
   targetsOf,
   type WritingPlan,
 } from './plan.js';
@@ -67,6 +68,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     const step = this.current.value;
     if (step?.step !== 'review') return false;
     const isSafe = step.plan.kind === 'back-up' || this.#session.safety.confirmed.value;
+    if (step.changes.some((change) => refusalsOf(change).length > 0)) return false;
     return isSafe && (step.crossing === null || this.crossed.value);
   });
   readonly #session: Session;

@@ -1,5 +1,12 @@
 import type { TimerErrorCode } from '../../client/index.js';
-import { type Change, differences, sameKind, type TimerProgram } from '../../program/index.js';
+import {
+  type Change,
+  checkProgram,
+  differences,
+  type Finding,
+  sameKind,
+  type TimerProgram,
+} from '../../program/index.js';
 import type { Known } from '../session/known.js';
 import type { Backup } from '../storage/index.js';
 
@@ -86,6 +93,11 @@ export function changesBy(plan: WritingPlan, programs: readonly TimerProgram[]):
     const changes = differences(before, goal).filter(({ to }) => to !== null);
     return { memory, before, goal, changes };
   });
+}
+
+/** The values that no request can carry. A position that stays as it is needs no request. */
+export function refusalsOf({ before, goal }: MemoryChange): readonly Finding[] {
+  return checkProgram(goal, { baseline: before }).filter(({ severity }) => severity === 'error');
 }
 
 /**

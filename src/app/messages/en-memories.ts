@@ -78,6 +78,7 @@ export const memories = {
   figures: (memory: string, figures: readonly string[]) => `${memory}: ${dotted(figures)}`,
   stays: (label: string, value: string) => `${label} ${value}, stays`,
   same: (memory: string) => `${memory} holds all of this already. It is read back and compared.`,
+  refused: (memory: string) => `Nothing can be written into ${memory}: no program can send these values.`,
   changes: (count: number) => (count === 0 ? 'no changes' : plural(count, 'change', 'changes')),
   figure: (label: string, value: string) => `${label} ${value}`,
   verified: (memory: string, time: string, figures: readonly string[]) =>

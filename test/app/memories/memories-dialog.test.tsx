@@ -1,5 +1,6 @@
 import { act, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { memories } from '../../../src/app/messages/en-memories.js';
 import { clockText } from '../../../src/app/messages/index.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { connected, press } from '../screen.js';
@@ -54,6 +55,29 @@ describe('copying a memory', () => {
     expect(screen.getByText(/At the end M2 flies next again\.$/), 'another one than on the screen').toBeTruthy();
     act(() => session.nextFlight.doubt());
     expect(screen.queryByText(/flies next again/)).toBeNull();
+  });
+
+  it('says before anything is sent which positions no program can send, and writes nothing', async () => {
+    const { timer } = await connected();
+    (timer.core.content.positions[1] as number[])[3] = 200;
+    const held = structuredClone(timer.core.memories[2]);
+    await press('Copy M1 to M3…');
+    const refused = within(screen.getByRole('dialog')).getByRole('alert').textContent;
+    expect(refused).toContain(memories.refused('M3'));
+    expect(refused).toContain('Function 3, S2 200: A position must be 0 to 130 steps.');
+    await write();
+    expect(screen.getByRole('button', { name: 'Copy' })).toHaveProperty('disabled', true);
+    expect(timer.core.memories[2]).toEqual(held);
+    expect(timer.core.answered.filter(({ name }) => name === 'SETSERVO' || name === 'SETTIMERS')).toEqual([]);
+  });
+
+  it('copies a position that no program can send where the memory holds the same one', async () => {
+    const { timer } = await connected();
+    for (const memory of [0, 2]) (timer.core.memories[memory]?.positions[1] as number[])[3] = 200;
+    await press('Copy M1 to M3…');
+    expect(within(screen.getByRole('dialog')).queryByRole('alert')).toBeNull();
+    await write();
+    expect(timer.core.memories[2]).toEqual(timer.core.memories[0]);
   });
 
   it('says when it would change nothing', async () => {
