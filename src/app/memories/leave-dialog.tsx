@@ -18,7 +18,7 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
       title={messages.value.nextFlight.leaving.title}
       head={<UncertainNote session={session} />}
       held={question?.goingBack === true}
-      onEscape={() => void leaving.escape()}
+      onEscape={() => leaving.stay()}
     >
       <Question session={session} leaving={leaving} />
     </Modal>

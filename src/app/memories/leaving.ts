@@ -84,15 +84,6 @@ export class Leaving {
     else this.#question.value = null;
   }
 
-  /**
-   * Escape was pressed. If only a short DT is in question it disconnects as the pilot wanted: this must not hold up
-   * anybody in a hurry. If another memory would fly, it stays connected.
-   */
-  async escape(): Promise<void> {
-    if (this.#session.nextFlight.word.value || this.#question.value?.goingBack) this.stay();
-    else await this.disconnectAsItIs();
-  }
-
   /** During a write its end decides; before that nothing is said about the DT. */
   #hasToAsk(): boolean {
     const { nextFlight, shortDt, runner } = this.#session;

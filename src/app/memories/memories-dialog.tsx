@@ -39,7 +39,7 @@ export function MemoriesDialog({ session, jobs }: { readonly session: Session; r
       title={current ? titleOf(current.plan) : ''}
       head={<UncertainNote session={session} />}
       held={jobs.held}
-      onEscape={() => jobs.escape()}
+      onEscape={() => jobs.dismiss()}
     >
       {current?.step === 'review' && <Review session={session} jobs={jobs} current={current} />}
       {current?.step === 'running' && (

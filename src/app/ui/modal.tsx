@@ -9,9 +9,12 @@ interface ModalProps {
   readonly title: string;
   /** Stays in sight under the title, however long the rest is. */
   readonly head?: ComponentChildren;
-  /** Escape was pressed. */
+  /**
+   * Escape was pressed: closes the dialog and changes nothing, as its button to cancel does. Whoever presses Escape may
+   * mean something else.
+   */
   readonly onEscape: () => void;
-  /** Whether it must stay open when the browser closes it. Default: no. */
+  /** Whether only its buttons close it: while something runs, or a result has to be seen. Default: no. */
   readonly held?: boolean;
   readonly children: ComponentChildren;
 }
@@ -29,11 +32,7 @@ function OpenModal({ title, head, onEscape, held = false, children }: Omit<Modal
   const latest = useRef({ held, onEscape });
   latest.current = { held, onEscape };
   useUnsaved();
-  useLayoutEffect(
-    // Back may be meant for the view. So unlike Escape it does not stop a job.
-    () => onBackInHistory(() => latest.current.held || latest.current.onEscape()),
-    [],
-  );
+  useLayoutEffect(() => onBackInHistory(() => latest.current.held || latest.current.onEscape()), []);
   // Before the next frame, so that nobody sees an empty dialog.
   useLayoutEffect(() => {
     const { current: opened } = dialog;
@@ -60,7 +59,7 @@ function OpenModal({ title, head, onEscape, held = false, children }: Omit<Modal
       aria-labelledby={titleId}
       onCancel={(event) => {
         event.preventDefault();
-        onEscape();
+        if (!held) onEscape();
       }}
       onClose={() => {
         if (!dialog.current || dialog.current.open) return;

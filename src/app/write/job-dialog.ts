@@ -35,11 +35,6 @@ export abstract class JobDialog<Step extends AnyStep> {
     return value !== null && this.stays(value);
   }
 
-  /** Escape was pressed: closes the dialog if it may be closed. During a job, asks the job to stop. */
-  escape(): void {
-    if (this.#current.value?.step === 'running' || !this.held) this.dismiss();
-  }
-
   /** Closes the dialog. During a job, asks the job to stop instead. */
   dismiss(): void {
     if (this.#current.value?.step === 'running') void this.#session.runner.stop();

@@ -46,7 +46,7 @@ export function WriteDialog({ session, write, after }: WriteDialogProps) {
         </>
       }
       held={write.held}
-      onEscape={() => write.escape()}
+      onEscape={() => write.dismiss()}
     >
       {current && identity && (
         <>

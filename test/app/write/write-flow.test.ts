@@ -523,7 +523,7 @@ describe('where this device keeps no copy of what the timer holds', () => {
 
   it.each<[string, (bench: AppBench) => void]>([
     ['refuses', ({ session }) => session.runner.answer(false)],
-    ['presses Escape', ({ write }) => write.escape()],
+    ['presses Escape', ({ write }) => write.dismiss()],
     ['pulls the plug', ({ adapter }) => adapter.unplug()],
   ])('nothing is written when the pilot %s, and nothing is uncertain', async (_, act) => {
     const { bench, writing } = await asked();
