@@ -30,11 +30,11 @@ export const write = {
   },
   unkept: {
     title: 'This device could not keep a backup of what the timer holds now.',
-    advice: 'Nothing was written yet. Write without it?',
+    advice: 'This memory is still as it was. Go on without a backup?',
   },
   /** The name of a table of values, made from its columns. */
   sideBySide: (names: readonly string[]) => `Values: ${names.join(', ')}`,
-  withoutCopy: 'Write without a backup',
+  withoutCopy: 'Go on without a backup',
   notWithout: 'Do not write',
   safety: 'The propeller is off or the model is held, and the timer is not armed.',
   acknowledge: 'I have read this and want to write it anyway.',

@@ -1,5 +1,6 @@
 import { act, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { memories } from '../../../src/app/messages/en-memories.js';
 import { clockText } from '../../../src/app/messages/index.js';
 import { type AppBench, idle } from '../bench/bench.js';
@@ -97,6 +98,29 @@ describe('copying a memory', () => {
     expect(lines()).toContain('Nothing was written into M3.');
     await press('Show the difference again…');
     expect(screen.getByText('M3: DT: 5:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
+  });
+
+  it('that cannot be backed up says so of that memory, whatever was written into others before', async () => {
+    const app = await connected();
+    await press('Read and keep all…');
+    await press('Read and keep');
+    await press('Close');
+    for (const memory of app.timer.core.memories) memory.times[10] = 36_000;
+    const { store, session, memories, timer } = app;
+    const save = store.backups.save.bind(store.backups);
+    let kept = 0;
+    store.backups.save = (record) => (kept++ < 1 ? save(record) : Promise.reject(new DOMException('', 'AbortError')));
+    const backups = session.backups.list.peek().filter(({ reason }) => reason === 'memories');
+    session.safety.confirm();
+    void memories.jobs.open({ kind: 'restore', backups });
+    await idle();
+    void memories.jobs.start();
+    await idle();
+    expect(timer.core.memories.map(({ times }) => times[10])).toEqual([36_000, 36_000, 36_000, 27_000]);
+    expect(screen.getByRole('alert').textContent).toContain(en.write.unkept.advice);
+    expect(screen.getByRole('dialog').textContent, 'something was').not.toContain('Nothing was written');
+    await press(en.write.notWithout);
+    expect(lines()).toContain(en.memories.ends.untouched('M2'));
   });
 
   it('says after an interruption what is not known, and which memory flies next, if that is known', async () => {

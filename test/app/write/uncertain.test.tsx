@@ -1,6 +1,7 @@
 import { cleanup, fireEvent, render, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
+import { en } from '../../../src/app/messages/en.js';
 import { type AppBench, idle, MemoryStore, reloaded } from '../bench/bench.js';
 import { button, connected, opened, press, type } from '../screen.js';
 
@@ -228,7 +229,7 @@ describe('the dialog of a write', () => {
     expect(screen.getByRole('dialog').textContent).toContain(
       'This device could not keep a backup of what the timer holds now.',
     );
-    await press('Write without a backup');
+    await press(en.write.withoutCopy);
     expect(bench.timer.core.content.times[10]).toBe(36_000);
     expect(screen.getByRole('alert').textContent).toMatch(/M1\sverified\s.*\s· DT\s6:00\smin\s· .*\s· 1\schange$/);
   });
