@@ -45,7 +45,11 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
                 <span>
                   {memoryName(index)} {flies && <PlaneIcon />}
                 </span>
-                {below !== '' && <small class={given === '' ? 'whole' : ''}>{below}</small>}
+                {below !== '' && (
+                  <small key={below} class={given === '' ? 'whole' : ''}>
+                    {below}
+                  </small>
+                )}
               </span>
             </label>
           );

@@ -31,6 +31,8 @@ export const strip = {
   shortChanges: (count: number) => String(count),
   /** Positions that were tried while the servos follow: they are in the timer. */
   tried: (count: number) => `${count} tried`,
+  /** In place of a figure. */
+  notValid: 'not valid',
   asInTimer: '✓',
   notCertain: 'not certain',
   asRead: 'last read',

@@ -48,13 +48,23 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
     known: strip.asInTimer,
     once: kept ? strip.ofSetting(kept.changes) : editor.madeAt.value === null ? strip.asRead : strip.made,
   }[state];
+  const long = said();
+  const hint = count > 0 ? words.hints[standing.sure](time) : null;
+  // Keyed by their words, here and in the whole strip: new words are a new element. What a translator or an extension
+  // has put in place of the old text goes with it, and cannot stay as if it were still true.
   return (
     <p class={`changes ${state} ${isTried ? 'tried' : ''}`} role="status">
-      <strong class="changes-long">{said()}</strong>{' '}
-      <strong class="changes-short" aria-hidden="true">
+      <strong key={`long ${long}`} class="changes-long">
+        {long}
+      </strong>{' '}
+      <strong key={`short ${short}`} class="changes-short" aria-hidden="true">
         {short}
       </strong>
-      {count > 0 && <span class="visually-hidden">{words.hints[standing.sure](time)}</span>}
+      {hint && (
+        <span key={hint} class="visually-hidden">
+          {hint}
+        </span>
+      )}
     </p>
   );
 }

@@ -154,14 +154,23 @@ function MemoryNow({ session }: { readonly session: Session }) {
   const given = givenName(session.modelAtHand.value, memory);
   return (
     <span class="strip-memory">
-      {given !== '' && <small aria-hidden="true">{given}</small>}
+      {given !== '' && (
+        <small key={given} aria-hidden="true">
+          {given}
+        </small>
+      )}
       {flies ? (
         <>
-          <span class="visually-hidden">{nextFlight.named(memoryText(session, memory))}</span>
-          <span aria-hidden="true">{memoryName(memory)}</span> <PlaneIcon />
+          <span key={`named ${memory}`} class="visually-hidden">
+            {nextFlight.named(memoryText(session, memory))}
+          </span>
+          <span key={memory} aria-hidden="true">
+            {memoryName(memory)}
+          </span>{' '}
+          <PlaneIcon />
         </>
       ) : (
-        memoryName(memory)
+        <span key={memory}>{memoryName(memory)}</span>
       )}
     </span>
   );
@@ -184,11 +193,15 @@ interface FigureProps {
   readonly field: ProgramField;
 }
 
-/** One figure. It is red for a short DT, and when an interrupted write was to change it. */
+/**
+ * One figure. It is red for a short DT, when an interrupted write was to change it, and while what was typed is no
+ * value: then the value before it is no longer meant.
+ */
 function Figure({ session, identity, field }: FigureProps) {
-  const { program } = messages.value;
+  const { program, strip } = messages.value;
   const { editor } = session;
   const key = fieldKey(field);
+  const isValid = useLateComputed(() => !editor.unreadable.value.has(key), editor.baseline);
   // The field that is typed into, or the mark that is moved, is drawn first.
   const text = useLateComputed(() => {
     const value = editor.working.value && valueAt(editor.working.value, field);
@@ -208,11 +221,11 @@ function Figure({ session, identity, field }: FigureProps) {
     if (sure === 'not') return 'past';
     return sure === 'once' && editor.madeAt.value === null && !session.connection.value ? 'past' : '';
   }, session.standing);
-  const [figure, unit] = text.split(' ');
+  const [figure, unit] = isValid ? text.split(' ') : [strip.notValid, ''];
+  const name = isShort && isValid ? program.shortDt : keyName(identity, field);
   return (
-    <span class={`strip-figure ${isShort ? 'bad' : look}`}>
-      <small>{isShort ? program.shortDt : keyName(identity, field)}</small> <b>{figure}</b>{' '}
-      <small class="strip-unit">{unit}</small>
+    <span key={`${name} ${figure} ${unit}`} class={`strip-figure ${isShort || !isValid ? 'bad' : look}`}>
+      <small>{name}</small> <b>{figure}</b> <small class="strip-unit">{unit}</small>
     </span>
   );
 }
@@ -230,12 +243,17 @@ function LinkState({ link, model }: LinkStateProps) {
     const { identity } = state.connection;
     return (
       <p class={`link-state on ${model === null ? 'of-class' : ''}`}>
-        <strong>{model ?? timerName(identity)}</strong> <span>{header.firmware(identity.firmware)}</span>
+        <strong key={model ?? timerName(identity)}>{model ?? timerName(identity)}</strong>{' '}
+        <span key={identity.firmware}>{header.firmware(identity.firmware)}</span>
         {link.simulated.value && <span class="badge">{header.simulated}</span>}
       </p>
     );
   }
   const busy = state.status === 'off' ? '' : 'busy';
   const status = state.status === 'away' && !state.unplugged ? 'brokenOff' : state.status;
-  return <p class={`link-state ${busy}`}>{words.status[status]}</p>;
+  return (
+    <p key={status} class={`link-state ${busy}`}>
+      {words.status[status]}
+    </p>
+  );
 }

@@ -18,7 +18,9 @@ export function StripModel({ session }: { readonly session: Session }) {
       aria-label={model ? words.change(model.name) : undefined}
       onClick={() => recognition.choose()}
     >
-      {model ? <span class="strip-model-name">{model.name}</span> : words.which}
+      <span key={model?.id} class={model ? 'strip-model-name' : ''}>
+        {model?.name ?? words.which}
+      </span>
     </button>
   );
 }

@@ -1,8 +1,9 @@
-import { fireEvent, screen, within } from '@testing-library/preact';
+import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { TIGHT } from '../../../src/app/ui/use-query.js';
 import { idle } from '../bench/bench.js';
-import { connected, inWindow, lookAt, press } from '../screen.js';
+import { connected, inWindow, lookAt, press, type } from '../screen.js';
 
 const figures = () => document.querySelector('.strip-figures') as HTMLButtonElement;
 const isOpen = () => figures().getAttribute('aria-expanded') === 'true';
@@ -84,6 +85,39 @@ it('the large figures stay open while keys walk through the memories', async () 
   fireEvent.keyDown(document.activeElement as Element, { key: 'Escape' });
   await idle();
   expect([isOpen(), document.activeElement]).toEqual([false, figures()]);
+});
+
+it.each(['99:99', '5:00x'])('a figure whose cell says %s is not valid, not the value before it', async (text) => {
+  await connected();
+  const dt = () => document.querySelector('.strip-figure');
+  await type('DT time', text);
+  expect([dt()?.textContent?.trim(), dt()?.className]).toEqual([`DT ${en.strip.notValid}`, 'strip-figure bad']);
+  await type('DT time', '5:00');
+  expect(dt()?.textContent).toBe('DT 5:00 min');
+});
+
+it('says what is true also after a tool has put its own text into every element', async () => {
+  const app = await connected();
+  const strip = document.querySelector('.strip') as HTMLElement;
+  const words = () => strip.textContent.replace(/\s+/g, ' ');
+  // As a translator does: another element, with another text.
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const found: Text[] = [];
+  while (texts.nextNode()) found.push(texts.currentNode as Text);
+  for (const text of found) {
+    const wrapped = document.createElement('font');
+    wrapped.textContent = text.data;
+    text.replaceWith(wrapped);
+  }
+  await type('DT time', '6:00');
+  await type('Motor stop time', '12');
+  expect(words()).toContain(en.program.changes(2));
+  expect(words()).toContain('DT 6:00 min');
+  expect(words()).toContain('motor stop 12.0 s');
+  expect(words()).not.toMatch(/As in the timer|3:00|10\.0/);
+  act(() => app.adapter.unplug());
+  await idle();
+  expect(words()).toContain(en.link.status.away);
 });
 
 it('Connect stands where Disconnect stood, so that a second click closes no program', async () => {
