@@ -26,6 +26,12 @@ export class Memories {
   });
   /** The two memories that are compared, by their last readings; null for none. */
   readonly compared: ReadonlySignal<Compared | null>;
+  /** Whether the connected timer does not say which memory is current, so that nobody knows which one to go back to. */
+  readonly noWayBack: ReadonlySignal<boolean> = computed(() => {
+    const { nextFlight, editor, connection } = this.#session;
+    const baseline = editor.baseline.value;
+    return connection.value !== null && baseline?.memory === null && !nextFlight.open.value;
+  });
   readonly #picked = signal<number | null>(null, { name: 'picked' });
   readonly #compared = signal<Compared | null>(null, { name: 'compared' });
   readonly #session: Session;

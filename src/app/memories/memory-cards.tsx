@@ -130,8 +130,7 @@ function Unread({ session, memories, memory, current }: UnreadProps) {
         {look.look(name)}
       </button>
       {current !== null && <p class="hint">{look.hint(name, memoryName(current))}</p>}
-      {/* During a job the current memory is not known, but that is not the timer's fault. */}
-      {current === null && !session.runner.busy.value && <p class="hint">{look.noWayBack}</p>}
+      {memories.noWayBack.value && <p class="hint">{look.noWayBack}</p>}
     </div>
   );
 }

@@ -25,7 +25,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
   const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
   // Not during a job. A disabled button would lose the focus, so it stays enabled.
   const isBusy = !runner.ready.value;
-  const noWayBack = !nextFlight.open.value && current === null;
+  const noWayBack = memories.noWayBack.value;
   return (
     <section class="memory-look" aria-labelledby="look-title">
       <div role="status">

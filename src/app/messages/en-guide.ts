@@ -96,7 +96,7 @@ export const words = {
     memory: {
       name: 'Memory',
       short: 'A timer has several memories. Each holds one program. The one that is selected in the timer flies next.',
-      more: 'M1 is the first memory. Looking at another memory does not change which one flies next.',
+      more: 'M1 is the first memory. To look at another one, the page selects it, reads it and goes back. If that is interrupted, the page says which one may fly next.',
       range: 'Usually four, M1 to M4. Older timers have five.',
     },
   },

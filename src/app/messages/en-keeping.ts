@@ -16,7 +16,7 @@ export const keeping = {
     missing:
       'It has no storage for this page, or its storage is switched off. What you type, backups and the note of an interrupted write are kept only while this page is open.',
     failed:
-      'Its storage fails: this device may have no room left. Make room and come back to this page: then it tries again. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
+      'Its storage fails. When you come back to this page, it tries again. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
   } satisfies Record<StorageErrorCode, string>,
   lacks: {
     locks: 'This page cannot tell its tabs apart. Use one tab only.',

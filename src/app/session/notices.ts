@@ -21,6 +21,9 @@ export type NoteCode =
   | 'made-put-away'
   | 'unexpected';
 
+/** Those about changes on the screen. They end with the last change. */
+export const ABOUT_CHANGES: ReadonlySet<string> = new Set<NoteCode>(['edits-restored', 'edits-kept', 'edits-moved']);
+
 /** A message to the pilot, as a code. messages/ has the sentence. */
 export type Notice =
   | {

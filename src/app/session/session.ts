@@ -16,7 +16,7 @@ import { Library } from './library.js';
 import { LineLog } from './line-log.js';
 import { Link } from './link.js';
 import { NextFlight } from './next-flight.js';
-import { Notices } from './notices.js';
+import { ABOUT_CHANGES, Notices } from './notices.js';
 import { OnScreen } from './on-screen.js';
 import { OpenSetting } from './open-setting.js';
 import { Origin } from './origin.js';
@@ -127,6 +127,10 @@ export class Session {
     this.keptPrograms = new KeptPrograms(drafts);
     this.opened = new OpenSetting(this, drafts);
     this.origin = new Origin(this);
+    effect(() => {
+      const said = this.notices.current.value;
+      if (said && ABOUT_CHANGES.has(said.code) && !this.editor.dirty.value) this.notices.dismiss();
+    });
     effect(() => {
       if (this.recognition.timer.value > 0) this.backups.anotherTimer();
     });

@@ -1,5 +1,6 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, type BenchOptions, idle } from '../bench/bench.js';
 import { button, connected, goTo, opened, press } from '../screen.js';
@@ -135,10 +136,18 @@ describe('the memories', () => {
   it('cannot be looked at where the timer does not say which is current, but made to fly next', async () => {
     const { timer } = await atMemories({ quirks: { memoryReplyEmpty: true } });
     expect(button('Look at M2').getAttribute('aria-disabled')).toBe('true');
+    expect(screen.getAllByText(en.look.noWayBack).length).toBeGreaterThan(0);
     await press('Look at M2');
     expect(timer.core.answered.filter(({ name }) => name === 'SETMEMORY')).toEqual([]);
     await press('Make it fly next: M2');
     expect(timer.core.memory).toBe(1);
+  });
+
+  it('do not say so of a timer that was unplugged during a look', async () => {
+    const { timer, adapter } = await atMemories();
+    timer.core.onAnswer = ({ name }) => name === 'SETMEMORY' && adapter.unplug();
+    await press('Look at M3');
+    expect(document.body.textContent).not.toContain(en.look.noWayBack);
   });
 
   it('stay as last read, and are forgotten when a timer is connected, because it may be another', async () => {

@@ -247,6 +247,8 @@ describe('a lost port', () => {
     await elsewhere(99);
     expect([status(bench), notice(bench)]).toEqual(['on', 'edits-moved']);
     expect([bench.editor.textOf(S1), bench.editor.working.value?.positions[2]?.[4]]).toEqual(['7', 99]);
+    bench.editor.revertAll();
+    expect(notice(bench), 'no change is kept or marked any more').toBeUndefined();
   });
 
   it('asks for the safety again, because it may be another timer', async () => {

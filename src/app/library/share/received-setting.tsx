@@ -47,7 +47,7 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
   }
   return (
     <>
-      <Head shared={shared} />
+      <Head shared={shared} isKept={received.kept.value !== null || received.known.value !== null} />
       {/* Above the values: where it would go must be in sight with the button that keeps it. */}
       {!received.kept.value && <Place session={session} received={received} shared={shared} />}
       <Values shared={shared} />
@@ -56,7 +56,8 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
   );
 }
 
-function Head({ shared }: { readonly shared: SharedSetting }) {
+/** @param isKept whether the library has it: then not only this page shows it. */
+function Head({ shared, isKept }: { readonly shared: SharedSetting; readonly isKept: boolean }) {
   const { received: words } = share;
   const { program, name, modelName, at } = shared;
   const { identity } = program;
@@ -71,7 +72,7 @@ function Head({ shared }: { readonly shared: SharedSetting }) {
           words.dated(dateText(at)),
         ])}
       </p>
-      <p class="hint">{words.lead}</p>
+      {!isKept && <p class="hint">{words.lead}</p>}
     </div>
   );
 }

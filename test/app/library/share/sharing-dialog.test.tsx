@@ -1,5 +1,6 @@
 import { act, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
+import { share } from '../../../../src/app/messages/en-share.js';
 import { linkOf, sharedOf } from '../../../../src/app/session/setting-link.js';
 import type { SharedSetting } from '../../../../src/program/index.js';
 import { MODEL, SETTING } from '../../../program/library-examples.js';
@@ -87,8 +88,10 @@ describe('a setting that comes by link', () => {
     const bench = await opened();
     const { library } = bench.session;
     await comes(bench);
+    expect(dialog().getByText(share.received.lead)).toBeTruthy();
     await press('Keep in the library');
     expect(dialog().getByRole('status').textContent).toBe('“calm morning” is in the library.');
+    expect(dialog().queryByText(share.received.lead), 'it is kept now').toBeNull();
     const [model] = library.models.list.value;
     const [kept] = library.settings.list.value;
     expect(model?.model).toMatchObject({ name: 'Lancer 07', timerClass: 'Q' });
