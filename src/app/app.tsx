@@ -4,7 +4,6 @@ import { ConnectButtons } from './connect/connect-buttons.js';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
 import { FLIGHTS } from './flights/flight-filter.js';
-import type { FirstSteps as FirstStepsModel } from './help/first-steps.js';
 import { messages } from './messages/index.js';
 import type { AppModels } from './models.js';
 import * as parts from './parts.js';
@@ -55,9 +54,7 @@ export function App({ models }: { readonly models: AppModels }) {
           onPrint={printProgram}
         />
       ) : (
-        <StartScreen {...{ session, installation, platform }}>
-          <FirstSteps session={session} steps={help.steps} />
-        </StartScreen>
+        <StartScreen {...{ session, installation, platform }} />
       ),
     memories: () => (
       <parts.memories.Part
@@ -134,22 +131,4 @@ function NoDialogs() {
       </button>
     </div>
   );
-}
-
-/** For a new pilot: anybody who has something here has been here before. */
-function FirstSteps({ session, steps }: { readonly session: AppModels['session']; readonly steps: FirstStepsModel }) {
-  const { backups, keptPrograms, library } = session;
-  const isWanted = steps.shown.value !== null;
-  useEffect(() => {
-    if (isWanted) void library.load();
-  }, [isWanted, library]);
-  const isKnown = [backups.list, keptPrograms.list, library.models.list].some(({ value }) => value.length > 0);
-  useEffect(() => {
-    // Next time no room is kept for them.
-    if (isKnown) steps.end();
-  }, [isKnown, steps]);
-  if (!isWanted || isKnown) return null;
-  // Only once it is known what is kept here, so that they do not appear and vanish. Their room is there from the first
-  // picture on.
-  return <div class="first-steps-room">{library.models.loaded.value && <parts.firstSteps.Part steps={steps} />}</div>;
 }

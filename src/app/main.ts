@@ -12,13 +12,11 @@ import './connect/start-cards.css';
 import './connect/step-list.css';
 import './timeline/servo-class.css';
 import './timeline/small-lanes.css';
-import * as v from 'valibot';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { media } from './browser/doors.js';
 import { holdDroppedFiles } from './browser/dropped-files.js';
 import { holdPageKeys } from './browser/page-keys.js';
 import { tried } from './browser/services.js';
-import { loadSetting } from './browser/settings.js';
 import { earlyClicks } from './early-clicks.js';
 import { first } from './messages/en-first.js';
 import { Theme } from './settings/theme.js';
@@ -35,8 +33,6 @@ tried(() => theme.follow(document, media('(prefers-color-scheme: dark)')));
 // Inside another page, or at the address of another view, something else will be shown.
 const isStart = window.top === window.self && ['', '#program'].includes(location.hash);
 if (!isStart) root.replaceChildren();
-// A pilot who has seen the first steps needs no room for them.
-if (loadSetting('first-steps', v.boolean())) root.querySelector('.first-steps-room')?.remove();
 root.hidden = false;
 holdDroppedFiles();
 holdPageKeys();

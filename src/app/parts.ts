@@ -17,9 +17,6 @@ export const line = onDemand(async () => (await allElse()).LinePanel);
 export const settings = onDemand(async () => (await allElse()).SettingsView);
 export const print = onDemand(async () => (await allElse()).PrintView);
 export const help = onDemand(async () => (await allElse()).HelpView);
-export const firstSteps = onDemand(async () => (await import('./help/first-steps-card.js')).FirstStepsCard, {
-  silent: true,
-});
 export const fileNotice = onDemand(async () => (await allElse()).LibraryFileNotice, { silent: true, later: true });
 export const dialogs = onDemand(async () => (await allElse()).Dialogs, { silent: true, later: true });
 
@@ -51,7 +48,6 @@ export async function fetchParts(): Promise<void> {
     flights,
     fileNotice,
     help,
-    firstSteps,
     compare,
     licenceList,
   ];

@@ -44,8 +44,6 @@ describe('the start is part of the page as it is sent:', () => {
   ] as const)('on %s nothing moves when the page takes its place', async ([, options]) => {
     const page = await newPage({ ...options, reducedMotion: 'reduce' });
     // Without what depends on the browser: that it is ready offline, that it has no serial ports.
-    // Also without the first steps, which only a first visit shows.
-    await page.addInitScript(() => localStorage.setItem('sidus-timer/first-steps', 'true'));
     await page.addInitScript(() => Object.defineProperty(navigator, 'serviceWorker', { value: undefined }));
     await page.addInitScript(inject('workbench'));
     const { asked, release } = await heldBack(page);
@@ -61,30 +59,6 @@ describe('the start is part of the page as it is sent:', () => {
     await page.locator('.notices').evaluate((notices) => notices.replaceChildren());
     expect(await picture(page)).toEqual(before);
     expect(before.length).toBeGreaterThan(40);
-  });
-
-  test.for([
-    ['a desktop', LARGE],
-    ['a phone', PHONE],
-  ] as const)('on %s the first steps come where room was kept for them', async ([, options]) => {
-    const page = await newPage({ ...options, reducedMotion: 'reduce' });
-    const { asked, release } = await heldBack(page);
-    await page.goto(inject('site'));
-    await asked;
-    await page.evaluate(() => document.fonts.ready);
-    const cards = page.locator('.start-cards');
-    const before = await cards.boundingBox();
-    await release();
-    await page.locator('.first-steps').waitFor();
-    expect(await cards.boundingBox()).toEqual(before);
-    await page.getByRole('button', { name: 'Skip', exact: true }).click();
-    await page.unroute(PAGE_SCRIPT);
-    await page.reload();
-    await works(page);
-    expect(
-      await page.locator('.first-steps-room').count(),
-      'the first steps that were skipped are not shown again',
-    ).toBe(0);
   });
 
   test('a click on Connect before the page has loaded opens the choice of a port', async () => {

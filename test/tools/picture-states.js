@@ -217,7 +217,6 @@ export const states = {
     title: 'Before anything is connected',
     reach: async (page) => {
       await page.getByRole('button', { name: 'Connect' }).first().waitFor();
-      await page.locator('.first-steps').waitFor();
     },
   },
   'new-program': {
@@ -740,6 +739,5 @@ export const states = {
   checklist: { title: 'The checklist', reach: help('checklist') },
   trouble: { title: 'What to do in trouble', reach: help('trouble') },
   words: { title: 'The words of the field', reach: help('words') },
-  energy: { title: 'Heights and energy', reach: help('energy') },
   steps: { title: 'The first steps', reach: help('steps') },
 };

@@ -1,4 +1,3 @@
-import type { ComponentChildren } from 'preact';
 import type { Platform } from '../browser/platform.js';
 import { clockText, messages, timerName } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
@@ -18,15 +17,13 @@ interface StartScreenProps {
   readonly session: Session;
   readonly installation: Installation;
   readonly platform: Platform;
-  /** Shown between Connect and what this device keeps. */
-  readonly children?: ComponentChildren;
 }
 
 /**
  * The start, before anything was read:
  * Connect with its three steps, what this device keeps, and what works without a timer.
  */
-export function StartScreen({ session, installation, platform, children }: StartScreenProps) {
+export function StartScreen({ session, installation, platform }: StartScreenProps) {
   const { start } = messages.value;
   const { unavailable } = session.link;
   if (hasStage(session)) return <LinkStage session={session} platform={platform} />;
@@ -54,7 +51,6 @@ export function StartScreen({ session, installation, platform, children }: Start
         </div>
         <KeptPicture session={session} />
       </div>
-      {children}
       <div class="start-cards">
         <KeptModelsCard session={session} />
         <KeptProgramsCard session={session} />

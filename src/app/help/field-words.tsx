@@ -15,15 +15,13 @@ export function WordsPage() {
   return (
     <dl class="field-words">
       {FIELDS.map((field) => {
-        const { name, short, more, range } = words.fields[field];
+        const { name, short, range } = words.fields[field];
         return (
           <div key={field}>
             <dt>{name}</dt>
             <dd>
-              <p>
-                {short} {more}
-              </p>
-              <p class="field-range">{range}</p>
+              <p>{short}</p>
+              {range && <p class="field-range">{range}</p>}
             </dd>
           </div>
         );

@@ -8,7 +8,7 @@ export function HelpNav({ shown }: { readonly shown: HelpPage }) {
     <nav class="help-nav" aria-label={guide.nav}>
       {HELP_PAGES.map((page) => (
         <a key={page} href={`#help/${page}`} aria-current={page === shown ? 'page' : undefined}>
-          {guide.short[page]}
+          {guide.pages[page]}
         </a>
       ))}
     </nav>

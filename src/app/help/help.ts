@@ -1,10 +1,9 @@
-import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { Session } from '../session/session.js';
 import { Checklist } from './checklist.js';
-import { FirstSteps } from './first-steps.js';
 
 /** The pages of the help, in their order. The first is shown when an address names none. */
-export const HELP_PAGES = ['checklist', 'trouble', 'words', 'energy', 'steps'] as const;
+export const HELP_PAGES = ['checklist', 'trouble', 'words', 'steps'] as const;
 export type HelpPage = (typeof HELP_PAGES)[number];
 
 /** The page that an address names. */
@@ -14,18 +13,13 @@ export function helpPageAt(path: string): HelpPage {
 
 /** What the help remembers while the pilot is elsewhere. */
 export class Help {
-  readonly steps = new FirstSteps();
   readonly checklist: Checklist;
   readonly #explaining = signal(false, { name: 'explaining' });
   /** Whether the explanation of the program's columns and rows is open. */
   readonly explaining: ReadonlySignal<boolean> = this.#explaining;
 
-  constructor({ editor, connection, link }: Session) {
+  constructor({ editor }: Pick<Session, 'editor'>) {
     this.checklist = new Checklist(computed(() => editor.identity.value?.timerClass ?? null));
-    effect(() => {
-      // A pilot who has reached a timer no longer needs to be told how.
-      if (connection.value && !link.simulated.value) this.steps.end();
-    });
   }
 
   explain(open: boolean): void {

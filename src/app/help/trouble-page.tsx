@@ -12,7 +12,6 @@ const SYMPTOMS = Object.keys(words.symptoms) as Symptom[];
 export function TroublePage({ connection }: { readonly connection: (symptom: Symptom) => ComponentChildren }) {
   return (
     <div class="trouble-page">
-      <p>{words.lead}</p>
       {SYMPTOMS.map((symptom) => {
         const { title, steps } = words.symptoms[symptom];
         return (

@@ -4,7 +4,7 @@ export const theme = { title: 'Colours', names: { system: 'System', light: 'Ligh
 /** The settings of the page. */
 export const settings = {
   title: 'Settings',
-  help: 'Help: checklist, trouble, values, energy',
+  help: 'Help: checklist, trouble, values',
   look: 'Look',
   expert: 'Expert: show the line',
   expertHint:

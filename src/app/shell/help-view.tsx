@@ -2,9 +2,8 @@ import type { Platform } from '../browser/platform.js';
 import type { HelpCode } from '../connect/connection-help.js';
 import { connectionSaid, HelpSteps } from '../connect/connection-help-view.js';
 import { ChecklistPage } from '../help/checklist-page.js';
-import { EnergyPage } from '../help/energy-page.js';
 import { WordsPage } from '../help/field-words.js';
-import { FirstStepsPage } from '../help/first-steps-card.js';
+import { FirstStepsPage } from '../help/first-steps-page.js';
 import { type Help, type HelpPage, helpPageAt } from '../help/help.js';
 import { HelpNav } from '../help/help-nav.js';
 import { type Symptom, TroublePage } from '../help/trouble-page.js';
@@ -31,7 +30,6 @@ export function HelpView({ session, help, platform, path }: HelpViewProps) {
       <TroublePage connection={(symptom) => <Connection session={session} platform={platform} symptom={symptom} />} />
     ),
     words: () => <WordsPage />,
-    energy: () => <EnergyPage motorStop={motorStopOf(session)} />,
     steps: () => <FirstStepsPage />,
   };
   return (
@@ -69,10 +67,4 @@ function Connection({ session, platform, symptom }: ConnectionProps) {
       <HelpSteps code={code} platform={platform} info={null} rateSet={isRateSet(session.link)} />
     </div>
   );
-}
-
-/** In hundredths of a second; null where the program on the screen has none. */
-function motorStopOf({ editor }: Session): number | null {
-  const program = editor.working.value;
-  return program?.identity.timerClass === 'Q' ? (program.times[0] ?? null) : null;
 }

@@ -1,16 +1,12 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
+import { guide } from '../../../src/app/messages/en-guide.js';
+import { settings } from '../../../src/app/messages/en-settings.js';
 import { TABS_BELOW } from '../../../src/app/ui/use-query.js';
-import { idle, type MemoryStore, reloaded, run } from '../bench/bench.js';
-import { button, connected, drawn, goTo, inWindow, opened, press, type } from '../screen.js';
+import { idle, reloaded, run } from '../bench/bench.js';
+import { connected, drawn, goTo, inWindow, opened, press, type } from '../screen.js';
 
-const PAGES = {
-  checklist: 'Before the flight',
-  trouble: 'When something is wrong',
-  words: 'What the values are',
-  energy: 'Energy for F1Q',
-  steps: 'First steps',
-};
+const PAGES = guide.pages;
 type Page = keyof typeof PAGES;
 
 /** Goes to a page of the help, as its link does. */
@@ -53,7 +49,7 @@ describe('the help', () => {
   it.each(['', 'nowhere', 'words/more', 'constructor'])('begins with the checklist at “%s”', async (path) => {
     const { models } = await opened();
     await look(models, path);
-    expect(screen.getByRole('heading', { level: 2, name: 'Before the flight' })).toBeTruthy();
+    expect(screen.getByRole('heading', { level: 2, name: PAGES.checklist })).toBeTruthy();
   });
 
   it('opens by the key ?, but not in a text field or while a dialog is open', async () => {
@@ -86,50 +82,6 @@ describe('the help', () => {
     await connected({ identity: { timerClass: 'B' } });
     await press('What the values are');
     expect(within(screen.getByRole('dialog')).queryByText('Motor stop')).toBeNull();
-  });
-});
-
-describe('the first steps', () => {
-  it('are three, stand below Connect, and are not shown again when they were seen', async () => {
-    const bench = await opened();
-    expect(screen.getByText('First steps, 1 of 3')).toBeTruthy();
-    const connect = button('Connect');
-    const card = screen.getByRole('region', { name: 'Read the timer' });
-    expect(connect.compareDocumentPosition(card) & Node.DOCUMENT_POSITION_FOLLOWING).toBeTruthy();
-    await press('Next');
-    await press('Next');
-    expect(screen.getByText('First steps, 3 of 3')).toBeTruthy();
-    await press('Back');
-    await press('Next');
-    await press('Done');
-    expect(screen.queryByText(/^First steps, /)).toBeNull();
-    cleanup();
-    await drawn(await reloaded(bench));
-    expect(screen.queryByText(/^First steps, /)).toBeNull();
-  });
-
-  it('are skipped by one press, for good', async () => {
-    await opened();
-    await press('Skip');
-    cleanup();
-    await opened();
-    expect(screen.queryByText(/^First steps, /)).toBeNull();
-  });
-
-  it('are not shown to a pilot who has reached a timer or has kept something', async () => {
-    const bench = await connected();
-    await run(bench.session.timer.disconnect());
-    await press('Close program');
-    expect(screen.queryByText(/^First steps, /)).toBeNull();
-    localStorage.clear();
-    cleanup();
-    const store: MemoryStore = bench.store;
-    await opened({ store });
-    expect(screen.getByText('First steps, 1 of 3'), 'nothing is kept yet, so the first steps are shown').toBeTruthy();
-    await press('New program…');
-    await press('Make the program');
-    await press('Close program');
-    expect(screen.queryByText(/^First steps, /)).toBeNull();
   });
 });
 
@@ -189,58 +141,6 @@ describe('what the checklist says of the timer', () => {
   });
 });
 
-describe('the energy', () => {
-  const fill = (label: string, value: string): void => {
-    act(() => void fireEvent.input(screen.getByLabelText(label), { target: { value } }));
-  };
-
-  it('is worked out while the pilot types, from watts or from volts and amperes, with the age of the rule', async () => {
-    const { models } = await opened();
-    await look(models, 'energy');
-    expect(screen.getByText(/told it around 2022\. Rules change: check/)).toBeTruthy();
-    const rule = (): string => screen.getByText(/^The rule: /).textContent ?? '';
-    expect(rule()).toMatch(/^The rule: 3 J for each gram of the model, at most 1650 J, and at most 40 s\./);
-    fill('Weight of the model', '480');
-    fill('Power', '165');
-    expect([screen.getByText('1440 J'), screen.getByText('8.7 s')]).toHaveLength(2);
-    fireEvent.click(screen.getByRole('radio', { name: 'Volts and amperes' }));
-    await idle(0);
-    expect(screen.queryByText('1440 J')).toBeNull();
-    fill('Battery voltage', '11,1');
-    fill('Battery current', '15');
-    expect(screen.getByText('8.6 s')).toBeTruthy();
-    fireEvent.click(screen.getByRole('radio', { name: 'Fly-off' }));
-    await idle(0);
-    expect(screen.getByText('960 J')).toBeTruthy();
-    expect(rule()).toMatch(/^The rule: 2 J for each gram .* at most 20 s\..* less certain even then\.$/);
-  });
-
-  it('says which figures are possible, and gives no result for others', async () => {
-    const { models } = await opened();
-    await look(models, 'energy');
-    fill('Power', '165');
-    fill('Weight of the model', '9');
-    expect(screen.getByRole('alert').textContent).toBe('Type a figure from 10 g to 5000 g.');
-    expect(screen.getByText(/^Type the weight and the power/)).toBeTruthy();
-  });
-
-  it('is compared with the motor stop on the screen, if the class has one', async () => {
-    const { models } = await connected();
-    await look(models, 'energy');
-    fill('Weight of the model', '480');
-    fill('Power', '165');
-    expect(screen.getByText(/stops the motor at 10\.0 s: 1650 J\. That is more than is allowed\.$/)).toBeTruthy();
-    fill('Power', '140');
-    expect(screen.getByText(/stops the motor at 10\.0 s: 1400 J\. That is within the limit\.$/)).toBeTruthy();
-    cleanup();
-    const glider = await connected({ identity: { timerClass: 'E' } });
-    await look(glider.models, 'energy');
-    fill('Weight of the model', '480');
-    fill('Power', '165');
-    expect(screen.queryByText(/stops the motor/)).toBeNull();
-  });
-});
-
 it('a symptom of the connection has the same steps as the page shows when it happens', async () => {
   const { models } = await opened();
   await look(models, 'trouble');
@@ -257,5 +157,5 @@ it('the settings lead to the help where the links to the views have no room for 
   inWindow((query) => query === TABS_BELOW);
   await opened();
   await goTo('settings');
-  expect(links()).toEqual(['Help: checklist, trouble, values, energy']);
+  expect(links()).toEqual([settings.help]);
 });

@@ -15,8 +15,6 @@ describe('the start', () => {
     await opened();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
       'Connect',
-      'Skip',
-      'Next',
       'New program…',
       'F1Q',
       'F1B',

@@ -1,0 +1,13 @@
+import { firstSteps } from '../messages/en-guide.js';
+import './first-steps-page.css';
+
+/** What a new pilot is told. */
+export function FirstStepsPage() {
+  return (
+    <ol class="steps-page">
+      {firstSteps.map((step) => (
+        <li key={step}>{step}</li>
+      ))}
+    </ol>
+  );
+}
