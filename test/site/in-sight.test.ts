@@ -1,6 +1,7 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { HELP_PAGES } from '../../src/app/help/help.js';
+import { write } from '../../src/app/messages/en-write.js';
 import { AppPage } from './app-page.js';
 import { IN_SUN, PHONE } from './page.js';
 
@@ -283,6 +284,22 @@ test('the promise about the propeller stands beside the button that waits for it
   await app.page.setViewportSize({ width: 390, height: 500 });
   await expect.poll(() => dialog.evaluate((it) => it.scrollHeight > it.clientHeight)).toBe(true);
   await expect.poll(isInWindow).toBe(true);
+});
+
+test('what warns before a write is in sight with its tick, above a long difference, and why Write is grey', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 1366, height: 650 }, before: IN_SUN });
+  await app.connect();
+  for (let i = 1; i <= 10; i++) await app.type(`Function ${i}, S1`, '7');
+  await app.type('Motor stop', '4:00');
+  await app.review();
+  const words = [write.acknowledge, write.stillToTick([write.ticks.warnings, write.ticks.safety])];
+  for (const sentence of words) {
+    const isInWindow = await app.dialog.getByText(sentence).evaluate((text) => {
+      const { left, top, width, height } = text.getBoundingClientRect();
+      return document.elementFromPoint(left + width / 2, top + height / 2) === text;
+    });
+    expect(isInWindow, sentence).toBe(true);
+  }
 });
 
 test('on a phone on its side the way to stop following is in the window, with all commands of the program', async () => {

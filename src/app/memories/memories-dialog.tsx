@@ -14,14 +14,13 @@ import { keyFigures } from '../messages/key-figures.js';
 import { openValues } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
-import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { CrossingCheck } from '../write/crossing-check.js';
 import { ClosingButtons, JobStep } from '../write/dialog-steps.js';
 import { Difference } from '../write/difference.js';
 import { MoveServosCheck } from '../write/move-servos-check.js';
-import { SafetyCheck } from '../write/safety-check.js';
+import { StartButtons } from '../write/start-buttons.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 import type { MemoriesStep, MemoryJobs } from './memory-jobs.js';
 import { nextFlightText } from './next-flight-line.js';
@@ -67,24 +66,25 @@ function Review({ session, jobs, current: { plan, changes, crossing } }: ReviewP
   const movesServos = changes.some(({ changes: all }) => all.some(({ field }) => field.kind === 'position'));
   return (
     <>
-      <p>{leadOf(session, plan)}</p>
       <Refusals session={session} changes={changes} />
-      {changes.map((change) => (
-        <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />
-      ))}
       <CrossingCheck
         crossing={crossing}
         acknowledged={jobs.crossed.value}
         onAcknowledge={(wanted) => jobs.cross(wanted)}
       />
       {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
-      <div class="buttons">
-        {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
-        <CancelButton onClick={() => jobs.dismiss()} />
-        <button type="button" class="primary" disabled={!jobs.ready.value} onClick={() => void jobs.start()}>
-          {words.start[plan.kind]}
-        </button>
-      </div>
+      <p>{leadOf(session, plan)}</p>
+      {changes.map((change) => (
+        <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />
+      ))}
+      <StartButtons
+        safety={plan.kind === 'back-up' ? null : session.safety}
+        ready={jobs.ready.value}
+        unticked={jobs.unticked.value}
+        label={words.start[plan.kind]}
+        onCancel={() => jobs.dismiss()}
+        onStart={() => void jobs.start()}
+      />
     </>
   );
 }

@@ -5,6 +5,7 @@ import { type Crossing, crossingOf, sameCrossing } from '../session/crossing.js'
 import { type JobContext, stoppedBy, type Work } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from '../write/job-dialog.js';
+import type { Tick } from '../write/start-buttons.js';
 import { strayed } from '../write/strayed.js';
 import type { NotedRoundTrip } from './noted-round-trip.js';
 import {
@@ -63,13 +64,19 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
   readonly #crossed = signal(false, { name: 'crossedMemories' });
   /** Whether the pilot agrees to put backups of one model into the timer of another. */
   readonly crossed: ReadonlySignal<boolean> = this.#crossed;
-  /** Whether the shown plan may begin. Only a write needs the word that the model is held: reading changes nothing. */
+  /** What the pilot has to tick first. Only a write needs the word that the model is held: reading changes nothing. */
+  readonly unticked: ReadonlySignal<readonly Tick[]> = computed(() => {
+    const step = this.current.value;
+    if (step?.step !== 'review') return [];
+    const isSafe = step.plan.kind === 'back-up' || this.#session.safety.confirmed.value;
+    const isAgreed = step.crossing === null || this.crossed.value;
+    return [...(isAgreed ? [] : (['model'] as const)), ...(isSafe ? [] : (['safety'] as const))];
+  });
+  /** Whether the shown plan may begin. */
   readonly ready: ReadonlySignal<boolean> = computed(() => {
     const step = this.current.value;
-    if (step?.step !== 'review') return false;
-    const isSafe = step.plan.kind === 'back-up' || this.#session.safety.confirmed.value;
-    if (step.changes.some((change) => refusalsOf(change).length > 0)) return false;
-    return isSafe && (step.crossing === null || this.crossed.value);
+    if (step?.step !== 'review' || this.unticked.value.length > 0) return false;
+    return step.changes.every((change) => refusalsOf(change).length === 0);
   });
   readonly #session: Session;
   readonly #roundTrip: NotedRoundTrip;

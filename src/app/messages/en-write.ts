@@ -38,6 +38,9 @@ export const write = {
   notWithout: 'Do not write',
   safety: 'The propeller is off or the model is held, and the timer is not armed.',
   acknowledge: 'I have read this and want to write it anyway.',
+  stillToTick: (ticks: readonly string[]) => `Still to tick: ${ticks.join(', ')}.`,
+  /** What each tick is about, in as few words as there is room for beside the button. */
+  ticks: { model: 'other model', warnings: 'warnings', safety: 'propeller' },
   move: {
     why: 'This timer seems to keep positions only where its servos stand. If the servos do not move, it will probably not keep these.',
     label: 'Move the servos to each function before its positions are stored.',

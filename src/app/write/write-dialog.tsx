@@ -9,14 +9,13 @@ import { keyFields, keyName } from '../messages/key-figures.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Check } from '../ui/check.js';
-import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { CrossingCheck } from './crossing-check.js';
 import { ClosingButtons, JobStep } from './dialog-steps.js';
 import { Difference } from './difference.js';
 import { MoveServosCheck } from './move-servos-check.js';
-import { SafetyCheck } from './safety-check.js';
+import { StartButtons } from './start-buttons.js';
 import { strayed } from './strayed.js';
 import { UncertainNote } from './uncertain-band.js';
 import { DifferenceInWords, ValueTable } from './value-table.js';
@@ -42,7 +41,7 @@ export function WriteDialog({ session, write, after }: WriteDialogProps) {
       head={
         <>
           <UncertainNote session={session} />
-          {current?.step === 'review' && <KeyFigures shown={current.shown} />}
+          {current?.step === 'review' && <KeyFigures shown={current.shown} isShort={write.short.value} />}
         </>
       }
       held={write.held}
@@ -75,16 +74,18 @@ function figure(identity: Identity, field: ProgramField, value: number | null): 
   return value === null ? messages.value.write.status.unknown : figureText(identity, field, value);
 }
 
-/** DT and motor stop, whatever else is written: a pilot looks at them first. */
-function KeyFigures({ shown: { baseline, goal } }: { shown: Shown }) {
-  const { write: words } = messages.value;
+/** DT and motor stop, whatever else is written: a pilot looks at them first. A short DT is red. */
+function KeyFigures({ shown: { baseline, goal }, isShort }: { readonly shown: Shown; readonly isShort: boolean }) {
+  const { write: words, program } = messages.value;
   return (
     <p class="key-figures">
-      {keyFields(goal.identity).map((field) => {
+      {keyFields(goal.identity).map((field, at) => {
         const [from, to] = [valueAt(baseline, field), valueAt(goal, field)];
+        // DT comes first.
+        const isBad = at === 0 && isShort;
         return (
-          <span key={fieldKey(field)}>
-            <span class="key-name">{keyName(goal.identity, field)}</span>{' '}
+          <span key={fieldKey(field)} class={isBad ? 'bad-text' : undefined}>
+            <span class="key-name">{isBad ? program.shortDt : keyName(goal.identity, field)}</span>{' '}
             <strong>{figure(goal.identity, field, to)}</strong>{' '}
             <small>{from === to ? words.asItIs : words.insteadOf(figure(goal.identity, field, from))}</small>
           </span>
@@ -113,16 +114,6 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
         </div>
       )}
       <Conflicts editor={session.editor} identity={identity} />
-      <p>{changes.length === 0 ? words.nothing : words.lead(whereText(session, memory, shown.model))}</p>
-      {changes.length > 0 && (
-        <>
-          <Difference before={shown.baseline} goal={shown.goal} changes={changes} />
-          <details>
-            <summary>{words.inWords}</summary>
-            <DifferenceInWords identity={identity} changes={changes} />
-          </details>
-        </>
-      )}
       <CrossingCheck
         crossing={shown.crossing}
         acknowledged={write.crossed.value}
@@ -144,13 +135,24 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
         </div>
       )}
       {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
-      <div class="buttons">
-        <SafetyCheck safety={session.safety} />
-        <CancelButton onClick={() => write.dismiss()} />
-        <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
-          {words.start(changes.length)}
-        </button>
-      </div>
+      <p>{changes.length === 0 ? words.nothing : words.lead(whereText(session, memory, shown.model))}</p>
+      {changes.length > 0 && (
+        <>
+          <Difference before={shown.baseline} goal={shown.goal} changes={changes} />
+          <details>
+            <summary>{words.inWords}</summary>
+            <DifferenceInWords identity={identity} changes={changes} />
+          </details>
+        </>
+      )}
+      <StartButtons
+        safety={session.safety}
+        ready={write.ready.value}
+        unticked={write.unticked.value}
+        label={words.start(changes.length)}
+        onCancel={() => write.dismiss()}
+        onStart={() => void write.start()}
+      />
     </>
   );
 }

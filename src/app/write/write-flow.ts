@@ -7,6 +7,7 @@ import { type Crossing, sameCrossing, sameModel } from '../session/crossing.js';
 import type { JobContext, JobEnd } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from './job-dialog.js';
+import type { Tick } from './start-buttons.js';
 import { strayed } from './strayed.js';
 
 /** What the dialog has shown: exactly this is written, or nothing. */
@@ -60,18 +61,23 @@ export class WriteFlow extends JobDialog<WriteStep> {
   readonly serious: ReadonlySignal<readonly Finding[]> = computed(() =>
     this.#session.editor.findings.value.filter(({ severity }) => severity === 'serious'),
   );
+  /** Whether DT is short: good for a trimming flight, so it needs no tick. */
+  readonly short: ReadonlySignal<boolean> = computed(() =>
+    this.#session.editor.findings.value.some(({ code }) => code === 'dt-short'),
+  );
   /** The shown result, when it is verified. */
   readonly verified: ReadonlySignal<Extract<WriteStep, { step: 'done' }> | null> = computed(() => {
     const step = this.current.value;
     return step?.step === 'done' && step.report.result === 'verified' ? step : null;
   });
+  /** What the pilot has to tick before the write may begin. */
+  readonly unticked: ReadonlySignal<readonly Tick[]> = computed(() => [
+    ...(this.#crossing.value && !this.crossed.value ? (['model'] as const) : []),
+    ...(this.serious.value.length > 0 && !this.acknowledged.value ? (['warnings'] as const) : []),
+    ...(this.#session.safety.confirmed.value ? [] : (['safety'] as const)),
+  ]);
   /** Whether the write may begin. */
-  readonly ready: ReadonlySignal<boolean> = computed(
-    () =>
-      this.#session.safety.confirmed.value &&
-      (this.serious.value.length === 0 || this.acknowledged.value) &&
-      (!this.#crossing.value || this.crossed.value),
-  );
+  readonly ready: ReadonlySignal<boolean> = computed(() => this.unticked.value.length === 0);
   /** Set when the shown values would go into the timer of another model. */
   readonly #crossing = computed(() => {
     const step = this.current.value;

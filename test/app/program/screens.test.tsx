@@ -1,5 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
+import { write } from '../../../src/app/messages/en-write.js';
 import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
 import { type AppBench, appBench, idle, MemoryStore } from '../bench/bench.js';
 import { button, connected, field, goTo, opened, press, table, type } from '../screen.js';
@@ -345,11 +347,29 @@ describe('writing', () => {
     await connected();
     await type('Motor stop', '4:00');
     await press('Write…');
-    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+    const { stillToTick, ticks } = write;
+    const why = () => document.getElementById(button('Write 1 change').getAttribute('aria-describedby') ?? '');
+    expect(why()?.textContent).toBe(stillToTick([ticks.warnings, ticks.safety]));
+    fireEvent.click(screen.getByRole('checkbox', { name: write.safety }));
     await idle();
+    expect(why()?.textContent).toBe(stillToTick([ticks.warnings]));
     expect(button('Write 1 change').disabled).toBe(true);
-    expect(within(screen.getByRole('dialog')).getByText(/The motor stops after DT \(3:00\smin\)/)).toBeTruthy();
-    fireEvent.click(screen.getByRole('checkbox', { name: /^I have read this/ }));
+    const dialog = screen.getByRole('dialog');
+    const finding = within(dialog).getByText(/The motor stops after DT \(3:00\smin\)/);
+    const table = within(dialog).getByRole('table');
+    expect(finding.compareDocumentPosition(table), 'above the table').toBe(Node.DOCUMENT_POSITION_FOLLOWING);
+    fireEvent.click(screen.getByRole('checkbox', { name: write.acknowledge }));
+    await idle();
+    expect([button('Write 1 change').disabled, why()]).toEqual([false, null]);
+  });
+
+  it('names a short DT above the table, and needs no tick for it', async () => {
+    await connected();
+    await type('DT time', '15');
+    await press('Write…');
+    const [dt] = screen.getByRole('dialog').querySelectorAll('.key-figures > span');
+    expect(dt?.textContent).toContain(en.program.shortDt);
+    fireEvent.click(screen.getByRole('checkbox', { name: write.safety }));
     await idle();
     expect(button('Write 1 change').disabled).toBe(false);
   });
