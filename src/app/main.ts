@@ -27,6 +27,7 @@ import { Theme } from './settings/theme.js';
  */
 /** Milliseconds after which the page says that it is still loading. A browser may wait minutes for an answer. */
 const SLOW = 15_000;
+document.querySelector('.not-started')?.remove();
 const root = document.getElementById('app') as HTMLElement;
 const theme = new Theme();
 tried(() => theme.follow(document, media('(prefers-color-scheme: dark)')));

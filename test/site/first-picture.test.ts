@@ -1,6 +1,9 @@
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import type { Page, Route } from 'playwright';
 import { describe, expect, inject, test } from 'vitest';
 import { AppPage } from './app-page.js';
+import { SITE } from './host.js';
 import { newPage, PHONE } from './page.js';
 
 /** The scripts of the page, which are loaded after the first picture is drawn. */
@@ -134,10 +137,18 @@ describe('the start is part of the page as it is sent:', () => {
     await page.getByRole('heading', { name: 'Settings' }).waitFor();
   });
 
-  test('without scripts one sentence stands there instead', async () => {
-    const page = await newPage({ javaScriptEnabled: false, colorScheme: 'dark' });
-    await page.goto(inject('site'));
-    expect(await page.locator('noscript p').isVisible()).toBe(true);
+  test.for([
+    ['opened as a file', 'file'],
+    ['without its first script', 'script'],
+    ['where scripts are forbidden', 'none'],
+  ] as const)('%s one sentence stands there instead', async ([, lack]) => {
+    const page = await newPage({ javaScriptEnabled: lack !== 'none', colorScheme: 'dark' }, []);
+    if (lack === 'script') await page.route(/assets\/index-[\w-]+\.js$/, (route) => route.abort());
+    await page.goto(lack === 'file' ? pathToFileURL(join(SITE, 'index.html')).href : inject('site'));
+    await page.locator('.not-started').waitFor();
+    expect(await page.locator('body').innerText()).toMatch(/^Sidus Timer has not started\./);
+    // As a file it has no styles, either.
+    if (lack === 'file') return;
     const colours = await page.locator('body').evaluate((body) => {
       const { color, backgroundColor } = getComputedStyle(body);
       return [color, backgroundColor];

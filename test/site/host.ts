@@ -7,7 +7,8 @@ import type { Page } from 'playwright';
 import { onTestFinished } from 'vitest';
 import { newPage } from './page.js';
 
-const SITE = join(import.meta.dirname, '../../dist/site');
+/** The folder of the built page. */
+export const SITE = join(import.meta.dirname, '../../dist/site');
 const TYPES: Readonly<Record<string, string>> = {
   html: 'text/html',
   js: 'text/javascript',
