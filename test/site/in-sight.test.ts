@@ -289,7 +289,7 @@ test('the promise about the propeller stands beside the button that waits for it
 test('what warns before a write is in sight with its tick, above a long difference, and why Write is grey', async () => {
   const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 1366, height: 650 }, before: IN_SUN });
   await app.connect();
-  for (let i = 1; i <= 10; i++) await app.type(`Function ${i}, S1`, '7');
+  for (let i = 1; i <= 9; i++) await app.type(`Function ${i}, S1`, '7');
   await app.type('Motor stop', '4:00');
   await app.review();
   const words = [write.acknowledge, write.stillToTick([write.ticks.warnings, write.ticks.safety])];
