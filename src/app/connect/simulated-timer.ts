@@ -2,7 +2,7 @@ import { type Clock, realClock } from '../../line/index.js';
 import { MockSerial, type PlugOptions } from '../../mock-serial/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { SerialPortLike } from '../../serial/index.js';
-import { exampleMemories, ReplayTimer, VirtualTimer } from '../../simulator/index.js';
+import { exampleMemories, ReplayTimer, type TimerCore, VirtualTimer } from '../../simulator/index.js';
 import type { SimulatedClass } from '../session/timer-access.js';
 
 /** How long an adapter and a timer take to answer, in milliseconds: about as long as over infrared. */
@@ -26,13 +26,22 @@ const promptInBackground: Clock = {
   },
 };
 
+/** What the timer of each class holds until the page is closed: a pilot connects again to see what was written. */
+const held = new Map<SimulatedClass, TimerCore>();
+
 /**
- * A virtual timer with example memories, behind a mock port with the speed of a real line. It takes the same path
- * through the code as a real timer. Only this file puts simulator and mock port together.
+ * A virtual timer behind a mock port with the speed of a real line. The first of its class has example memories, each
+ * later one what the one before held. It takes the same path through the code as a real timer. Only this file puts
+ * simulator and mock port together.
  */
 export function plugSimulatedTimer(timerClass: SimulatedClass): SerialPortLike {
   const clock = promptInBackground;
-  const timer = new VirtualTimer({ identity: { timerClass }, memories: exampleMemories(timerClass), clock });
+  const last = held.get(timerClass);
+  const memories = last?.memories ?? exampleMemories(timerClass);
+  const timer = new VirtualTimer({ identity: { timerClass }, memories, clock });
+  const { core } = timer;
+  if (last) [core.memory, core.idleThrottle] = [last.memory, last.idleThrottle];
+  held.set(timerClass, core);
   return plug(timer, { clock, timing: true, latency: LATENCY / 2 });
 }
 

@@ -108,7 +108,7 @@ export class InterruptedJobs {
     if (value) await this.#knowledge.forget(value.record.key);
   }
 
-  /** A new simulated timer knows nothing about the one before. */
+  /** The simulated timers of this page know nothing about those of a page that was closed. */
   async forgetSimulated(): Promise<void> {
     await this.#records.refresh();
     const old = this.#records.list.value.filter(isSimulated);

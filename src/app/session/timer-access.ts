@@ -22,6 +22,8 @@ export class TimerAccess {
   readonly #session: Session;
   readonly #reader: Reader;
   readonly #sources: TimerSources;
+  /** Whether there was a simulated timer in this page: each keeps what it holds until the page is closed. */
+  #hasSimulated = false;
 
   constructor(session: Session, sources: TimerSources) {
     this.#session = session;
@@ -61,7 +63,8 @@ export class TimerAccess {
   async trySimulated(timerClass: SimulatedClass): Promise<void> {
     const { recovery, link } = this.#session;
     await this.#goTo(async () => {
-      await recovery.forgetSimulated();
+      if (!this.#hasSimulated) await recovery.forgetSimulated();
+      this.#hasSimulated = true;
       const port = await this.#sources.plugSimulated(timerClass);
       return () => link.connectSimulated(port);
     });
@@ -82,7 +85,7 @@ export class TimerAccess {
     return SIMULATED_CLASSES.find((each) => each === timerClass);
   }
 
-  /** Connects to a timer like the one from which the program on the screen came. A simulated timer is built again. */
+  /** Connects to a timer like the one from which the program on the screen came. */
   async comeBack(): Promise<void> {
     const { simulated } = this;
     await (simulated ? this.trySimulated(simulated) : this.connect());

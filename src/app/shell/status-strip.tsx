@@ -103,7 +103,11 @@ export function StatusStrip(props: StatusStripProps) {
         {isTight && identity && status === 'off' && !session.link.unavailable ? (
           <ConnectButtons session={session} part="first" />
         ) : (
-          <LinkState link={session.link} model={isNarrow ? (session.modelAtHand.value?.name ?? null) : null} />
+          <LinkState
+            link={session.link}
+            simulated={session.simulated.value}
+            model={isNarrow ? (session.modelAtHand.value?.name ?? null) : null}
+          />
         )}
         {!isTight && choice}
         {identity && (
@@ -147,17 +151,24 @@ export function StatusStrip(props: StatusStripProps) {
 
 /** The current memory, where there is no room to choose one. */
 function MemoryNow({ session }: { readonly session: Session }) {
-  const { memoryName, nextFlight } = messages.value;
+  const { header, memoryName, nextFlight } = messages.value;
   const memory = useComputed(() => session.editor.working.value?.memory ?? null).value;
+  const isConnected = session.connection.value !== null;
+  const isSimulated = !isConnected && session.simulated.value;
   if (memory === null) return null;
-  const flies = session.connection.value !== null && !session.nextFlight.open.value;
+  const flies = isConnected && !session.nextFlight.open.value;
   const given = givenName(session.modelAtHand.value, memory);
   return (
     <span class="strip-memory">
-      {given !== '' && (
-        <small key={given} aria-hidden="true">
-          {given}
-        </small>
+      {/* The state of the connection has given its place to Connect. */}
+      {isSimulated ? (
+        <small class="whole">{header.simulated}</small>
+      ) : (
+        given !== '' && (
+          <small key={given} aria-hidden="true">
+            {given}
+          </small>
+        )
       )}
       {flies ? (
         <>
@@ -232,11 +243,13 @@ function Figure({ session, identity, field }: FigureProps) {
 
 interface LinkStateProps {
   readonly link: Link;
+  /** Whether the program on the screen came from a simulated timer. */
+  readonly simulated: boolean;
   /** The name of the model, where there is no room for it beside the class of its timer; else null. */
   readonly model: string | null;
 }
 
-function LinkState({ link, model }: LinkStateProps) {
+function LinkState({ link, simulated, model }: LinkStateProps) {
   const { header, link: words } = messages.value;
   const state = link.state.value;
   if (state.status === 'on') {
@@ -254,6 +267,7 @@ function LinkState({ link, model }: LinkStateProps) {
   return (
     <p key={status} class={`link-state ${busy}`}>
       {words.status[status]}
+      {simulated && <span class="badge">{header.simulated}</span>}
     </p>
   );
 }

@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { plugSimulatedTimer } from '../../../src/app/connect/simulated-timer.js';
 import { TimerClient } from '../../../src/client/index.js';
+import { withValue } from '../../../src/program/index.js';
 
 describe('a simulated timer', () => {
   afterEach(() => {
@@ -18,5 +19,31 @@ describe('a simulated timer', () => {
     expect((await timer.readProgram()).times).toHaveLength(11);
     await timer.close();
     await port.close();
+  });
+
+  it('holds what was written to it when it is connected again, and the others hold their own', async () => {
+    const connected = async (timerClass: 'Q' | 'B') => {
+      const port = plugSimulatedTimer(timerClass);
+      await port.open({ baudRate: 9600 });
+      const timer = new TimerClient(port);
+      await timer.identify();
+      const end = async () => {
+        await timer.close();
+        await port.close();
+      };
+      return { timer, end };
+    };
+    const first = await connected('Q');
+    await first.timer.selectMemory(1);
+    const before = await first.timer.readProgram();
+    const goal = withValue(before, { kind: 'position', servo: 1, slot: 2 }, 77);
+    expect((await first.timer.writeProgram(goal, { baseline: before })).result).toBe('verified');
+    await first.end();
+    const other = await connected('B');
+    expect((await other.timer.readProgram()).memory).toBe(0);
+    await other.end();
+    const second = await connected('Q');
+    expect(await second.timer.readProgram()).toEqual(goal);
+    await second.end();
   });
 });

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { TIGHT } from '../../../src/app/ui/use-query.js';
 import { idle } from '../bench/bench.js';
-import { connected, inWindow, lookAt, press, type } from '../screen.js';
+import { connected, inWindow, lookAt, opened, press, type } from '../screen.js';
 
 const figures = () => document.querySelector('.strip-figures') as HTMLButtonElement;
 const isOpen = () => figures().getAttribute('aria-expanded') === 'true';
@@ -126,4 +126,20 @@ it('Connect stands where Disconnect stood, so that a second click closes no prog
   const names = [...document.querySelectorAll('.strip .top-actions button')].map(({ textContent }) => textContent);
   expect(names[0]).toBe('Close program');
   expect(names.at(-1)).toBe('Connect');
+});
+
+it.each([
+  ['a desktop', () => {}],
+  ['a tablet', onTablet],
+  ['a phone', onPhone],
+])('on %s a simulated timer is never taken for a real one, also after Disconnect', async (_, onDevice) => {
+  onDevice();
+  await opened();
+  const said = () => within(document.querySelector('.strip-line') as HTMLElement).queryAllByText(en.header.simulated);
+  expect(said()).toHaveLength(0);
+  await press('Try a simulated F1Q timer');
+  expect(said()).toHaveLength(1);
+  if (onDevice === onPhone) await openFigures();
+  await press(en.header.disconnect);
+  expect(said()).toHaveLength(1);
 });
