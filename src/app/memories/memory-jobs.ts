@@ -57,6 +57,10 @@ interface Done {
   readonly begun: Set<number>;
 }
 
+/** Whether one of the memories cannot be written at all. */
+const isRefused = (changes: readonly MemoryChange[]): boolean =>
+  changes.some((change) => refusalsOf(change).length > 0);
+
 /**
  * Backs up all memories, copies one to another, restores several: shows the difference, does it, reports the result.
  */
@@ -67,7 +71,8 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
   /** What the pilot has to tick first. Only a write needs the word that the model is held: reading changes nothing. */
   readonly unticked: ReadonlySignal<readonly Tick[]> = computed(() => {
     const step = this.current.value;
-    if (step?.step !== 'review') return [];
+    // What no tick can allow is said above.
+    if (step?.step !== 'review' || isRefused(step.changes)) return [];
     const isSafe = step.plan.kind === 'back-up' || this.#session.safety.confirmed.value;
     const isAgreed = step.crossing === null || this.crossed.value;
     return [...(isAgreed ? [] : (['model'] as const)), ...(isSafe ? [] : (['safety'] as const))];
@@ -76,7 +81,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
   readonly ready: ReadonlySignal<boolean> = computed(() => {
     const step = this.current.value;
     if (step?.step !== 'review' || this.unticked.value.length > 0) return false;
-    return step.changes.every((change) => refusalsOf(change).length === 0);
+    return !isRefused(step.changes);
   });
   readonly #session: Session;
   readonly #roundTrip: NotedRoundTrip;
