@@ -69,7 +69,7 @@ function programCommands(models: AppModels): PaletteCommand[] {
     })),
     ...preferences.presets.value.map((value) => ({
       name: palette.preset(presetText(value)),
-      run: () => editor.apply(setValues({ code: 'preset', params: { field: fieldKey(dt) } }, [{ field: dt, value }])),
+      run: () => editor.apply(setValues({ code: 'change', params: { field: fieldKey(dt) } }, [{ field: dt, value }])),
     })),
     ...(bench.ready.value
       ? Array.from({ length: identity.functions + 1 }, (_, slot) => ({

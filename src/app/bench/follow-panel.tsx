@@ -180,7 +180,7 @@ function Decide({ session, write, follow }: DecideProps) {
         type="button"
         disabled={session.runner.busy.value || session.editor.blocked.value}
         onClick={() => {
-          session.editor.apply(setValues({ code: 'restore', params: {} }, follow.trials.takeBack()));
+          session.editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, follow.trials.takeBack()));
           void write.open();
         }}
       >

@@ -63,7 +63,7 @@ export class Compare {
     const from = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== SCREEN);
     const value = from && valueAt(from.program, field);
     if (value === null || value === undefined) return;
-    const name = { code: 'take-across', params: { field: fieldKey(field) } } as const;
+    const name = { code: 'change', params: { field: fieldKey(field) } } as const;
     this.#session.editor.apply(setValues(name, [{ field, value }]));
   }
 

@@ -115,7 +115,7 @@ export class Editor extends WorkingCopy {
 
   /** Puts one field back to what the timer holds. */
   revert(field: ProgramField): void {
-    this.revertFields({ code: 'revert', params: { field: fieldKey(field) } }, [field]);
+    this.revertFields({ code: 'change', params: { field: fieldKey(field) } }, [field]);
   }
 
   /** Puts some fields back to what the timer holds, as one step. */

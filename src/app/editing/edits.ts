@@ -55,7 +55,7 @@ export function setInterval(
 
 function ofInterval(how: 'type' | 'step', slot: number, outcome: EditOutcome): Edit {
   const group = groupOf(how, intervalKey(slot));
-  return { name: { code: 'interval', params: { slot } }, group, ...outcome };
+  return { name: { code: 'change', params: { slot } }, group, ...outcome };
 }
 
 /**
@@ -113,7 +113,7 @@ export function stepValue(
 ): Edit {
   const key = fieldKey(field);
   const values = nextStep(program, field, direction, options);
-  return { name: { code: 'step', params: { field: key } }, group: groupOf('step', key), values };
+  return { name: { code: 'change', params: { field: key } }, group: groupOf('step', key), values };
 }
 
 /** @returns an empty list when there is no step to take. */

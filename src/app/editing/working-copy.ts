@@ -142,12 +142,10 @@ export class WorkingCopy {
     });
   }
 
-  /** Whether the last edit was typing in this field. */
+  /** Whether the last edit was typing in this field: any other change of it takes its text away. */
   protected endsWithTyping(field: ProgramField): boolean {
-    const last = this.undoStep.value;
-    if (last?.code !== 'type') return false;
-    const { field: key } = last.params;
-    return key === fieldKey(field);
+    const { field: key } = this.undoStep.value?.params ?? {};
+    return key === fieldKey(field) && this.isTyped(field);
   }
 
   /**
@@ -210,7 +208,7 @@ export class WorkingCopy {
 function typing(field: ProgramField, value: number | null): Edit {
   const key = fieldKey(field);
   const values = value === null ? [] : [{ field, value }];
-  return setValues({ code: 'type', params: { field: key } }, values, groupOf('type', key));
+  return setValues({ code: 'change', params: { field: key } }, values, groupOf('type', key));
 }
 
 function isSameText(a: UnreadableField, b: UnreadableField): boolean {

@@ -9,28 +9,21 @@ type Params = Readonly<Record<string, string>>;
 
 /** The name of a step after “Undo” and “Redo”. */
 const steps: Record<StepCode, (params: Params) => string> = {
-  type: ({ field }) => `typing in ${field}`,
-  step: ({ field }) => `stepping ${field}`,
-  shift: ({ slot, by }) => `shift from ${slot} by ${by}`,
-  interval: ({ slot }) => `interval of ${slot}`,
+  change: ({ what }) => `change of ${what}`,
+  shift: ({ what, by }) => `shift from ${what} by ${by}`,
   paste: ({ count }) => `paste of ${count}`,
   fill: ({ count }) => `fill down of ${count}`,
-  'copy-servo': ({ from, to }) => `copying ${from} to ${to}`,
-  'reverse-servo': ({ servo }) => `reversing ${servo}`,
-  revert: ({ field }) => `putting back ${field}`,
-  'revert-row': ({ slot }) => `putting back ${slot}`,
-  'revert-column': ({ name }) => `putting back ${name}`,
   'revert-all': () => 'putting back everything',
-  'move-mark': ({ field }) => `moving ${field}`,
-  preset: ({ field }) => `preset of ${field}`,
-  'finish-write': () => 'loading the interrupted write',
-  restore: () => 'loading a backup',
-  'lay-over': () => 'loading your program',
-  'load-setting': ({ name }) => `loading “${name}”`,
-  'saved-elsewhere': () => 'what another tab has saved',
-  fix: ({ field }) => `correcting ${field}`,
+  open: ({ what }) => `opening ${what}`,
   'keep-tried': () => 'keeping what was tried',
-  'take-across': ({ field }) => `taking ${field}`,
+};
+
+/** What was opened. */
+const opened = {
+  setting: (name: string) => `“${name}”`,
+  backup: 'a backup',
+  write: 'the interrupted write',
+  program: 'your program',
 };
 
 /** What prevents an edit, or a pasted cell, besides the reasons of the checks and the fields. */
@@ -57,6 +50,7 @@ export const edits = {
   undo: (step: string) => `Undo ${step}`,
   redo: (step: string) => `Redo ${step}`,
   steps,
+  opened,
   refused,
   /** The text of one field prevents an edit of many. */
   unreadable: 'The text in this field is not a value. Correct it first.',

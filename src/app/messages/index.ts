@@ -210,19 +210,24 @@ export function valueText(identity: Identity, field: ProgramField, value: number
 
 /** The name of a step: “shift from function 3 by 0.50 s”. */
 export function stepText(identity: Identity, { code, params }: StepName): string {
-  const { edits, servoName, seconds } = messages.value;
-  const shown = Object.entries(params).map(([name, value]): [string, string] => {
-    if (name === 'field') {
-      const field = fieldsOf(identity).find((each) => fieldKey(each) === value);
-      return [name, field ? fieldInSentence(identity, field) : String(value)];
-    }
-    if (typeof value === 'string') return [name, value];
-    if (name === 'slot') return [name, slotInSentence(identity, value)];
-    if (name === 'servo' || name === 'from' || name === 'to') return [name, servoName(value)];
-    if (name === 'by') return [name, seconds(formatInterval(value))];
-    return [name, name === 'count' ? edits.cells(value) : String(value)];
+  const { edits, seconds } = messages.value;
+  const { by, count } = params;
+  return edits.steps[code]({
+    what: subjectText(identity, params),
+    by: seconds(formatInterval(Number(by))),
+    count: edits.cells(Number(count)),
   });
-  return edits.steps[code](Object.fromEntries(shown));
+}
+
+/** What a step was done to: a field, a row, a column, or what was opened. */
+function subjectText(identity: Identity, { field, slot, servo, name, what }: StepName['params']): string {
+  const { edits, servoName } = messages.value;
+  const found = fieldsOf(identity).find((each) => fieldKey(each) === field);
+  if (found) return fieldInSentence(identity, found);
+  if (typeof slot === 'number') return slotInSentence(identity, slot);
+  if (typeof servo === 'number') return servoName(servo);
+  if (name !== undefined) return edits.opened.setting(String(name));
+  return what === 'backup' || what === 'write' || what === 'program' ? edits.opened[what] : String(field);
 }
 
 /** The sentence that says why an edit was not done. */

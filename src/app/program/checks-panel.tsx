@@ -57,7 +57,9 @@ function FixButton({ editor, finding }: { readonly editor: Editor; readonly find
       type="button"
       class="fix"
       aria-label={edits.fixOf(fieldName(identity, field), shown)}
-      onClick={() => editor.apply(setValues({ code: 'fix', params: { field: fieldKey(field) } }, [{ field, value }]))}
+      onClick={() =>
+        editor.apply(setValues({ code: 'change', params: { field: fieldKey(field) } }, [{ field, value }]))
+      }
     >
       {edits.fix(shown)}
     </button>

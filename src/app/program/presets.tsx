@@ -40,7 +40,7 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
             key={value}
             aria-label={words.use(presetText(value))}
             aria-current={value === current}
-            onClick={() => editor.apply(setValues({ code: 'preset', params: { field: key } }, [{ field, value }]))}
+            onClick={() => editor.apply(setValues({ code: 'change', params: { field: key } }, [{ field, value }]))}
           >
             {presetText(value)}
           </button>

@@ -50,7 +50,7 @@ export function ProgramRow(props: ProgramRowProps) {
   const name = slotLabel(identity, slot);
   const revert = {
     label: edits.table.revertRow(name),
-    act: () => editor.revertFields({ code: 'revert-row', params: { slot } }, fields),
+    act: () => editor.revertFields({ code: 'change', params: { slot } }, fields),
   };
   const width = servos.length + FIRST_SERVO_COLUMN + 1;
   return (

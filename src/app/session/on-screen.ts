@@ -73,7 +73,10 @@ export class OnScreen {
   /** Takes the values of a backup as what the pilot wants. Writes nothing. */
   showBackup({ program, model }: Backup): void {
     if (this.#takes(program)) {
-      this.#parts.editor.apply({ ...replaceAll({ code: 'restore', params: {} }, program), backupOf: model });
+      this.#parts.editor.apply({
+        ...replaceAll({ code: 'open', params: { what: 'backup' } }, program),
+        backupOf: model,
+      });
     } else {
       this.make({ ...program, memory: null }, { backupOf: model });
     }

@@ -108,7 +108,7 @@ export class OpenSetting {
     const { editor, connection, onScreen } = this.#session;
     const of = { id: setting.id, saved: setting.program };
     if (connection.value) {
-      const name = { code: 'load-setting', params: { name: setting.name } } as const;
+      const name = { code: 'open', params: { name: setting.name } } as const;
       return editor.apply({ ...replaceAll(name, setting.program), of }) === null;
     }
     if (editor.of.value?.id === setting.id && editor.madeAt.value !== null) return true;
@@ -157,7 +157,7 @@ export class OpenSetting {
     const working = editor.working.peek();
     if (!setting || !working || !sameLayout(setting.program.identity, working.identity)) return;
     const of = { id: setting.id, saved: setting.program };
-    editor.apply({ ...replaceAll({ code: 'saved-elsewhere', params: {} }, setting.program), of });
+    editor.apply({ ...replaceAll({ code: 'open', params: { name: setting.name } }, setting.program), of });
   }
 
   /** Where the values on the screen come from. */

@@ -156,7 +156,7 @@ export class Reader {
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
       if (draft) origin.take(draft.model);
-      if (laid) editor.apply({ ...replaceAll({ code: 'lay-over', params: {} }, laid), ...from });
+      if (laid) editor.apply({ ...replaceAll({ code: 'open', params: { what: 'program' } }, laid), ...from });
       nextFlight.found(read.memory);
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
       onScreen.wasRead(simulated);

@@ -10,7 +10,7 @@ import {
 } from '../../program/index.js';
 import { type Identity, MAX_TIME, requireIdentity, slotCount } from '../../protocol/index.js';
 import type { Content } from '../editing/content.js';
-import { type History, MAX_STEPS, STEP_CODES } from '../editing/history.js';
+import { FORMER_STEPS, type History, MAX_STEPS, STEP_CODES, type StepName } from '../editing/history.js';
 import { withPresentNames } from './former-names.js';
 
 /*
@@ -89,12 +89,19 @@ const backupOf = v.optional(v.fallback(v.optional(key), undefined));
 const steps = v.pipe(
   v.array(
     v.object({
-      name: v.object({ code: v.picklist(STEP_CODES), params }),
+      name: v.union([
+        v.object({ code: v.picklist(STEP_CODES), params }),
+        v.pipe(v.object({ code: v.picklist(Object.keys(FORMER_STEPS)), params }), v.transform(presentStep)),
+      ]),
       state: v.object({ working: wanted, texts, of, backupOf }),
     }),
   ),
   v.maxLength(MAX_STEPS),
 );
+function presentStep({ code, params }: { readonly code: string; readonly params: StepName['params'] }): StepName {
+  return (FORMER_STEPS[code] as (typeof FORMER_STEPS)[string])(params);
+}
+
 const history: v.GenericSchema<unknown, History<Content>> = v.object({
   past: steps,
   future: steps,

@@ -116,7 +116,7 @@ export class DragEdit {
   #tell(phase: DragPhase): void {
     const { field } = this;
     const key = fieldKey(field);
-    const name: StepName = { code: 'move-mark', params: { field: key } };
+    const name: StepName = { code: 'change', params: { field: key } };
     this.#onEdit(setValues(name, [{ field, value: this.#last }], groupOf('move', key)), phase);
   }
 }

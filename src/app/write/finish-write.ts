@@ -10,7 +10,7 @@ import type { WriteFlow } from './write-flow.js';
 export async function finishWrite(session: Session, write: WriteFlow, end: 'goal' | 'before'): Promise<void> {
   const program = programOf(session, end);
   if (!program) return;
-  session.editor.apply(replaceAll({ code: 'restore', params: {} }, program));
+  session.editor.apply(replaceAll({ code: 'open', params: { what: 'backup' } }, program));
   await write.open();
 }
 
@@ -18,7 +18,7 @@ export async function finishWrite(session: Session, write: WriteFlow, end: 'goal
 export async function takeGoal(session: Session): Promise<void> {
   const goal = programOf(session, 'goal');
   if (!goal) return;
-  session.editor.apply(replaceAll({ code: 'finish-write', params: {} }, goal));
+  session.editor.apply(replaceAll({ code: 'open', params: { what: 'write' } }, goal));
   await session.recovery.settle();
 }
 

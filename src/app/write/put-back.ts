@@ -12,7 +12,7 @@ export async function putBackDt({ editor, shortDt }: Session, write: WriteFlow):
   const identity = editor.identity.value;
   if (!short || !identity) return false;
   const field: ProgramField = { kind: 'time', slot: identity.functions };
-  editor.apply(setValues({ code: 'preset', params: { field: fieldKey(field) } }, [{ field, value: short.back }]));
+  editor.apply(setValues({ code: 'change', params: { field: fieldKey(field) } }, [{ field, value: short.back }]));
   await write.open();
   return write.current.value !== null;
 }

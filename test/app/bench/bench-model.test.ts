@@ -32,7 +32,7 @@ async function followingBench(options: BenchOptions = {}) {
 }
 
 function set({ editor }: AppBench, field: ProgramField, value: number): void {
-  editor.apply(setValues({ code: 'step', params: {} }, [{ field, value }]));
+  editor.apply(setValues({ code: 'change', params: {} }, [{ field, value }]));
 }
 
 function requests({ timer }: AppBench, name: Request['name']): Request[] {
@@ -288,7 +288,7 @@ describe('following', () => {
     set(app, S2, 70);
     await idle();
     await run(app.follow.stop());
-    app.editor.apply(setValues({ code: 'restore', params: {} }, app.follow.trials.takeBack()));
+    app.editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, app.follow.trials.takeBack()));
     await run(app.write.open());
     await run(app.write.start());
     expect([heldBy(app, S2), app.follow.trials.current.value]).toEqual([before, null]);
@@ -491,7 +491,7 @@ describe('following', () => {
     set(app, S2, 66);
     await idle();
     await run(app.follow.stop());
-    app.editor.apply(setValues({ code: 'restore', params: {} }, app.follow.trials.takeBack()));
+    app.editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, app.follow.trials.takeBack()));
     expect(app.editor.changes.value).toHaveLength(1);
     app.follow.keep();
     expect([app.editor.changes.value, app.follow.trials.current.value]).toEqual([[], null]);

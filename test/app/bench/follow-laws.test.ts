@@ -150,12 +150,12 @@ function perform(app: AppBench, act: Act, lose: (answers: number) => void): void
   const position = (servo: number, slot: number) => ({ kind: 'position' as const, servo, slot });
   if (act.do === 'edit') {
     const values = act.slots.map((slot) => ({ field: position(act.servo, slot), value: act.value }));
-    editor.apply(setValues({ code: 'step', params: {} }, values));
+    editor.apply(setValues({ code: 'change', params: {} }, values));
   } else if (act.do === 'type') editor.type(position(act.servo, act.slot), act.text);
   else if (act.do === 'undo') editor.undo();
   else if (act.do === 'time') {
     const values = [{ field: { kind: 'time', slot: 10 } as const, value: 20_000 }];
-    editor.apply(setValues({ code: 'step', params: {} }, values));
+    editor.apply(setValues({ code: 'change', params: {} }, values));
   } else if (act.do === 'move') void bench.moveTo(act.slot);
   else if (act.do === 'bring') follow.bring(act.slot);
   else if (act.do === 'going') follow.setGoing(act.on);

@@ -32,7 +32,7 @@ async function following(options: BenchOptions = {}, at: number | null = 4): Pro
 
 function set({ editor }: AppBench, ...values: [ProgramField, number][]): void {
   const edits = values.map(([field, value]) => ({ field, value }));
-  editor.apply(setValues({ code: 'step', params: {} }, edits));
+  editor.apply(setValues({ code: 'change', params: {} }, edits));
 }
 
 /** What stores or moves, in its order: 'S4.1=70' stores, 'M4' moves. */

@@ -130,7 +130,7 @@ describe('values of the other program', () => {
     await press('Take 4:00 min for DT');
     expect(bench.editor.changes.value).toHaveLength(2);
     bench.editor.undo();
-    expect(bench.editor.undoStep.value).toMatchObject({ code: 'take-across', params: { field: 'position:1:4' } });
+    expect(bench.editor.undoStep.value).toMatchObject({ code: 'change', params: { field: 'position:1:4' } });
     expect(bench.editor.changes.value).toHaveLength(1);
   });
 

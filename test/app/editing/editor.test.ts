@@ -35,7 +35,7 @@ function goalOf(editor: Editor, field: ProgramField): number | null {
 }
 
 describe('an edit', () => {
-  const name = { code: 'preset', params: {} } as const;
+  const name = { code: 'change', params: {} } as const;
 
   it('returns why it is refused, and changes nothing', () => {
     const editor = editorOf();
@@ -310,7 +310,7 @@ describe('a text that can be read in two ways', () => {
     editor.type(DT, '2.30');
     editor.leave(DT);
     const other: ProgramField = { kind: 'position', servo: 0, slot: 1 };
-    editor.apply(setValues({ code: 'step', params: { field: fieldKey(other) } }, [{ field: other, value: 1 }]));
+    editor.apply(setValues({ code: 'change', params: { field: fieldKey(other) } }, [{ field: other, value: 1 }]));
     editor.takeBack(DT);
     expect([editor.textOf(DT), editor.changes.value.length]).toEqual(['3:00', 1]);
   });

@@ -304,19 +304,19 @@ describe('fill down', () => {
 
 describe('every edit', () => {
   const field: ProgramField = { kind: 'time', slot: 3 };
-  const name = { code: 'preset', params: {} } as const;
+  const name = { code: 'change', params: {} } as const;
   const range = { top: 1, left: 2, bottom: 3, right: 2 };
 
   it.each<[Edit, string, Record<string, unknown>, string | undefined]>([
-    [stepValue(program, field, 1), 'step', { field: 'time:3' }, 'step time:3'],
-    [setInterval(program, 3, 99), 'interval', { slot: 3 }, 'type interval:3'],
-    [setInterval(program, 0, 99), 'interval', { slot: 0 }, 'type interval:0'],
-    [stepInterval(program, 3, 1), 'interval', { slot: 3 }, 'step interval:3'],
+    [stepValue(program, field, 1), 'change', { field: 'time:3' }, 'step time:3'],
+    [setInterval(program, 3, 99), 'change', { slot: 3 }, 'type interval:3'],
+    [setInterval(program, 0, 99), 'change', { slot: 0 }, 'type interval:0'],
+    [stepInterval(program, 3, 1), 'change', { slot: 3 }, 'step interval:3'],
     [shiftFrom(program, 3, 100), 'shift', { slot: 3, by: 100 }, undefined],
     [fillDown(program, range), 'fill', { count: 2 }, undefined],
     [pasted(previewPaste(program, range, '65')), 'paste', { count: 3 }, undefined],
-    [setValues(name, [{ field, value: 1 }], 'g'), 'preset', {}, 'g'],
-    [putBack(name, program, [field]), 'preset', {}, undefined],
+    [setValues(name, [{ field, value: 1 }], 'g'), 'change', {}, 'g'],
+    [putBack(name, program, [field]), 'change', {}, undefined],
   ])('carries its name and its group: %#', (edit, code, params, group) => {
     expect([edit.name, edit.group]).toEqual([{ code, params }, group]);
   });

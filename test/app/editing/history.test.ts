@@ -14,7 +14,7 @@ import {
   undo,
 } from '../../../src/app/editing/history.js';
 
-const named = (field: string): StepName => ({ code: 'type', params: { field } });
+const named = (field: string): StepName => ({ code: 'change', params: { field } });
 
 /** A program on a screen, with the history of what was done to it. */
 class Screen {

@@ -22,7 +22,7 @@ const held = programOf();
 const DT: ProgramField = { kind: 'time', slot: 5 };
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 const S2: ProgramField = { kind: 'position', servo: 1, slot: 3 };
-const preset = { code: 'preset', params: {} } as const;
+const preset = { code: 'change', params: {} } as const;
 
 function editorOf(program: TimerProgram = held): Editor {
   const editor = new Editor();
@@ -45,7 +45,7 @@ describe('undo and redo', () => {
     const editor = editorOf();
     type(editor, DT, '4', '4:', '4:00');
     type(editor, DT, '5:00');
-    expect(editor.undoStep.value).toEqual({ code: 'type', params: { field: fieldKey(DT) } });
+    expect(editor.undoStep.value).toEqual({ code: 'change', params: { field: fieldKey(DT) } });
     editor.undo();
     expect(editor.textOf(DT)).toBe('4:00');
     editor.undo();
@@ -66,7 +66,7 @@ describe('undo and redo', () => {
 
   it('take back a loaded program, and Undo all', () => {
     const editor = editorOf();
-    editor.apply(replaceAll({ code: 'restore', params: {} }, withValue(held, S1, 77)));
+    editor.apply(replaceAll({ code: 'open', params: { what: 'backup' } }, withValue(held, S1, 77)));
     type(editor, S2, 'x');
     editor.revertAll();
     expect(editor.dirty.value).toBe(false);

@@ -124,7 +124,7 @@ describe('stepping', () => {
     expect(field('Function 1 time').value).toBe('10.60');
     await key('ArrowDown', { altKey: true, shiftKey: true });
     expect(field('Function 1 time').value).toBe('9.60');
-    await press('Undo stepping function 1 time');
+    await press('Undo change of function 1 time');
     expect(field('Function 1 time').value).toBe('10.50');
   });
 
@@ -212,7 +212,7 @@ describe('intervals', () => {
       '12.50',
       '3:00',
     ]);
-    await press('Undo interval of function 3');
+    await press('Undo change of function 3');
     expect(field('Function 3 time').value).toBe('11.50');
   });
 
@@ -243,7 +243,7 @@ describe('intervals', () => {
     await typeOut('Function 3 interval', '700');
     await enter('Function 3 interval', '2');
     expect([field('Function 3 interval').value, field('Function 4 time').value]).toEqual(['2.00', '13.50']);
-    await press('Undo interval of function 3');
+    await press('Undo change of function 3');
     expect([field('Function 3 interval').value, field('Function 4 time').value]).toEqual(['0.50', '12.00']);
   });
 
@@ -538,7 +538,7 @@ describe('undo by keys', () => {
     expect(editor.undoStep.value).toBeNull();
     const again = await appBench({ store });
     render(<App models={again.models} />);
-    await press('Undo typing in DT');
+    await press('Undo change of DT');
     expect(field('DT time').value).toBe('4:00');
   });
 });
@@ -559,7 +559,7 @@ describe('DT', () => {
     await connected();
     await press('DT 6 min');
     expect(field('DT time').value).toBe('6:00');
-    await press('Undo preset of DT');
+    await press('Undo change of DT');
     expect(field('DT time').value).toBe('3:00');
   });
 
@@ -766,7 +766,7 @@ describe('the checks', () => {
     await expect.poll(() => screen.queryByRole('button', { name: fix })).not.toBeNull();
     await press(fix);
     expect(field('Function 3 time').value).toBe('11.10');
-    await press('Undo correcting function 3 time');
+    await press('Undo change of function 3 time');
     expect(field('Function 3 time').value).toBe('10.50');
   });
 

@@ -209,7 +209,7 @@ describe('a setting with a timer', () => {
     expect([names(bench), bench.editor.textOf(S2), bench.editor.undoStep.value?.code]).toEqual([
       ['Lancer', 'calm'],
       '65',
-      'load-setting',
+      'open',
     ]);
     expect(bench.session.opened.unsaved.value?.changes).toBe(0);
     bench.editor.undo();

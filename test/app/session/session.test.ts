@@ -557,7 +557,7 @@ describe('after a reload', () => {
   it('a dragged handle is kept now and then, on release, and when the page is left', async () => {
     const bench = await connectedBench();
     const move = (value: number): void => {
-      bench.editor.apply(setValues({ code: 'move-mark', params: {} }, [{ field: S1, value }], groupOf('move', 'S1')));
+      bench.editor.apply(setValues({ code: 'change', params: {} }, [{ field: S1, value }], groupOf('move', 'S1')));
     };
     const kept = (): unknown => [...bench.store.drafts.records.values()][0]?.working.positions[0]?.[2];
     const saved = vi.spyOn(bench.store.drafts, 'save');

@@ -93,11 +93,32 @@ describe('what a pilot has typed', () => {
 
   it('is lost only when its history is impossible', () => {
     const state = { working: spoil({ times: [1e300] }), texts: {} };
-    const past = [{ name: { code: 'type', params: {} }, state }];
+    const past = [{ name: { code: 'change', params: {} }, state }];
     expect(v.parse(draftSchema, { ...DRAFT, history: { past, future: [], open: null } })).toEqual({
       ...DRAFT,
       history: undefined,
     });
+  });
+
+  it.each<[former: string, params: object, name: object]>([
+    ['type', { field: 'time:1' }, { code: 'change', params: { field: 'time:1' } }],
+    ['revert-row', { slot: 2 }, { code: 'change', params: { slot: 2 } }],
+    ['copy-servo', { from: 0, to: 2 }, { code: 'change', params: { servo: 2 } }],
+    ['reverse-servo', { servo: 1 }, { code: 'change', params: { servo: 1 } }],
+    ['revert-column', { name: 'S1' }, { code: 'change', params: { name: 'S1' } }],
+    ['finish-write', {}, { code: 'open', params: { what: 'write' } }],
+    ['restore', {}, { code: 'open', params: { what: 'backup' } }],
+    ['lay-over', {}, { code: 'open', params: { what: 'program' } }],
+    ['load-setting', { name: 'calm' }, { code: 'open', params: { name: 'calm' } }],
+    ['saved-elsewhere', {}, { code: 'open', params: { what: 'program' } }],
+    ['shift', { slot: 3, by: 50 }, { code: 'shift', params: { slot: 3, by: 50 } }],
+  ])('keeps the history of before, in which a step is called “%s”', (code, params, name) => {
+    const state = { working: PROGRAM, texts: {} };
+    const read = (step: object) =>
+      v.parse(draftSchema, { ...DRAFT, history: { past: [{ name: step, state }], future: [], open: null } }).history;
+    expect(read({ code, params })).toEqual(read(name));
+    expect(read({ code, params })?.past).toMatchObject([{ name }]);
+    expect(read({ code: 'never-used', params })).toBeUndefined();
   });
 });
 
