@@ -1,3 +1,5 @@
+import { shortcutLetter } from './shortcut-letter.js';
+
 /** What a key does in every view: `?` opens the help, Ctrl+K or Cmd+K the list of commands, Ctrl+P or Cmd+P prints. */
 export type PageKey = 'help' | 'commands' | 'print';
 
@@ -53,9 +55,10 @@ function onKey(event: KeyboardEvent): void {
   if (!act || act()) event.preventDefault();
 }
 
-function keyOf({ target, key, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent): PageKey | null {
+function keyOf(event: KeyboardEvent): PageKey | null {
+  const { target, key, ctrlKey, metaKey, altKey, shiftKey } = event;
   const isCommand = ctrlKey || metaKey;
-  if (isCommand && !altKey && !shiftKey) return COMMANDS[key.toLowerCase()] ?? null;
+  if (isCommand && !shiftKey) return COMMANDS[shortcutLetter(event) ?? ''] ?? null;
   const isTyped = target instanceof Element && target.closest('input, textarea, select, [contenteditable]') !== null;
   return key === '?' && !isCommand && !altKey && !isTyped ? 'help' : null;
 }

@@ -1,3 +1,4 @@
+import { shortcutLetter } from '../browser/shortcut-letter.js';
 import type { Editor } from '../editing/editor.js';
 import { gridColumns } from '../editing/grid.js';
 import type { Selection } from './selection.js';
@@ -36,7 +37,7 @@ export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
   }
   if (!cellOf(target) || !(target instanceof HTMLInputElement)) return;
   if (event.ctrlKey || event.metaKey) {
-    if (event.key.toLowerCase() !== 'd' || event.shiftKey) return;
+    if (shortcutLetter(event) !== 'd' || event.shiftKey) return;
     event.preventDefault();
     keys.fillDown();
     return;

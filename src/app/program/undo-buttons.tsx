@@ -1,5 +1,6 @@
 import { useComputed } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
+import { shortcutLetter } from '../browser/shortcut-letter.js';
 import type { Editor } from '../editing/editor.js';
 import { messages, stepText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
@@ -64,10 +65,10 @@ function useStepText({ identity }: Editor, step: Editor['undoStep'], text: (step
  */
 function undoByKey(event: KeyboardEvent, editor: Editor | null): void {
   const { target } = event;
-  if (event.defaultPrevented || event.altKey || !(event.ctrlKey || event.metaKey)) return;
-  const key = event.key.toLowerCase();
-  const isRedo = (key === 'z' && event.shiftKey) || (key === 'y' && !event.shiftKey);
-  if (!isRedo && key !== 'z') return;
+  if (event.defaultPrevented) return;
+  const letter = shortcutLetter(event);
+  const isRedo = (letter === 'z' && event.shiftKey) || (letter === 'y' && !event.shiftKey);
+  if (!isRedo && letter !== 'z') return;
   if (target instanceof Element) {
     const isText = target.matches('input, textarea, select') && !target.closest('.value');
     if (isText || target.closest('dialog')) return;

@@ -36,6 +36,15 @@ it.each<[string, KeyboardEventInit]>([
   expect([taker('help'), taker('commands')].map((act) => act.mock.calls.length)).toEqual([0, 1]);
 });
 
+it('knows the keys of a keyboard without Latin letters', () => {
+  const acts = [taker('commands'), taker('print')];
+  expect([press('Λ', { code: 'KeyK', ctrlKey: true }), press('פ', { code: 'KeyP', ctrlKey: true })]).toEqual([
+    true,
+    true,
+  ]);
+  expect(acts.map((act) => act.mock.calls.length)).toEqual([1, 1]);
+});
+
 it.each<[string, () => unknown]>([
   ['another key', () => press('Tab')],
   ['a key that waits, too', () => list()],

@@ -510,6 +510,17 @@ describe('undo by keys', () => {
     expect(field('Function 2, S1').value).toBe('7');
   });
 
+  it('and filling down work on a keyboard without Latin letters', async () => {
+    await connected();
+    field('Function 2, S1').focus();
+    await key('в', { code: 'KeyD', ctrlKey: true });
+    const filled = field('Function 2, S1').value;
+    await key('я', { code: 'KeyZ', ctrlKey: true });
+    const undone = field('Function 2, S1').value;
+    await key('н', { code: 'KeyY', ctrlKey: true });
+    expect([filled, undone, field('Function 2, S1').value]).toEqual(['25', '35', '25']);
+  });
+
   it('does nothing while the timer is read, not even in the field', async () => {
     const { session } = await connected();
     await enter('Function 2, S1', '7');
