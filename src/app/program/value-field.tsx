@@ -82,7 +82,9 @@ export function ValueField(props: ValueFieldProps) {
           if (event.defaultPrevented || stepByKey(event, step, isLarge)) return;
           if (event.key === 'Escape') {
             if (either) editor.takeBack(field);
-            else editor.escape(field);
+            else if (!isLarge) editor.escape(field);
+            // Else it closes the panel of the large field, and changes nothing.
+            if (isLarge && (either || editor.abandonAt(field))) event.preventDefault();
           }
           if (event.key !== 'Enter' && (event.key !== 'Tab' || event.shiftKey || either)) return;
           // First asks what was meant. Tab leads to the answers.

@@ -1,5 +1,7 @@
 import { useComputed } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import { media } from '../browser/doors.js';
 import { SaveButtons } from '../library/save-buttons.js';
 import type { SaveSetting } from '../library/save-setting.js';
 import type { Memories } from '../memories/memories.js';
@@ -39,9 +41,15 @@ export function FiguresPanel({ id, session, memories, preferences, saveSetting, 
   const isLooking = memories.looking.value !== null;
   // Not the whole program: with each digit the panel would be drawn again.
   const memory = useComputed(() => session.editor.working.value?.memory ?? null).value;
+  const panel = useRef<HTMLElement>(null);
+  useLayoutEffect(() => {
+    // Whoever pressed DT types it next. A finger may want anything in the panel, and keys would come up over it.
+    const byTouch = media('(pointer: coarse)')?.matches ?? false;
+    if (!byTouch) panel.current?.querySelector<HTMLElement>('.figures input')?.focus({ preventScroll: true });
+  }, []);
   if (!identity) return null;
   return (
-    <section class="strip-panel" id={id} aria-label={strip.panel} inert={leavesMemory}>
+    <section ref={panel} class="strip-panel" id={id} aria-label={strip.panel} inert={leavesMemory}>
       {rest?.choice}
       {isLooking ? (
         memory !== null && <p class="hint">{look.lead(memoryText(session, memory))}</p>

@@ -1,9 +1,10 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
+import { setValues } from '../../../src/app/editing/edit.js';
 import { en } from '../../../src/app/messages/en.js';
 import { TIGHT } from '../../../src/app/ui/use-query.js';
 import { idle } from '../bench/bench.js';
-import { connected, inWindow, lookAt, opened, press, type } from '../screen.js';
+import { connected, inWindow, key, lookAt, opened, press, type } from '../screen.js';
 
 const figures = () => document.querySelector('.strip-figures') as HTMLButtonElement;
 const isOpen = () => figures().getAttribute('aria-expanded') === 'true';
@@ -28,6 +29,44 @@ it('no figure of the memory that flies next is below the name of another one', a
   expect(panel().getByText('For looking only. You edit and write M1, which flies next.')).toBeTruthy();
   await lookAt('M1, flies next');
   expect(panel().getByRole('textbox', { name: 'DT' })).toBeTruthy();
+});
+
+describe('the figures that open', () => {
+  const dt = () => panel().getByRole<HTMLInputElement>('textbox', { name: 'DT' });
+  const typed = async (text: string): Promise<void> => {
+    expect(document.activeElement, 'whoever pressed DT can type it').toBe(dt());
+    fireEvent.input(dt(), { target: { value: text } });
+    await idle();
+  };
+
+  it('have the focus at DT, all of it selected', async () => {
+    const { editor } = await connected();
+    await openFigures();
+    expect([dt().selectionStart, dt().selectionEnd]).toEqual([0, '3:00'.length]);
+    await typed('2:30');
+    await key('Enter');
+    expect([editor.working.value?.times.at(-1), isOpen()]).toEqual([15000, true]);
+  });
+
+  it('close on Escape, which takes back only what was just typed', async () => {
+    const { editor } = await connected();
+    editor.apply(setValues({ code: 'change', params: {} }, [{ field: { kind: 'time', slot: 10 }, value: 24000 }]));
+    await openFigures();
+    await typed('2:30');
+    await key('Escape');
+    expect([editor.working.value?.times.at(-1), isOpen()]).toEqual([24000, true]);
+    await key('Escape');
+    expect([editor.working.value?.times.at(-1), isOpen()]).toEqual([24000, false]);
+    expect(document.activeElement).toBe(figures());
+  });
+
+  it('do not bring keys under a finger that may want anything in them', async () => {
+    inWindow((query) => query === '(pointer: coarse)');
+    await connected();
+    await openFigures();
+    expect(panel().queryByRole('textbox', { name: 'DT' })).toBeTruthy();
+    expect(document.activeElement).not.toBe(dt());
+  });
 });
 
 it('a phone has no presets for the memory that flies next below the name of another one, either', async () => {
