@@ -43,7 +43,7 @@ function programCommands(models: AppModels): PaletteCommand[] {
   const found: (PaletteCommand | false | null)[] = [
     isFree &&
       connection.value !== null &&
-      !editor.blocked.value && { name: palette.write(editor.changes.value.length), run: () => void write.open() },
+      !editor.blocked.value && { name: program.write(editor.changes.value.length), run: () => void write.open() },
     ...saveCommands(session, saveSetting),
     isFree && undo && { name: edits.undo(stepText(identity, undo)), keys: 'Ctrl+Z', run: () => editor.undo() },
     isFree && redo && { name: edits.redo(stepText(identity, redo)), keys: 'Ctrl+Y', run: () => editor.redo() },

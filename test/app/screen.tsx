@@ -98,7 +98,7 @@ export async function late(): Promise<void> {
 
 export function button(name: string | RegExp): HTMLButtonElement {
   // Its label counts the changes.
-  return screen.getByRole<HTMLButtonElement>('button', { name: name === 'Write…' ? /^Write( \d+)?…$/ : name });
+  return screen.getByRole<HTMLButtonElement>('button', { name: name === 'Write…' ? /^Write( \d+ changes?)?…$/ : name });
 }
 
 /** The table of the program; the log of the line is another one. */

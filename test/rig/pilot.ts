@@ -55,7 +55,7 @@ export class Pilot {
 
   /** Asks for the difference, which is read afresh, and says that it is safe to write. */
   async review(): Promise<void> {
-    await this.button(/^Write( \d+)?…$/).click();
+    await this.button(/^Write( \d+ changes?)?…$/).click();
     await this.confirm();
   }
 

@@ -257,7 +257,7 @@ export class AppPage {
   }
 
   async review(): Promise<void> {
-    await this.button(/^Write( \d+)?…$/).click();
+    await this.button(/^Write( \d+ changes?)?…$/).click();
     await this.dialog.waitFor();
   }
 

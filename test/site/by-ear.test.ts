@@ -104,7 +104,7 @@ test.each([
     await ear.enter('DT time', '2:30');
     await ear.enter('Function 4, S2', '70');
     await ear.hears('StaticText', '2 changes');
-    await ear.press('button', 'Write 2…');
+    await ear.press('button', 'Write 2 changes…');
     await ear.hears('dialog', 'Write to the timer');
     await ear.hears('rowheader', 'Function 4, S2');
     expect(await ear.nameless(), 'controls of the difference without a name').toEqual([]);

@@ -272,7 +272,7 @@ test('the promise about the propeller stands beside the button that waits for it
   const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 844, height: 390 }, before: IN_SUN });
   await app.connect();
   await app.type('DT time', '6:00');
-  await app.button(/^Write( 1)?…$/).click();
+  await app.button(/^Write( 1 change)?…$/).click();
   const dialog = app.page.getByRole('dialog');
   const tick = dialog.getByRole('checkbox', { name: /^The propeller/ });
   const isInWindow = () =>

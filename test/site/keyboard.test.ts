@@ -49,7 +49,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   await trail.goForward(() => keys.press('Control+Shift+z'));
   await app.text('44 changes').waitFor();
 
-  await keys.enter(/^Write \d+…$/);
+  await keys.enter(/^Write \d+ changes?…$/);
   await app.dialog.waitFor();
   await expect
     .poll(() => app.dialog.locator('.differs').count(), { message: 'the dialog shows 44 different values' })
@@ -83,11 +83,11 @@ test('the focus stays during a reading, and comes back after the dialog', async 
   await app.isReady();
   await expect.poll(() => keys.focused()).toBe('Read again');
   await app.field('Function 2, S1').fill('7');
-  await keys.enter(/^Write \d+…$/);
+  await keys.enter(/^Write \d+ changes?…$/);
   await app.dialog.waitFor();
   await keys.press('Escape');
   await app.dialog.waitFor({ state: 'hidden' });
-  await expect.poll(() => keys.focused()).toBe('Write 1…');
+  await expect.poll(() => keys.focused()).toBe('Write 1 change…');
   await keys.press('Enter');
   await app.dialog.waitFor();
   await keys.tabTo(/^The propeller is off/);

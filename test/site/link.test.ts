@@ -41,7 +41,7 @@ describe('the adapter comes back', () => {
     const app = await edited();
     await app.bench((bench) => bench.adapter.unplug());
     await app.says('The adapter is unplugged.');
-    expect(await app.button(/^Write( \d+)?…$/).isDisabled()).toBe(true);
+    expect(await app.button(/^Write( \d+ changes?)?…$/).isDisabled()).toBe(true);
     await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
     await app.bench((bench) => bench.replug());
     await app.says('The timer is back.');
@@ -171,7 +171,7 @@ test('with one byte in a hundred damaged, a timer is read, written and verified,
   await app.page.locator('button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ }).waitFor();
   await app.type('DT time', '4:00');
   await app.type('Function 2, S1', '7');
-  await app.button(/^Write( \d+)?…$/).click();
+  await app.button(/^Write( \d+ changes?)?…$/).click();
   await app.dialog.waitFor();
   await app.tickSafety();
   await app.dialog.getByRole('button', { name: 'Write 2 changes' }).click();

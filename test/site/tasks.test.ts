@@ -34,7 +34,7 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
       await pilot.press(app.field('Function 4, S2'));
       await pilot.type('70');
       if (byTouch) await pilot.sheetKey('Done');
-      await pilot.press(app.button('Write 2…'));
+      await pilot.press(app.button('Write 2 changes…'));
       await pilot.press(app.dialog.getByRole('checkbox', { name: 'The propeller is off' }));
       await pilot.press(app.dialog.getByRole('button', { name: 'Write 2 changes' }));
       await app.result('Verified.');

@@ -73,7 +73,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   await trail.goForward(() => app.redo.tap());
   await app.text('44 changes').waitFor();
 
-  await app.button(/^Write( \d+)?…$/).tap();
+  await app.button(/^Write( \d+ changes?)?…$/).tap();
   await app.dialog.getByRole('checkbox', { name: 'The propeller is off' }).tap();
   await app.dialog.getByRole('button', { name: 'Write 44 changes' }).tap();
   await app.result('Verified.');
@@ -201,7 +201,7 @@ test.each([
   await app.page.keyboard.press('Control+a');
   await app.page.keyboard.type('70');
   // What it does comes late on a slow machine: the keys would have come over it in the meantime.
-  const box = await app.button(/^Write 1…$/).boundingBox();
+  const box = await app.button(/^Write 1 change…$/).boundingBox();
   await app.page.touchscreen.tap((box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2);
   await app.dialog.waitFor();
   expect(await app.field('Function 2, S2').inputValue()).toBe('70');

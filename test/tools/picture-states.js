@@ -48,7 +48,7 @@ async function change(page, reach = connect) {
 /** @param {Page} page */
 async function review(page) {
   await change(page);
-  await press(page, /^Write( \d+)?…$/);
+  await press(page, /^Write( \d+ changes?)?…$/);
   await page.getByRole('dialog').waitFor();
 }
 
@@ -56,9 +56,9 @@ async function review(page) {
 async function trim(page) {
   await connect(page);
   await enter(page, 'DT time', '20 s');
-  await press(page, /^Write( \d+)?…$/);
+  await press(page, /^Write( \d+ changes?)?…$/);
   await promise(page);
-  await press(page, /^Write \d+ change/);
+  await press(page, /^Write \d+ changes?$/);
   await page.getByText('Verified.').waitFor();
 }
 
@@ -136,7 +136,7 @@ async function conflict(page) {
   await page.evaluate(() => {
     window.workbench.content.times[10] = 21000;
   });
-  await press(page, /^Write( \d+)?…$/);
+  await press(page, /^Write( \d+ changes?)?…$/);
   await page.getByRole('dialog').waitFor();
 }
 
@@ -330,7 +330,7 @@ export const states = {
     bench: { granted: true, quirks: { servoNeedsMove: true } },
     reach: async (page) => {
       await change(page, connectPort);
-      await press(page, /^Write( \d+)?…$/);
+      await press(page, /^Write( \d+ changes?)?…$/);
       await promise(page);
       await page.getByRole('button', { name: 'Write 2 changes' }).click();
       await page.getByRole('button', { name: 'Write again…' }).click();
@@ -470,7 +470,7 @@ export const states = {
     bench: { granted: true },
     reach: async (page) => {
       await change(page, connectPort);
-      await press(page, /^Write( \d+)?…$/);
+      await press(page, /^Write( \d+ changes?)?…$/);
       await page.evaluate(() => window.workbench.unplugAt('SETTIMERS'));
       await promise(page);
       await page.getByRole('button', { name: 'Write 2 changes' }).click();

@@ -1,5 +1,3 @@
-import { plural } from './plural.js';
-
 /** The views of the page and the links between them. */
 export const views = {
   title: 'Views',
@@ -47,7 +45,6 @@ export const palette = {
   title: 'Commands',
   search: 'Type what you want to do',
   nothing: 'No command has this name, or it cannot be done now.',
-  write: (count: number) => (count === 0 ? 'Write…' : `Write ${plural(count, 'change', 'changes')}…`),
   shift: (rows: string) => `Shift: ${rows}`,
   preset: (time: string) => `DT ${time}`,
   moveTo: (slot: string) => `Move the servos: ${slot}`,

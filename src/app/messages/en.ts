@@ -93,7 +93,7 @@ export const en = {
     /** The same where there is little room: what the button does first. */
     connectFirst: 'Connect…',
     /** @param count of the values that differ. */
-    write: (count: number) => (count === 0 ? 'Write…' : `Write ${count}…`),
+    write: (count: number) => (count === 0 ? 'Write…' : `Write ${plural(count, 'change', 'changes')}…`),
     picture: 'Picture',
     table: 'Table',
     /** What prevents a write. Its button goes there. */

@@ -220,7 +220,7 @@ describe('after a verified write', () => {
     expect(screen.queryByRole('button', { name: 'Flying this' }), 'the button comes only after the write').toBeNull();
     app.session.safety.confirm();
     await idle(0);
-    await press(/^Write \d+ change/);
+    await press(/^Write \d+ changes?$/);
     const written = within(screen.getByRole('dialog', { name: 'Write to the timer' }));
     expect(written.getAllByText(/DT 20 s/).length, 'the figures stand once').toBe(1);
     expect(written.getByText('Logs a flight with what the timer holds.')).toBeTruthy();
@@ -241,7 +241,7 @@ describe('after a verified write', () => {
     await press('3');
     expect(form().getByRole('alert').textContent).toContain('DT of M1 is 20\u00a0s. Put it back to 3:00\u00a0min?');
     await press('Put DT back to 3:00\u00a0min…');
-    await press(/^Write \d+ change/);
+    await press(/^Write \d+ changes?$/);
     expect(app.timer.core.content.times[10]).toBe(18_000);
     expect(flights(app).map(({ program, round }) => [program.times[10], round])).toEqual([[18_000, '3']]);
   });
@@ -255,7 +255,7 @@ describe('after a verified write', () => {
     app.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') app.timer.core.content.times[10] = 1900;
     };
-    await press(/^Write \d+ change/);
+    await press(/^Write \d+ changes?$/);
     expect(within(screen.getByRole('dialog')).queryByRole('button', { name: 'Flying this' })).toBeNull();
   });
 });

@@ -23,7 +23,7 @@ async function writeDt(app: AppBench, text: string): Promise<void> {
 async function finish(app: AppBench): Promise<void> {
   app.session.safety.confirm();
   await idle(0);
-  await press(/^Write \d+ change/);
+  await press(/^Write \d+ changes?$/);
   expect(screen.getByText('Verified.')).toBeTruthy();
 }
 
@@ -167,7 +167,7 @@ describe('with a short DT in the timer', () => {
       void app.models.leaving.disconnect();
       asked = app.models.leaving.question.value;
     };
-    await press(/^Write \d+ change/);
+    await press(/^Write \d+ changes?$/);
     expect([asked, status(app)]).toEqual([null, 'off']);
   });
 });

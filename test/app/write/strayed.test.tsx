@@ -20,7 +20,7 @@ it('a write during which another memory became current says that values may be i
   timer.core.onAnswer = ({ name }) => {
     if (name === 'SETTIMERS') timer.core.memory = 2;
   };
-  await press('Write 2…');
+  await press('Write 2 changes…');
   const dialog = await confirm('Write to the timer', 'Write 2 changes');
   expect(dialog.textContent).toContain('M3 became current during the write. Some of the values may be in M3 now.');
 });

@@ -20,7 +20,7 @@ function described(name: string): string[] {
 async function write(): Promise<void> {
   await press('Write…');
   fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
-  await press(/^Write 1 change/);
+  await press(/^Write 1 change$/);
 }
 
 /** DT 6:00 is written, and the cable is pulled before the answer: the timer holds 6:00. */
