@@ -65,6 +65,16 @@ export async function fly(name: string): Promise<void> {
   await idle();
 }
 
+/** A look at M3 is cut: the timer falls asleep on the way, and is back with M3 as the memory that flies next. */
+export async function strandAtM3({ timer: { core } }: AppBench): Promise<void> {
+  await lookAt('M3');
+  core.onAnswer = ({ name }) => name === 'GETSERVOPOS' && core.memory === 2 && core.sleep();
+  await press('Look at M3');
+  core.onAnswer = undefined;
+  core.press();
+  await idle();
+}
+
 /** A field of the program. Opens the large figures where the field is one of them. */
 export function field(name: string): HTMLInputElement {
   const isLarge = name === 'DT' || name === 'Motor stop';

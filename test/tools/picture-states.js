@@ -389,16 +389,6 @@ export const states = {
       await page.getByRole('heading', { name: /^M3, read / }).waitFor();
     },
   },
-  leaving: {
-    title: 'Another memory flies next than at connect, before disconnecting',
-    reach: async (page) => {
-      await connect(page);
-      await lookAt(page, 'M3');
-      await press(page, 'Make M3 fly next');
-      await page.getByText('M3 flies next. When you connected it was M1.').waitFor();
-      await disconnect(page);
-    },
-  },
   disconnected: {
     title: 'Not connected, with changes',
     reach: async (page) => {

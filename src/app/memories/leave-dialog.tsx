@@ -9,7 +9,7 @@ import type { Leaving } from './leaving.js';
 import { nextFlightText } from './next-flight-line.js';
 import './leave-dialog.css';
 
-/** Before the connection ends: warns when another memory than at connect will fly, or one with a short DT. */
+/** Before the connection ends: warns when another memory than is meant will fly, or one with a short DT. */
 export function LeaveDialog({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
   const question = leaving.question.value;
   return (
@@ -57,9 +57,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
         {asksMemory && (
           <p>
             <strong>
-              {word.value
-                ? nextFlightText(session, word.value, 'will')
-                : originalName && words.leaving.as(originalName)}
+              {word.value ? nextFlightText(session, word.value, 'now') : originalName && words.other(originalName)}
             </strong>
           </p>
         )}

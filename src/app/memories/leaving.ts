@@ -7,7 +7,7 @@ import type { Memories } from './memories.js';
 
 /** What the pilot is asked before the connection ends. */
 export interface LeavingQuestion {
-  /** Whether the memory of the time of connecting is being made current again. */
+  /** Whether the memory that is meant is being made current again. */
   readonly goingBack: boolean;
   /** Whether that was tried and failed. */
   readonly failed: boolean;
@@ -42,7 +42,7 @@ export class Leaving {
     });
   }
 
-  /** Disconnects. Asks first when another memory than at connect flies next, or one with a short DT. */
+  /** Disconnects. Asks first when another memory than the one that is meant flies next, or one with a short DT. */
   async disconnect(): Promise<void> {
     const { runner } = this.#session;
     const job = runner.job.value;
@@ -52,7 +52,7 @@ export class Leaving {
     else await this.#session.timer.disconnect();
   }
 
-  /** Makes the memory of the time of connecting current again, and disconnects once the timer confirms it. */
+  /** Makes the memory that is meant current again, and disconnects once the timer confirms it. */
   async backAndDisconnect(): Promise<void> {
     const { nextFlight } = this.#session;
     const { original } = nextFlight;

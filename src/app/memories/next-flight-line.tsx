@@ -28,13 +28,17 @@ export function NextFlightNotes({ session, memories }: NextFlightProps) {
   );
 }
 
-/** Says that another memory than at connect flies next, or that nobody knows which; with a button to go back. */
+/**
+ * Says that another memory than the one that is meant flies next, or that nobody knows which, with a button to go back.
+ * The pilot's own choice is said calmly.
+ */
 function NextFlightLine({ session, memories }: NextFlightProps) {
   const { nextFlight: words } = messages.value;
   const word = session.nextFlight.word.value;
   const isConnected = session.connection.value !== null;
   // During a job over memories there is nothing to say yet. An interrupted job has its own message.
-  if (!word || session.runner.busy.value || session.recovery.offer.value?.kind === 'memories') return null;
+  if (session.runner.busy.value || session.recovery.offer.value?.kind === 'memories') return null;
+  if (!word) return <ChosenLine session={session} />;
   const { original } = word;
   return (
     <div class="notice bad next-flight" role="alert">
@@ -50,18 +54,29 @@ function NextFlightLine({ session, memories }: NextFlightProps) {
   );
 }
 
+function ChosenLine({ session }: { readonly session: Session }) {
+  const { nextFlight: words } = messages.value;
+  const chosen = session.nextFlight.chosen.value;
+  if (!chosen || session.connection.value === null) return null;
+  const { memory, before } = chosen;
+  return (
+    <p class="hint next-flight" role="status">
+      {words.other(memoryText(session, memory))} {before !== null && words.original(memoryText(session, before))}
+    </p>
+  );
+}
+
 /**
  * The same as a sentence.
- * @param when `now`: what the timer says. `will`: what will follow. `last`: what it said before the connection was
- * lost.
+ * @param when `now`: what the timer says. `last`: what it said before the connection was lost.
  */
-export function nextFlightText(session: Session, word: NextFlightWord, when: 'now' | 'will' | 'last'): string {
+export function nextFlightText(session: Session, word: NextFlightWord, when: 'now' | 'last'): string {
   const { nextFlight: words } = messages.value;
   const nameOf = (memory: number): string => memoryText(session, memory);
   const said =
     word.code === 'other'
-      ? [{ now: words.other, will: words.will, last: words.last }[when](nameOf(word.memory))]
+      ? [{ now: words.other, last: words.last }[when](nameOf(word.memory))]
       : [words.unknown, ...(word.asked === null ? [] : [words.asked(nameOf(word.asked))])];
-  const original = word.original === null ? words.originalUnknown : words.original(nameOf(word.original));
-  return [...said, original].join(' ');
+  const came = session.nextFlight.came.value;
+  return [...said, came === null ? words.originalUnknown : words.original(nameOf(came))].join(' ');
 }

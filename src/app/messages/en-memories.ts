@@ -6,7 +6,6 @@ export const nextFlight = {
   badge: 'flies next',
   named: (memory: string) => `${memory}, flies next`,
   other: (memory: string) => `${memory} flies next.`,
-  will: (memory: string) => `${memory} will fly next.`,
   /** While no timer is connected. */
   last: (memory: string) =>
     `${memory} was current when the timer last answered. It flies next unless something else has changed that.`,
@@ -20,7 +19,6 @@ export const nextFlight = {
     back: (original: string) => `Back to ${original} and disconnect`,
     disconnect: 'Disconnect',
     stay: 'Stay connected',
-    as: (memory: string) => `${memory} flies next, as when you connected.`,
     failed: (original: string) => `The timer did not go back to ${original}. It is still connected.`,
   },
 };

@@ -94,7 +94,8 @@ export class Reader {
       await this.#show(await client.readProgram(options), options);
     };
     const good = await runner.run('select', select, memory);
-    if (!good) await this.readIfOpen();
+    if (good) nextFlight.chose(memory);
+    else await this.readIfOpen();
     return good;
   }
 

@@ -1,8 +1,9 @@
 import { screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { nextFlight as words } from '../../../src/app/messages/en-memories.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { idle, run, selected } from '../bench/bench.js';
-import { button, connected, field, fly, lookAt, press, type } from '../screen.js';
+import { button, connected, field, fly, lookAt, press, strandAtM3, type } from '../screen.js';
 
 /** What is read aloud of each memory, and which of them is shown. */
 function choices(): string[] {
@@ -77,16 +78,21 @@ describe('the memories', () => {
     expect(isShut()).toEqual([false, false, false]);
   });
 
-  it('fly next when they are made to, and the page says so until the first one flies next again', async () => {
+  it('fly next when they are made to, which a calm line says until the first one flies next again', async () => {
     const { timer } = await connected();
     await type('DT time', '5:00');
     await fly('M3');
     expect([timer.core.memory, choices()]).toEqual([2, ['M1', 'M2', '* M3, flies next', 'M4']]);
     expect(field('DT').value).toBe('4:00');
-    expect(said()).toEqual(['M3 flies next. When you connected it was M1.Back to M1']);
-    await press('Back to M1');
+    const line = `${words.other('M3')} ${words.original('M1')}`;
+    expect(screen.getByText(line).className).toBe('hint next-flight');
+    expect([screen.queryByRole('alert'), screen.queryByRole('button', { name: words.back('M1') })]).toEqual([
+      null,
+      null,
+    ]);
+    await fly('M1');
     expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
-    expect(screen.queryByRole('alert')).toBeNull();
+    expect(screen.queryByText(/flies next\./)).toBeNull();
     expect(field('DT time').value, 'the edits of M1 are still there').toBe('5:00');
   });
 
@@ -178,26 +184,42 @@ describe('Disconnect', () => {
     expect([app.session.link.state.value.status, screen.queryByRole('dialog')]).toEqual(['off', null]);
   });
 
-  it('repeats that another memory will fly next, and goes back to the first on a click', async () => {
+  it('asks nothing about a memory that the pilot has made fly next', async () => {
     const app = await connected();
     await fly('M3');
     await press('Disconnect');
-    expect(dialog().getByRole('status').textContent).toBe('M3 will fly next. When you connected it was M1.');
+    expect([app.session.link.state.value.status, screen.queryByRole('dialog'), app.timer.core.memory]).toEqual([
+      'off',
+      null,
+      2,
+    ]);
+  });
+
+  it('says that another memory flies next than was meant, and goes back on a click', async () => {
+    const app = await connected();
+    await strandAtM3(app);
+    await press('Disconnect');
+    expect(dialog().getByRole('status').textContent).toBe(`${words.other('M3')} ${words.original('M1')}`);
     expect(app.session.link.state.value.status).toBe('on');
     await press('Back to M1 and disconnect');
-    expect([app.session.link.state.value.status, app.timer.core.memory, selected(app)]).toEqual(['off', 0, [2, 0]]);
+    expect([app.session.link.state.value.status, app.timer.core.memory]).toEqual(['off', 0]);
     expect(screen.queryByRole('dialog')).toBeNull();
+  });
+
+  it('goes back to the memory that the pilot has chosen, not to that of connecting', async () => {
+    const app = await connected();
+    await fly('M2');
+    await strandAtM3(app);
+    await press('Disconnect');
+    await press('Back to M2 and disconnect');
+    expect([app.session.link.state.value.status, app.timer.core.memory]).toEqual(['off', 1]);
   });
 
   it('leaves the choice to the pilot', async () => {
     const app = await connected();
-    await fly('M3');
+    await strandAtM3(app);
     await press('Disconnect');
     await press('Stay connected');
-    expect([app.session.link.state.value.status, screen.queryByRole('dialog')]).toEqual(['on', null]);
-    await press('Disconnect');
-    screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
-    await idle(0);
     expect([app.session.link.state.value.status, screen.queryByRole('dialog')]).toEqual(['on', null]);
     await press('Disconnect');
     dialog().getByRole('button', { name: 'Disconnect' }).click();
@@ -207,7 +229,7 @@ describe('Disconnect', () => {
 
   it('stays when the way back fails, and says so', async () => {
     const app = await connected();
-    await fly('M3');
+    await strandAtM3(app);
     await press('Disconnect');
     app.timer.core.sleep();
     await press('Back to M1 and disconnect');
@@ -215,7 +237,7 @@ describe('Disconnect', () => {
     expect(dialog().getByRole('status').textContent).toContain('It is not known which memory flies next.');
     app.timer.core.press();
     await idle();
-    expect(dialog().getByRole('status').textContent).toBe('M3 will fly next. When you connected it was M1.');
+    expect(dialog().getByRole('status').textContent).toBe(`${words.other('M3')} ${words.original('M1')}`);
     await press('Back to M1 and disconnect');
     expect([app.session.link.state.value.status, app.timer.core.memory]).toEqual(['off', 0]);
   });

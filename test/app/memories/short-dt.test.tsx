@@ -1,7 +1,7 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { type AppBench, appBench, idle, reloaded, run } from '../bench/bench.js';
-import { button, connected, drawn, fly, goTo, late, press, type } from '../screen.js';
+import { button, connected, drawn, goTo, late, press, strandAtM3, type } from '../screen.js';
 
 beforeEach(() => localStorage.clear());
 
@@ -100,11 +100,11 @@ describe('with a short DT in the timer', () => {
     const [first, , third] = app.timer.core.memories;
     await writeDt(app, '20 s');
     if (third) third.times[10] = 1000;
-    await fly('M3');
+    await strandAtM3(app);
     await press('Disconnect');
     expect(screen.getAllByRole('dialog').length).toBe(1);
     expect(dialog().getByRole('status').textContent).toBe(
-      'M3 will fly next. When you connected it was M1.DT of M3 is 10\u00a0s. Set it to 3:00\u00a0min?',
+      'M3 flies next. When you connected it was M1.DT of M3 is 10\u00a0s. Set it to 3:00\u00a0min?',
     );
     expect(buttons()).toEqual([
       'Stay connected',
