@@ -25,6 +25,21 @@ const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsE
  */
 const PATIENCE = { testTimeout: 600_000, hookTimeout: 600_000, expect: { poll: { timeout: 120_000 } } };
 
+/** Tests of the site that try many sizes, themes, faults of a browser or versions: `npm run test:matrix`. */
+const MATRICES =
+  'test/site/{forced-colours,in-reach,in-sight,long-names,look,many-settings,rows,services,update,worker}.test.ts';
+const site = {
+  environment: 'node',
+  globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
+  // One and a half times as many as there are cores: while one waits for its line, another works. More of them would
+  // make each slower and the whole no quicker. They share a browser one after another.
+  maxWorkers: Math.min(Math.ceil(1.5 * maxWorkers), 8),
+  isolate: false,
+  // Runs after the other floors.
+  sequence: { groupOrder: 1 },
+  ...PATIENCE,
+};
+
 /** One project for each floor of tests: a fault is caught on the lowest floor that can catch it. */
 export default defineConfig({
   test: {
@@ -74,21 +89,8 @@ export default defineConfig({
           },
         },
       },
-      {
-        test: {
-          name: 'site',
-          environment: 'node',
-          include: ['test/site/**/*.test.ts'],
-          globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
-          // One and a half times as many as there are cores: while one waits for its line, another works. More of them
-          // would make each slower and the whole no quicker. They share a browser one after another.
-          maxWorkers: Math.min(Math.ceil(1.5 * maxWorkers), 8),
-          isolate: false,
-          // Runs after the other floors.
-          sequence: { groupOrder: 1 },
-          ...PATIENCE,
-        },
-      },
+      { test: { ...site, name: 'site', include: ['test/site/**/*.test.ts'], exclude: [MATRICES] } },
+      { test: { ...site, name: 'site-matrix', include: [MATRICES] } },
       {
         test: {
           name: 'rig',

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { type MemoriesRead, type MemoriesReport, TimerClient, TimerError } from '../../src/client/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
 import type { VirtualTimer } from '../../src/simulator/index.js';
+import { runsOf, shareOf } from '../tools/share.js';
 import { bench, memoriesOf, memoryOf } from './bench.js';
 import { type Direction, type Fault, FieldLine } from './field-line.js';
 import { everyValueChanged, FAULTS } from './matrix.js';
@@ -57,22 +58,21 @@ describe('several memories on a bad line', () => {
       const begin = quiet.line.counts;
       await quiet.run(jobs[job](quiet.client, quiet.goals));
       const end = quiet.line.counts;
-      let cases = 0;
-      for (const direction of ['out', 'in'] satisfies Direction[]) {
-        for (let index = 0; index < end[direction] - begin[direction]; index++) {
-          for (const [name, faultAt] of Object.entries(FAULTS)) {
-            const fault: Fault = faultAt(index);
-            if (fault.event === 'gone') continue;
-            const { timer, run, line, client, goals } = await meet();
-            line.arm(direction, index, fault);
-            const result = await run(jobs[job](client, goals).catch((error: unknown) => error));
-            expectTruth(timer, result, goals, 0, `${job}, byte ${index} ${direction}, ${name}`);
-            if (!fault.event) expect(result, name).not.toBeInstanceOf(Error);
-            cases++;
-          }
-        }
+      const cases = (['out', 'in'] satisfies Direction[]).flatMap((direction) =>
+        Array.from({ length: end[direction] - begin[direction] }, (_, index) => index).flatMap((index) =>
+          Object.entries(FAULTS)
+            .map(([name, faultAt]) => ({ direction, index, name, fault: faultAt(index) satisfies Fault }))
+            .filter(({ fault }) => fault.event !== 'gone'),
+        ),
+      );
+      expect(cases).toHaveLength(count);
+      for (const { direction, index, name, fault } of shareOf(cases)) {
+        const { timer, run, line, client, goals } = await meet();
+        line.arm(direction, index, fault);
+        const result = await run(jobs[job](client, goals).catch((error: unknown) => error));
+        expectTruth(timer, result, goals, 0, `${job}, byte ${index} ${direction}, ${name}`);
+        if (!fault.event) expect(result, name).not.toBeInstanceOf(Error);
       }
-      expect(cases).toBe(count);
     },
   );
 
@@ -97,7 +97,7 @@ describe('several memories on a bad line', () => {
           else expect(result).toMatchObject({ restored: true, stopped: null });
         },
       ),
-      { numRuns: 100 },
+      { numRuns: runsOf(100) },
     );
   });
 });

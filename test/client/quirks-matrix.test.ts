@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { AssumedQuirks, QuirkCode } from '../../src/client/index.js';
 import type { TimerQuirks } from '../../src/simulator/index.js';
+import { runsOf, shareOf } from '../tools/share.js';
 import { bench, contentOf, edited, names } from './bench.js';
 
 const found = (client: { quirksFound: ReadonlyMap<QuirkCode, unknown> }): QuirkCode[] => [...client.quirksFound.keys()];
@@ -21,7 +22,8 @@ describe('all quirks together', () => {
   ] as const satisfies readonly (keyof TimerQuirks)[];
 
   it('in all 1024 combinations, verified is never wrong, and with the right choices the goal is reached', async () => {
-    for (let bits = 0; bits < 2 ** switches.length; bits++) {
+    const all = Array.from({ length: 2 ** switches.length }, (_, bits) => bits);
+    for (const bits of shareOf(all)) {
       const quirks: TimerQuirks = Object.fromEntries(switches.map((name, bit) => [name, (bits & (1 << bit)) !== 0]));
       const { client, timer, run } = bench({ identity: { timerClass: 'Q', functions: 4, servos: 3 }, quirks });
       const label = JSON.stringify(quirks);
@@ -98,7 +100,7 @@ describe('all quirks together', () => {
           expect({ ...held, memory, idleThrottle: idleThrottle === null ? null : held.idleThrottle }).toEqual(goal);
         },
       ),
-      { numRuns: 200 },
+      { numRuns: runsOf(200) },
     );
   });
 });
