@@ -9,7 +9,6 @@ import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
 import { importFile } from './library.js';
 import { newPage } from './page.js';
-import { isWellMade } from './well-made.js';
 
 /** A season: three models, twelve settings, thirty flights. */
 const SEASON: Library = {
@@ -194,7 +193,6 @@ test('a broken file is refused with its line, a foreign one does not replace the
   }
   await drop(page, 'newer.sidus', TEXT.replaceAll('"calm"', '"windy"').replace(/"changedAt.*/g, ''));
   await app.text('What differs').waitFor();
-  await isWellMade(app, 'import', { phone: { width: 360, height: 740 }, desktop: { width: 1280, height: 800 } });
   await app.button('Cancel').click();
   expect(page.url()).toBe(address);
   expect(await exported(app)).toEqual(SEASON);

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 import { outOfReach } from './in-reach.js';
-import { showTheme } from './well-made.js';
+import { showTheme } from './themes.js';
 
 type Size = readonly [width: number, height: number];
 /** For touch: two phones, one of them on its side, and a tablet. */

@@ -2,7 +2,6 @@ import { readFile } from 'node:fs/promises';
 import { describe, expect, test } from 'vitest';
 import { parseCapture } from '../../src/protocol/index.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
-import { isWellMade, SIZES } from './well-made.js';
 
 /** A pilot who has read the timer and opened the line. */
 async function opened(options: Parameters<typeof AppPage.open>[0] = {}): Promise<AppPage> {
@@ -122,24 +121,4 @@ describe('a frame by hand', () => {
     await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
     expect(await app.bench((bench) => bench.sets)).toEqual(['SETSERVO']);
   });
-});
-
-test('the line can be used by everyone', async () => {
-  const sizes = { ...SIZES, small: { width: 320, height: 640 } };
-  const app = await opened();
-  await isWellMade(app, 'live', sizes);
-  await app.text('Send a frame by hand').click();
-  await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('UNLOCK');
-  await app.button('Send…').click();
-  await isWellMade(app, 'asking twice', sizes);
-  await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('Another letter');
-  await app.field('Letter, in hex').fill('7');
-  await app.field('Data, in hex').fill('x');
-  await isWellMade(app, 'refusing', sizes);
-  await load(app, `# Sidus capture 1\n0.000 > 00 00 00 00 00 03 6b 6b 45\n9.000 < ${'ff '.repeat(200)}`);
-  await app.button('Back to the live line').waitFor();
-  await isWellMade(app, 'a recording', sizes);
-  await load(app, 'no');
-  await app.page.getByRole('alert').waitFor();
-  await isWellMade(app, 'a refused file', sizes);
 });

@@ -1,7 +1,7 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
-import { SIZES } from './well-made.js';
+import { SIZES } from './themes.js';
 
 const preview = ({ page }: AppPage) => page.getByRole('region', { name: 'Flight preview' });
 

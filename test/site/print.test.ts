@@ -3,7 +3,6 @@ import { encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/ind
 import { programOf } from '../app/programs.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
-import { isWellMade } from './well-made.js';
 
 const wide = (name: string, functions: number, servos: number, note = ''): SharedSetting => ({
   name,
@@ -123,7 +122,6 @@ test('the print view is well made, on a phone too, and prints what the browser o
     await app.trySimulated('F1Q');
     await app.page.evaluate(() => location.assign('#print'));
     await app.page.getByRole('region', { name: 'Preview' }).getByRole('row', { name: /^DT/ }).waitFor();
-    await isWellMade(app, 'print', { here: app.page.viewportSize() ?? { width: 1280, height: 720 } });
     await app.expectNoSidewaysScrolling();
     await app.button('Print 1 page…').click();
     await expect.poll(() => app.page.locator('body[data-printed]').count()).toBe(1);

@@ -3,7 +3,7 @@ import { encodeLink, LIMITS, LINK_MARK } from '../../src/program/index.js';
 import { SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
-import { isWellMade, showTheme, THEMES } from './well-made.js';
+import { showTheme, THEMES } from './themes.js';
 
 const { program, name, at, tags } = SETTING;
 const SHARED = { name, note: 'Turns left after 12 s. '.repeat(20), at, tags, program, modelName: 'Lancer 07' };
@@ -53,7 +53,6 @@ test('the QR code of a setting can be read from the screen, in every theme', asy
     await app.button('Show in the library').click();
     await app.button('Share…').click();
     await app.page.getByRole('img', { name: 'QR code of “calm morning”' }).waitFor();
-    await isWellMade(app, 'share', { here: app.page.viewportSize() ?? { width: 1280, height: 720 } });
     const reader = await app.sibling();
     await reader.goTo('Library');
     for (const theme of ['light', 'dark', 'sun', 'forced']) {
@@ -125,7 +124,6 @@ test('a link that is opened while the page is open is shown over the present vie
   expect(hashOf(app)).toBe('#memories');
   await arrive(app, HASH);
   await app.text('The connected timer has another number of functions or servos.').waitFor();
-  await isWellMade(app, 'received');
   await app.button('Do not keep').click();
   expect(hashOf(app)).toBe('#memories');
   await app.goTo('Program');

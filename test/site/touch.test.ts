@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 import { PHONE } from './page.js';
 import { positionField, ROWS, SHEET, SHIFTED, Trail, timeField } from './sheet.js';
-import { isWellMade, SIZES, showTheme } from './well-made.js';
+import { showTheme } from './themes.js';
 
 /** The sheet of keys that opens for a field. */
 const keysFor = (app: AppPage, field: string): Locator =>
@@ -158,7 +158,6 @@ describe('a finger on the table', () => {
     await tap('Function 3, S2');
     await app.text('3 functions, 2 columns').waitFor();
     expect(await focused(), 'no field has the focus, so no keyboard comes up').toBeFalsy();
-    await isWellMade(app, 'a range', { phone: SIZES.phone });
     await app.button('Copy').tap();
     await app.page.getByText('Copied.', { exact: true }).waitFor();
     expect(await app.page.evaluate(() => navigator.clipboard.readText())).toBe('25\t25\n35\t35\n45\t45');
@@ -169,7 +168,6 @@ describe('a finger on the table', () => {
     await expect.poll(() => app.positions('S2')).toEqual(FIRST_POSITIONS);
 
     await tap('Function 5, S2');
-    await isWellMade(app, 'a field with the focus', { phone: SIZES.phone });
     await app.button('Select range').tap();
     await app.button('Paste…').tap();
     await app.page.getByRole('dialog', { name: 'Paste' }).getByRole('button', { name: 'Paste' }).tap();

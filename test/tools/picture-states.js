@@ -615,6 +615,37 @@ export const states = {
       await goTo(page, 'line');
     },
   },
+  frame: {
+    title: 'A frame by hand, asked twice',
+    bench: { granted: true },
+    reach: async (page) => {
+      await connectPort(page);
+      await goTo(page, 'line');
+      await page.getByText('Send a frame by hand').click();
+      await page.getByRole('combobox', { name: 'Frame' }).selectOption('UNLOCK');
+      await press(page, 'Send…');
+    },
+  },
+  recording: {
+    title: 'A recording of a line',
+    bench: { granted: true },
+    reach: async (page) => {
+      await connectPort(page);
+      await goTo(page, 'line');
+      const text = `# Sidus capture 1\n0.000 > 00 00 00 00 00 03 6b 6b 45\n9.000 < ${'ff '.repeat(200)}`;
+      const file = { name: 'field.txt', mimeType: 'text/plain', buffer: Buffer.from(text) };
+      await page.locator('input[type=file]').first().setInputFiles(file);
+      await page.getByRole('button', { name: 'Back to the live line' }).waitFor();
+    },
+  },
+  figures: {
+    title: 'The large figures, with what has no other room on a phone',
+    bench: { granted: true },
+    reach: async (page) => {
+      await connectPort(page);
+      await page.locator('.strip-figures[aria-expanded=false]').click();
+    },
+  },
   'class-b': {
     title: 'A timer of class B',
     reach: simulated('F1B'),

@@ -3,17 +3,18 @@
 //   npm run pictures -- --sizes   in all seven sizes
 //   npm run pictures -- --docs    the few that README and docs show, into docs/pictures
 //   npm run pictures -- --manifest    those for browsers that install the page, into public/screenshots
-// Names of states as further arguments take only these. A state that cannot be reached, or in which axe finds something
-// wrong, is named at the end, and the program fails. Needs a built page: npm run build:site
+// Names of states as further arguments take only these. What is wrong is named at the end, and the program fails: a
+// state that cannot be reached, what axe finds, what a finger would miss, what is wider than the window. Needs a built
+// page: npm run build:site
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import process from 'node:process';
 import { chromium } from 'playwright';
-import { violations } from './axe.js';
 import { launchOptions } from './browser.js';
 import { inDocs, inManifest, states } from './picture-states.js';
 import { serve } from './serve.js';
+import { faultsOf } from './well-made.js';
 import { workbenchScript } from './workbench-script.js';
 
 /** @typedef {Readonly<Record<string, { width: number, height: number, touch?: boolean }>>} Sizes */
@@ -94,7 +95,7 @@ async function take(name, size) {
       const { data } = await devtools.send('Page.captureScreenshot', { format: 'webp', quality: 60 });
       const picture = `${name}-${size}-${theme}`;
       writeFileSync(new URL(`${chosen?.get(picture) ?? picture}.webp`, folder), Buffer.from(data, 'base64'));
-      for (const fault of await violations(page, index > 0)) failed.push(`${picture}: ${fault}`);
+      for (const fault of await faultsOf(page, index > 0)) failed.push(`${picture}: ${fault}`);
     }
     console.log(`${name}, ${size}`);
   } finally {
