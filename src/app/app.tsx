@@ -19,7 +19,7 @@ import './app.css';
 /** The whole page: gives each part the models that it needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, density, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } =
+  const { preferences, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } =
     models;
   const { help } = models;
   const { views: words } = messages.value;
@@ -81,7 +81,7 @@ export function App({ models }: { readonly models: AppModels }) {
     help: () => <parts.help.Part {...{ session, help, platform }} path={views.path.value} />,
     line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
     settings: () => (
-      <parts.settings.Part {...{ session, preferences, theme, density, erase, views, installation, update }} />
+      <parts.settings.Part {...{ session, preferences, theme, erase, views, installation, update }} />
     ),
   };
   return (

@@ -22,7 +22,6 @@ import { PortHolder } from './session/port-holder.js';
 import { Preferences } from './session/preferences.js';
 import { Session, type SessionOptions } from './session/session.js';
 import type { SetAside } from './session/set-aside.js';
-import { Density } from './settings/density.js';
 import { Erase, type Erasers } from './settings/erase.js';
 import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
@@ -58,7 +57,6 @@ export interface AppModels {
   /** The two programs that are compared. */
   readonly comparedPair: ComparedPair;
   readonly theme: Theme;
-  readonly density: Density;
   readonly preferences: Preferences;
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
@@ -129,7 +127,6 @@ export function createModels({
     theme,
     flights: new FlightLog(session, write),
     sharing: new Sharing(),
-    density: new Density(),
     preferences: new Preferences(session.editor),
     update: new UpdateOffer(session),
     portHolder: new PortHolder(session, channel),

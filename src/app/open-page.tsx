@@ -3,7 +3,7 @@ import { render } from 'preact';
 import { App } from './app.js';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { leaveComposing } from './browser/composing.js';
-import { lacksOf, media, openDoors, tabNumberOf } from './browser/doors.js';
+import { lacksOf, openDoors, tabNumberOf } from './browser/doors.js';
 import { registerOffline } from './browser/offline.js';
 import { platformOf } from './browser/platform.js';
 import { nameplate, service, tried } from './browser/services.js';
@@ -13,7 +13,6 @@ import { followDay } from './messages/today.js';
 import { createModels } from './models.js';
 import { fetchParts, fetchSimulated } from './parts.js';
 import type { Session } from './session/session.js';
-import { TABLET } from './settings/density.js';
 import { browserErasers } from './settings/erasers.js';
 import type { Theme } from './settings/theme.js';
 import { FramedPage, isFramed } from './shell/framed-page.js';
@@ -45,7 +44,7 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
     reload: () => location.reload(),
     theme,
   });
-  const { session, views, sharing, follow, update, keeping, density, installation } = models;
+  const { session, views, sharing, follow, update, keeping, installation } = models;
   // Long work on a slow device comes in pieces, so that the page hears the pilot between them.
   await nextTask();
   installation.follow(window);
@@ -54,7 +53,6 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   // Thousands of settings are read while their view is being loaded.
   if (views.shown.value === 'library') void session.library.load();
   tried(() => sharing.follow(window, () => views.address));
-  tried(() => density.follow(document, media(TABLET)));
   leaveComposing(window);
   render(<App models={models} />, root);
   lead();

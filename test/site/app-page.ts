@@ -79,12 +79,12 @@ export class AppPage {
   }
 
   /**
-   * Waits until the page has replaced its first picture: it then has set the height of rows. Once in some thousand
+   * Waits until the page has replaced its first picture: it then has said which view it shows. Once in some thousand
    * loads the scripts did not come, and nobody knows why. The page then offers to load it again, and so does this,
    * but only once, and the log tells what was missing.
    */
   async #works(): Promise<void> {
-    const shown = this.page.locator('html[data-density]');
+    const shown = this.page.locator('html[data-view]');
     try {
       await shown.waitFor({ timeout: 60_000 });
     } catch {

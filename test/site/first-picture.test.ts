@@ -19,9 +19,9 @@ async function heldBack(page: Page): Promise<{ asked: Promise<void>; release: ()
   return { asked: asked.then(() => {}), release: async () => (await asked).continue() };
 }
 
-/** Waits for the page itself: it then has set the height of rows. */
+/** Waits for the page itself: it then has said which view it shows. */
 async function works(page: Page): Promise<void> {
-  await page.locator('html[data-density]').waitFor();
+  await page.locator('html[data-view]').waitFor();
   await page.evaluate(() => document.fonts.ready);
 }
 

@@ -154,7 +154,6 @@ const UNASKED: readonly ServiceName[] = [
   'mediaDevices',
   'BarcodeDetector',
   'share',
-  'AudioContext',
   'showSaveFilePicker',
 ];
 const ASKED = (Object.keys(SERVICES) as ServiceName[]).filter((name) => !UNASKED.includes(name));

@@ -4,8 +4,8 @@ import { type Answer, publish, update, visited } from './host.js';
 
 async function isDrawn(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Try a simulated F1Q timer' }).waitFor();
-  // Not the picture of it alone, which is there before any script: the page has said how high rows are.
-  await page.locator('html[data-density]').waitFor();
+  // Not the picture of it alone, which is there before any script: the page has said which view it shows.
+  await page.locator('html[data-view]').waitFor();
 }
 
 const lies: [string, (body: Uint8Array) => Answer][] = [

@@ -38,7 +38,6 @@ export const SERVICES = {
   BarcodeDetector: { of: 'window', made: true, now: [], later: ['detect'] },
   // Must be called on the navigator.
   share: { of: 'navigator', made: true, now: [], later: [] },
-  AudioContext: { of: 'window', made: true, now: [], later: ['resume', 'close'] },
   showSaveFilePicker: { of: 'window', made: true, now: [], later: [] },
   launchQueue: { of: 'window', now: ['setConsumer'], later: [] },
 } as const satisfies Record<string, Uses>;

@@ -12,7 +12,6 @@ export const preview = {
   speed: 'Speed',
   times: (speed: number) => `${speed}×`,
   time: 'Time of the flight',
-  sound: 'Ticks',
   launch: 'Launch',
   /** After what has happened. */
   at: (time: string) => `at ${time}`,

@@ -11,9 +11,3 @@ export const settings = {
     'The line shows every byte between this page and the timer. The bench offers a jump that is not documented.',
   kept: 'What this device keeps',
 };
-
-/** The height of the rows of the program. */
-export const density = {
-  title: 'Rows',
-  names: { system: 'Fit the screen', dense: 'Dense', comfortable: 'Comfortable' },
-};

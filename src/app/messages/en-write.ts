@@ -64,7 +64,6 @@ export const write = {
   verified: { title: 'Verified.', advice: 'The timer was read back and holds what you wrote.' },
   verdict: (memory: string, time: string, figures: readonly string[], changes: number) =>
     dotted([`${memory} verified ${time}`, ...figures, plural(changes, 'change', 'changes')]),
-  inWords: 'In words',
   asItIs: 'as it is',
   insteadOf: (value: string) => `instead of ${value}`,
   wanted: 'To be written',

@@ -11,7 +11,7 @@ import { connection, notes, timer } from './en-notices.js';
 import { preview } from './en-preview.js';
 import { memoryNames, recognition } from './en-recognition.js';
 import { backups, recovery } from './en-recovery.js';
-import { density, settings, theme } from './en-settings.js';
+import { settings, theme } from './en-settings.js';
 import { shortDt } from './en-short-dt.js';
 import { installHint, newProgram, start } from './en-start.js';
 import { timeline } from './en-timeline.js';
@@ -155,7 +155,6 @@ export const en = {
   strip,
   shortDt,
   palette,
-  density,
   parts,
   timeline,
   preview,

@@ -4,8 +4,6 @@ import { PortList, SerialSettingsForm } from '../connect/port-list.js';
 import { messages } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
-import type { Density } from '../settings/density.js';
-import { DensityChoice } from '../settings/density-choice.js';
 import type { Erase } from '../settings/erase.js';
 import { ShortDtLimit } from '../settings/short-dt-limit.js';
 import type { Theme } from '../settings/theme.js';
@@ -21,7 +19,6 @@ export interface SettingsViewProps {
   readonly session: Session;
   readonly preferences: Preferences;
   readonly theme: Theme;
-  readonly density: Density;
   readonly erase: Erase;
   readonly views: Views;
   readonly installation: Installation;
@@ -30,7 +27,7 @@ export interface SettingsViewProps {
 
 /** What is set once: the look of the page, the adapters, what this device keeps. */
 export function SettingsView(props: SettingsViewProps) {
-  const { session, preferences, theme, density, erase, views, installation, update } = props;
+  const { session, preferences, theme, erase, views, installation, update } = props;
   const { settings: words, erase: eraseWords, shortDt } = messages.value;
   // A rail leads to the help, too.
   const areLinksBelow = useQuery(TABS_BELOW).value;
@@ -47,7 +44,6 @@ export function SettingsView(props: SettingsViewProps) {
       <section class="setting">
         <h2>{words.look}</h2>
         <ThemeChoice theme={theme} />
-        <DensityChoice density={density} />
       </section>
       <section class="setting">
         <h2>{shortDt.settings.title}</h2>

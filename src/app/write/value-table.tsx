@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
-import { type Change, fieldKey, type ProgramField } from '../../program/index.js';
+import { fieldKey, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { changeText, fieldName, figureText, messages } from '../messages/index.js';
+import { fieldName, figureText, messages } from '../messages/index.js';
 import './value-table.css';
 
 interface ValueTableProps {
@@ -59,15 +59,4 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
       </tbody>
     </table>
   );
-}
-
-/** The same in one sentence, to read aloud or to send to somebody. */
-export function DifferenceInWords({
-  identity,
-  changes,
-}: {
-  readonly identity: Identity;
-  readonly changes: readonly Change[];
-}) {
-  return <p class="hint">{changes.map((change) => changeText(identity, change)).join('; ')}</p>;
 }

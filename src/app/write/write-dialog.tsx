@@ -18,7 +18,7 @@ import { MoveServosCheck } from './move-servos-check.js';
 import { StartButtons } from './start-buttons.js';
 import { strayed } from './strayed.js';
 import { UncertainNote } from './uncertain-band.js';
-import { DifferenceInWords, ValueTable } from './value-table.js';
+import { ValueTable } from './value-table.js';
 import type { Shown, WriteFlow, WriteStep } from './write-flow.js';
 import './write-dialog.css';
 
@@ -136,15 +136,7 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
       )}
       {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
       <p>{changes.length === 0 ? words.nothing : words.lead(whereText(session, memory, shown.model))}</p>
-      {changes.length > 0 && (
-        <>
-          <Difference before={shown.baseline} goal={shown.goal} changes={changes} />
-          <details>
-            <summary>{words.inWords}</summary>
-            <DifferenceInWords identity={identity} changes={changes} />
-          </details>
-        </>
-      )}
+      {changes.length > 0 && <Difference before={shown.baseline} goal={shown.goal} changes={changes} />}
       <StartButtons
         safety={session.safety}
         ready={write.ready.value}

@@ -1,5 +1,4 @@
-import { effect, useSignal } from '@preact/signals';
-import { useEffect, useMemo } from 'preact/hooks';
+import { useMemo } from 'preact/hooks';
 import type { TimerProgram } from '../../../program/index.js';
 import { messages, momentText } from '../../messages/index.js';
 import { Select } from '../../ui/choice.js';
@@ -7,7 +6,6 @@ import { Icon } from '../../ui/icon.js';
 import { eventsBetween, flightEnd, marksOf } from '../flight.js';
 import { stretchedScale } from '../scale.js';
 import { type Player, SPEEDS } from './player.js';
-import { TickSound } from './tick-sound.js';
 import './player-controls.css';
 
 interface PlayerControlsProps {
@@ -15,7 +13,7 @@ interface PlayerControlsProps {
   readonly player: Player;
 }
 
-/** The controls: play and pause, previous and next event, place, speed, ticks. */
+/** The controls: play and pause, previous and next event, place, speed. */
 export function PlayerControls({ program, player }: PlayerControlsProps) {
   const { preview } = messages.value;
   const back = (): void => {
@@ -37,7 +35,6 @@ export function PlayerControls({ program, player }: PlayerControlsProps) {
       </button>
       <Scrubber program={program} player={player} />
       <SpeedChoice player={player} />
-      <Ticks program={program} player={player} />
     </div>
   );
 }
@@ -63,40 +60,6 @@ function SpeedChoice({ player }: { readonly player: Player }) {
     />
   );
 }
-
-/** A tick for each event while the flight is played, a deeper one for DT. Silent until the pilot switches it on. */
-function Ticks({ program, player }: PlayerControlsProps) {
-  const on = useSignal(false);
-  const sound = useMemo(() => new TickSound(), []);
-  useEffect(() => () => sound.close(), []);
-  useEffect(() => {
-    let before = player.time.peek();
-    return effect(() => {
-      const time = player.time.value;
-      const events = on.value && player.playing.peek() ? eventsBetween(program, before, time) : [];
-      before = time;
-      if (events.length === 0) return;
-      sound.tick(events.some((event) => event.kind === 'slot' && event.slot === program.identity.functions));
-    });
-  }, [program, player]);
-  return (
-    <button
-      type="button"
-      class="chip"
-      aria-label={messages.value.preview.sound}
-      aria-pressed={on.value}
-      onClick={() => {
-        on.value = !on.value;
-        if (on.value) sound.allow();
-      }}
-    >
-      <Icon path={on.value ? SPEAKER + WAVES : SPEAKER} />
-    </button>
-  );
-}
-
-const SPEAKER = 'M3 8H6L10 4V16L6 12H3Z';
-const WAVES = 'M13 7C15 9 15 11 13 13M15 4C19 8 19 12 15 16';
 
 /** How many places the slider has. They are spread as on the timeline, so that short steps can be found. */
 const PLACES = 500;
