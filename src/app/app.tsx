@@ -19,8 +19,7 @@ import './app.css';
 /** The whole page: gives each part the models that it needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } =
-    models;
+  const { preferences, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } = models;
   const { help } = models;
   const { views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
@@ -80,9 +79,7 @@ export function App({ models }: { readonly models: AppModels }) {
     print: () => <parts.print.Part session={session} order={models.printOrder} onPrint={() => window.print()} />,
     help: () => <parts.help.Part {...{ session, help, platform }} path={views.path.value} />,
     line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
-    settings: () => (
-      <parts.settings.Part {...{ session, preferences, theme, erase, views, installation, update }} />
-    ),
+    settings: () => <parts.settings.Part {...{ session, preferences, theme, erase, views, installation, update }} />,
   };
   return (
     <>

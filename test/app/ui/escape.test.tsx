@@ -66,7 +66,7 @@ it('Escape changes nothing: a write in progress goes on to its end', async () =>
   await idle(0);
   // Asleep, so that the write is still in progress when the key comes.
   app.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && app.timer.core.sleep();
-  button(/^Write 1 change/).click();
+  button(/^Write 1 change$/).click();
   await idle(500);
   const before = state(app);
   await pressEscape();
