@@ -117,19 +117,25 @@ export function stepValue(
 }
 
 /** @returns an empty list when there is no step to take. */
-function nextStep(
-  program: TimerProgram,
-  field: ProgramField,
-  direction: 1 | -1,
-  { tenfold = false }: StepOptions,
-): FieldValue[] {
+function nextStep(program: TimerProgram, field: ProgramField, direction: 1 | -1, options: StepOptions): FieldValue[] {
   const before = valueAt(program, field);
   if (before === null) return [];
   const step = stepSize(program.identity, field);
-  const last = Math.floor(MAX_VALUE[field.kind] / step);
-  const steps = (direction > 0 ? Math.floor : Math.ceil)(before / step) + direction * (tenfold ? 10 : 1);
-  const value = Math.min(Math.max(steps, 0), last) * step;
+  const last = Math.floor(MAX_VALUE[field.kind] / step) * step;
+  const value = Math.min(Math.max(onStep(program, field, before, direction, options), 0), last);
   return (value - before) * direction > 0 ? [{ field, value }] : [];
+}
+
+/** The next value on a step, also outside of what the wire carries. */
+function onStep(
+  { identity }: TimerProgram,
+  field: ProgramField,
+  before: number,
+  direction: 1 | -1,
+  { tenfold = false }: StepOptions,
+): number {
+  const step = stepSize(identity, field);
+  return ((direction > 0 ? Math.floor : Math.ceil)(before / step) + direction * (tenfold ? 10 : 1)) * step;
 }
 
 /**
@@ -158,6 +164,46 @@ function steppedInterval(
   if (interval === null || !step) return { values: [] };
   const by = step.value - (program.times[slot] as number);
   return shifted(program, slot, Math.max(by, Math.min(0, -interval)), options);
+}
+
+/**
+ * Steps all cells of a range as {@link stepValue} and {@link stepInterval} step one; several steps in a row are one to
+ * undo. All of them go one step, or none does: the positions keep their distances. The time of the start stays, which
+ * has no cell in its row.
+ */
+export function stepRange(
+  program: TimerProgram,
+  range: GridRange,
+  direction: 1 | -1,
+  options: StepOptions & TextOption = {},
+): Edit {
+  const outcome = steppedRange(program, range, direction, options);
+  const count = 'values' in outcome ? outcome.values.length : 0;
+  const place = [range.top, range.left, range.bottom, range.right].join();
+  return { name: { code: 'change', params: { count } }, group: groupOf('step', `range:${place}`), ...outcome };
+}
+
+function steppedRange(
+  program: TimerProgram,
+  range: GridRange,
+  direction: 1 | -1,
+  options: StepOptions & TextOption,
+): EditOutcome {
+  const values: CellValue[] = [];
+  const intervals = new Map<number, number>();
+  for (const field of fieldsIn(program.identity, range)) {
+    if (field.kind !== 'position' && field.slot === 0) continue;
+    const before = valueAt(program, programField(field));
+    if (before === null) continue;
+    const value = onStep(program, programField(field), before, direction, options);
+    const interval = field.kind === 'interval' ? intervalAt(program, field.slot) : null;
+    if (field.kind !== 'interval') values.push({ field, value });
+    else if (interval !== null) {
+      intervals.set(field.slot, interval + Math.max(value - before, Math.min(0, -interval)));
+    }
+  }
+  const spaced = retime(program, new Map(), intervals, options);
+  return 'refused' in spaced ? spaced : checked(program, [...spaced.values, ...values]);
 }
 
 /**

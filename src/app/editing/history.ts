@@ -5,7 +5,7 @@ export type StepCode = (typeof STEP_CODES)[number];
 
 /**
  * The name of a step. Its parameters, where it has any:
- * - `field`, the key of a field; or `slot` or `servo`, counted from 0: what a `change` changed
+ * - `field`, the key of a field; or `slot` or `servo`, counted from 0: what a `change` changed, if not a range
  * - `by`, hundredths of a second
  * - `count`, how many values it changed
  * - `name`, that of a setting; or `what` else was opened: a `backup`, the goal of an interrupted `write`, a `program`

@@ -220,12 +220,13 @@ export function stepText(identity: Identity, { code, params }: StepName): string
 }
 
 /** What a step was done to: a field, a row, a column, or what was opened. */
-function subjectText(identity: Identity, { field, slot, servo, name, what }: StepName['params']): string {
+function subjectText(identity: Identity, { field, slot, servo, count, name, what }: StepName['params']): string {
   const { edits, servoName } = messages.value;
   const found = fieldsOf(identity).find((each) => fieldKey(each) === field);
   if (found) return fieldInSentence(identity, found);
   if (typeof slot === 'number') return slotInSentence(identity, slot);
   if (typeof servo === 'number') return servoName(servo);
+  if (typeof count === 'number') return edits.cells(count);
   if (name !== undefined) return edits.opened.setting(String(name));
   return what === 'backup' || what === 'write' || what === 'program' ? edits.opened[what] : String(field);
 }

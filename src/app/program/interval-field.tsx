@@ -9,6 +9,7 @@ import { IntervalModel } from './interval-model.js';
 import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
+import { useWhole } from './use-whole.js';
 import './value-field.css';
 
 interface IntervalFieldProps {
@@ -32,13 +33,17 @@ export function IntervalField({ editor, selection, hand, slot, label }: Interval
   // The sheet shows everything else about the field.
   const isHeld = focused.value && hand.field.value !== null;
   const notesId = `interval-notes-${slot}`;
-  const step: OnStep = (direction, options) => model.step(direction, options);
+  const step: OnStep = (direction, options) => {
+    if (selection.isWide.value) selection.stepAll(direction, options);
+    else model.step(direction, options);
+  };
   /** The text goes away with the focus, unless the focus goes to the field's own question. */
   const leave = ({ relatedTarget, currentTarget }: TargetedFocusEvent<HTMLElement>): void => {
     if (relatedTarget instanceof Node && currentTarget.contains(relatedTarget)) return;
     model.leave();
   };
   useWheel(input, step);
+  useWhole(input);
   return (
     <span class={`value ${either ? 'asked' : problem ? 'wrong' : ''}`} onFocusOut={leave} {...refuseDrag}>
       <input

@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { Fragment } from 'preact';
 import { useMemo, useRef } from 'preact/hooks';
 import { slotCount } from '../../protocol/index.js';
-import { fillDown } from '../editing/edits.js';
+import { fillDown, stepRange } from '../editing/edits.js';
 import { messages, obstacleText } from '../messages/index.js';
 import { useHeight } from '../ui/use-height.js';
 import { EditSheet, useHand } from './edit-sheet.js';
@@ -62,6 +62,15 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
     const from = range.top === range.bottom ? { ...range, top: range.top - 1 } : range;
     if (from.top < 0) return;
     const found = editor.apply(fillDown(working.value, from, { unreadable: editor.unreadable.value }));
+    say(found && obstacleText(identity, found));
+  };
+  selection.stepAll = (direction, options) => {
+    const { working, unreadable } = editor;
+    const range = selection.range.value;
+    if (!identity || !range || !working.value) return;
+    const found = editor.apply(
+      stepRange(working.value, range, direction, { ...options, unreadable: unreadable.value }),
+    );
     say(found && obstacleText(identity, found));
   };
   const { selectedText, copy, cut, paste, pasteCopied } = tableClipboard({

@@ -104,7 +104,12 @@ function moveFocus(event: KeyboardEvent, from: Element, [down, right]: readonly 
   for (;;) {
     if (down !== 0) row = rowBeside(row, down);
     column += right;
-    if (!row || column < OPENERS || column >= columns) return;
+    if (!row || column < OPENERS || column >= columns) {
+      // As in the cell that it would have gone to, what is typed next replaces the text.
+      event.preventDefault();
+      if (from instanceof HTMLInputElement) from.select();
+      return;
+    }
     const found = row.querySelector<HTMLElement>(
       column === OPENERS ? '.row-opener' : `td[data-cell="${column}"] input`,
     );

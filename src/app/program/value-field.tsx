@@ -10,6 +10,7 @@ import type { Hand } from './hand.js';
 import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
+import { useWhole } from './use-whole.js';
 import { OldValue, WasText } from './was-text.js';
 import './value-field.css';
 
@@ -50,9 +51,11 @@ export function ValueField(props: ValueFieldProps) {
   // The same function from key to key, so that its reader is not drawn again.
   const putBack = useCallback(() => model.putBack(), [model]);
   const step: OnStep = (direction, options) => {
-    if (!readOnly) model.step(direction, options);
+    if (selection?.isWide.value) selection.stepAll(direction, options);
+    else if (!readOnly) model.step(direction, options);
   };
   useWheel(input, step);
+  useWhole(input);
   return (
     <span class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''}`} {...refuseDrag}>
       <input

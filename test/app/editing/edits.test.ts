@@ -1,7 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Edit, putBack, replaceAll, setValues, withValues } from '../../../src/app/editing/edit.js';
-import { fillDown, setInterval, shiftFrom, stepInterval, stepValue } from '../../../src/app/editing/edits.js';
+import {
+  fillDown,
+  setInterval,
+  shiftFrom,
+  stepInterval,
+  stepRange,
+  stepValue,
+} from '../../../src/app/editing/edits.js';
 import { intervalAt } from '../../../src/app/editing/grid.js';
 import { pasted, previewPaste } from '../../../src/app/editing/paste.js';
 import {
@@ -228,6 +235,47 @@ describe('a step', () => {
     ]);
     const falls = { ...program, times: [1000, 50, 1000, 900, 1500, 18000] };
     expect([stepInterval(falls, 3, -1), stepInterval(program, 0, 1)].map(valuesOf)).toEqual([[], []]);
+  });
+});
+
+describe('a step of a range', () => {
+  const range = (top: number, left: number, bottom: number, right: number) => ({ top, left, bottom, right });
+
+  it('moves all its positions, and no others', () => {
+    const after = withValues(program, valuesOf(stepRange(program, range(1, 2, 3, 3), 1)));
+    expect(after).toEqual({
+      ...program,
+      positions: [
+        [10, 21, 31, 41, 50, 60],
+        [15, 26, 36, 46, 55, 65],
+      ],
+    });
+  });
+
+  it('moves its times and positions, but not the time of the start, which stands elsewhere', () => {
+    const after = withValues(program, valuesOf(stepRange(program, range(0, 0, 2, 2), -1)));
+    expect([after.times, after.positions[0]]).toEqual([
+      [1000, 40, 990, 1250, 1500, 18000],
+      [9, 19, 29, 40, 50, 60],
+    ]);
+  });
+
+  it('of intervals spaces its functions, and those behind it follow', () => {
+    expect(timesAfter(stepRange(program, range(2, 1, 3, 1), 1))).toEqual([1000, 50, 1010, 1270, 1520, 18000]);
+  });
+
+  it('is not done when one of them cannot take it', () => {
+    const high = { ...program, positions: [[10, 20, 30, 130, 50, 60], program.positions[1] ?? []] };
+    expect(refusalIn(stepRange(high, range(1, 2, 4, 2), 1))).toBe('position-out-of-range position:0:3');
+    expect(refusalIn(stepRange(high, range(1, 2, 4, 2), -1))).toBe('done');
+    expect(refusalIn(stepRange(program, range(1, 0, 2, 0), -1, { tenfold: true }))).toBe('time-out-of-range time:1');
+  });
+
+  it('repeated is one step to undo', () => {
+    const [one, other] = [1, -1].map((way) => stepRange(program, range(1, 2, 3, 3), way as 1 | -1));
+    expect([one?.name, one?.group]).toEqual([{ code: 'change', params: { count: 6 } }, 'step range:1,2,3,3']);
+    expect(other?.group).toBe(one?.group);
+    expect(stepRange(program, range(1, 2, 2, 3), 1).group).not.toBe(one?.group);
   });
 });
 

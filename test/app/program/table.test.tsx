@@ -330,6 +330,40 @@ describe('a range', () => {
     expect(editor.dirty.value).toBe(false);
   });
 
+  it('is stepped as a whole by Alt with an arrow, and by the wheel, as one step of undo', async () => {
+    await connected();
+    const range = ['Function 1, S1', 'Function 1, S2', 'Function 2, S1', 'Function 2, S2'];
+    const values = () => range.map((name) => Number(field(name).value));
+    const before = values();
+    field('Function 1, S1').focus();
+    await key('ArrowDown', { shiftKey: true });
+    await key('ArrowRight', { shiftKey: true });
+    await key('ArrowUp', { altKey: true });
+    await key('ArrowUp', { altKey: true, shiftKey: true });
+    const wheel = createEvent.wheel(field('Function 1, S1'), { deltaY: -60 });
+    // The events of happy-dom know no keys.
+    Object.defineProperty(wheel, 'altKey', { value: true });
+    fireEvent(field('Function 1, S1'), wheel);
+    await idle();
+    expect([values(), screen.queryByText('4 values selected') !== null]).toEqual([
+      before.map((each) => each + 12),
+      true,
+    ]);
+    await press('Undo change of 4 values');
+    expect(values()).toEqual(before);
+  });
+
+  it('that cannot be stepped as a whole is not, and says why', async () => {
+    const { editor } = await connected();
+    await enter('Function 2, S1', '130');
+    field('Function 1, S1').focus();
+    await key('ArrowDown', { shiftKey: true });
+    await key('ArrowUp', { altKey: true });
+    expect([field('Function 1, S1').value, field('Function 2, S1').value]).toEqual(['25', '130']);
+    expect(screen.getByRole('alert').textContent).toMatch(/^Nothing was changed\. Function 2, S1: /);
+    expect(editor.changes.value).toHaveLength(1);
+  });
+
   it('is filled down with Ctrl+D', async () => {
     await connected();
     field('Function 1, S1').focus();
@@ -489,6 +523,55 @@ describe('many fields at once', () => {
     expect(field('DT time').value).toBe('2:59.70');
     await press('Undo shift from function 2 by -0.30 s');
     expect(field('DT time').value).toBe('3:00');
+  });
+});
+
+describe('what is typed next replaces the whole text', () => {
+  const marked = (name: string): boolean => {
+    const { selectionStart, selectionEnd, value } = field(name);
+    return selectionStart === 0 && selectionEnd === value.length;
+  };
+
+  it.each([
+    ['ArrowDown', 'DT, S1'],
+    ['Enter', 'DT, S1'],
+    ['ArrowRight', 'Function 2, S3'],
+    ['ArrowUp', 'Start, S2'],
+  ])('after %s at the edge: %s', async (pressed, name) => {
+    await connected();
+    field(name).focus();
+    const input = field(name);
+    expect(fireEvent.keyDown(input, { key: pressed }), 'the browser would drop the selection').toBe(false);
+    expect([document.activeElement, marked(name)]).toEqual([input, true]);
+    input.setSelectionRange(input.value.length, input.value.length);
+    await key(pressed);
+    expect([document.activeElement, marked(name)]).toEqual([input, true]);
+  });
+
+  it.each([
+    ['before', 0, true],
+    ['behind', 4, true],
+    ['between the digits of', 2, false],
+  ])('after a second click %s it', async (_, caret, whole) => {
+    await connected();
+    const input = field('DT time');
+    input.focus();
+    fireEvent.mouseDown(input, { button: 0 });
+    // As the browser does.
+    input.setSelectionRange(caret, caret);
+    fireEvent.click(input);
+    expect([input.value, marked('DT time')]).toEqual(['3:00', whole]);
+  });
+
+  it('but not after a click of somebody who edits the text', async () => {
+    await connected();
+    const input = field('DT time');
+    input.focus();
+    input.setSelectionRange(2, 2);
+    fireEvent.mouseDown(input, { button: 0 });
+    input.setSelectionRange(0, 0);
+    fireEvent.click(input);
+    expect([input.selectionStart, input.selectionEnd]).toEqual([0, 0]);
   });
 });
 
