@@ -51,6 +51,7 @@ export {
   requireShape,
   sameKind,
   sameLayout,
+  seconds,
   slotKind,
   type TimerProgram,
   valueAt,

@@ -1,4 +1,5 @@
-import { CodecError, type Identity, slotCount } from '../protocol/index.js';
+import { CodecError, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
+import { whole } from './require.js';
 
 /**
  * What a pilot sets: the content of one memory. Its slots are start, function 1 .. NF-1 and DT; the identity gives NF.
@@ -57,17 +58,44 @@ export function valueAt(program: TimerProgram, field: ProgramField): number | nu
 }
 
 /**
- * A copy of the program in which one field has another value. A slot or servo that is not there changes nothing.
- * @param value hundredths of a second, steps, or idle throttle. It is not checked here, but by `checkProgram`, and by
- * the client before a write.
+ * A copy of the program in which one field has another value.
+ * @param value hundredths of a second (see {@link seconds}), steps, or idle throttle. It is not checked here, but by
+ * `checkProgram`, and by the client before a write.
+ * @throws CodecError `not-an-integer` or `out-of-range` (`slot`, `servo`, `kind`) for a field that this program does not
+ * have.
  */
 export function withValue(program: TimerProgram, field: ProgramField, value: number): TimerProgram {
-  const replaced = (list: readonly number[], index: number): number[] =>
-    list.map((old, i) => (i === index ? value : old));
-  if (field.kind === 'time') return { ...program, times: replaced(program.times, field.slot) };
-  if (field.kind === 'idleThrottle') return { ...program, idleThrottle: value };
-  const positions = program.positions.map((row, servo) => (servo === field.servo ? replaced(row, field.slot) : row));
-  return { ...program, positions };
+  const replaced = <T>(list: readonly T[], index: number, name: 'slot' | 'servo', by: (old: T) => T): T[] => {
+    whole(index, name, 0, list.length - 1);
+    return list.map((old, i) => (i === index ? by(old) : old));
+  };
+  const inSlot = (list: readonly number[], slot: number): number[] => replaced(list, slot, 'slot', () => value);
+  switch (field.kind) {
+    case 'time':
+      return { ...program, times: inSlot(program.times, field.slot) };
+    case 'position': {
+      const positions = replaced(program.positions, field.servo, 'servo', (row) => inSlot(row, field.slot));
+      return { ...program, positions };
+    }
+    case 'idleThrottle':
+      return { ...program, idleThrottle: value };
+    default: {
+      // A caller without types may pass anything. What changes nothing would later be called verified.
+      const { kind } = field as { readonly kind: unknown };
+      throw new CodecError('out-of-range', 'kind', 'kind must be time, position or idleThrottle', { value: kind });
+    }
+  }
+}
+
+/**
+ * Seconds as a time of a program: `seconds(180)` is 18000 hundredths.
+ * @param value 0..655.35, in whole hundredths of a second.
+ * @throws CodecError `not-an-integer` when it is finer than a hundredth or no number, `out-of-range`.
+ */
+export function seconds(value: number): number {
+  const hundredths = typeof value === 'number' ? Math.round(value * 100) : Number.NaN;
+  // 0.29 * 100 is 28.999999999999996.
+  return whole(Math.abs(hundredths - value * 100) < 1e-6 ? hundredths : Number.NaN, 'seconds', 0, MAX_TIME);
 }
 
 /** Whether two timers have the same class, firmware and layout. They may still be two timers. */

@@ -8,7 +8,9 @@ import {
   fieldsOf,
   hasErrors,
   manualRange,
+  type ProgramField,
   sameKind,
+  seconds,
   slotKind,
   type TimerProgram,
   valueAt,
@@ -38,6 +40,25 @@ function found(program: TimerProgram, baseline?: TimerProgram): string[] {
   );
 }
 
+describe('seconds', () => {
+  it('are hundredths of a second, whatever the fractions of two do', () => {
+    for (let hundredths = 0; hundredths <= 65535; hundredths++) {
+      if (seconds(hundredths / 100) !== hundredths) expect.fail(`${hundredths / 100} s`);
+    }
+  });
+
+  it.each([
+    [655.36, 'out-of-range'],
+    [-0.01, 'out-of-range'],
+    [0.005, 'not-an-integer'],
+    [Number.NaN, 'not-an-integer'],
+    [Number.POSITIVE_INFINITY, 'not-an-integer'],
+    ['180', 'not-an-integer'],
+  ])('of %s are refused', (value, code) => {
+    expect(() => seconds(value as number)).toThrow(expect.objectContaining({ code, field: 'seconds' }));
+  });
+});
+
 describe('the fields of a program', () => {
   it('are the times, the positions servo by servo, the idle throttle', () => {
     expect(fieldsOf(SMALL).map(fieldKey)).toEqual(['time:0', 'time:1', 'position:0:0', 'position:0:1', 'idleThrottle']);
@@ -52,6 +73,22 @@ describe('the fields of a program', () => {
       expect(differences(program, changed)).toEqual([{ field, from: valueAt(program, field), to: 77 }]);
     }
     expect(program).toEqual(usual('Q'));
+  });
+
+  it.each<[string, unknown, string]>([
+    ['a slot after DT', { kind: 'time', slot: 11 }, 'slot'],
+    ['a slot before start', { kind: 'time', slot: -1 }, 'slot'],
+    ['a servo that it does not have', { kind: 'position', servo: 3, slot: 0 }, 'servo'],
+    ['a slot of a servo', { kind: 'position', servo: 2, slot: 11 }, 'slot'],
+    ['a kind that nobody knows', { kind: 'idle', slot: 0 }, 'kind'],
+  ])('are refused for %s, because a change of nothing would be called verified', (_, field, name) => {
+    const act = (): unknown => withValue(usual('Q'), field as ProgramField, 77);
+    expect(act).toThrow(expect.objectContaining({ name: 'CodecError', code: 'out-of-range', field: name }));
+  });
+
+  it('are refused for a slot that is no number', () => {
+    const act = (): unknown => withValue(usual('Q'), { kind: 'time', slot: Number.NaN }, 77);
+    expect(act).toThrow(expect.objectContaining({ code: 'not-an-integer', field: 'slot' }));
   });
 
   it('are called start, function and DT by the number of functions', () => {
