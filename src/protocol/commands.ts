@@ -10,6 +10,7 @@ import {
   positionsField,
   timesField,
 } from './fields.js';
+import { MAX_DATA } from './frame.js';
 
 /** One row of the table of commands. */
 export interface Command {
@@ -29,10 +30,12 @@ export interface Command {
   readonly effect: 'reads' | 'stores' | 'moves' | 'frees-motor' | 'unknown';
 }
 
+/** The last function, and the last servo, that any timer can have: times and positions must fit into one frame. */
+const LAST = MAX_DATA / 2 - 1;
 /** Function numbers: 0 start, 1 .. NF-1, NF is DT. */
-const functionField = byteField('function', (identity) => identity.functions);
-const servoField = byteField('servo', (identity) => identity.servos - 1);
-const positionField = byteField('position', () => MAX_POSITION);
+const functionField = byteField('function', (identity) => identity.functions, LAST);
+const servoField = byteField('servo', (identity) => identity.servos - 1, LAST);
+const positionField = byteField('position', () => MAX_POSITION, MAX_POSITION);
 /** Unit unknown, 0..255. */
 const idleThrottleField = byteField('idleThrottle', () => 255);
 

@@ -111,10 +111,13 @@ export class FrameDecoder {
    * @returns the frames that became whole, in order. Their data never shares memory with `chunk`. Frames that came
    * together may share one buffer of up to 4096 bytes, so use `data.byteOffset` and `data.byteLength` with
    * `data.buffer`.
-   * @throws TypeError for anything but bytes, such as a text, in which no frame would ever be found.
+   * @throws TypeError for anything but a Uint8Array, such as a text or an ArrayBuffer, in which no frame would ever be
+   * found.
    */
   push(chunk: Uint8Array): Frame[] {
-    if (typeof chunk !== 'object') throw new TypeError('a chunk must be a Uint8Array');
+    // By its name: an object of another window or worker is no instance of this one's Uint8Array.
+    if ((chunk as Partial<Uint8Array> | null)?.[Symbol.toStringTag] !== 'Uint8Array')
+      throw new TypeError('a chunk must be a Uint8Array, such as new Uint8Array(buffer)');
     const frames: Frame[] = [];
     let at = 0;
     while (this.#to < this.#whole) {

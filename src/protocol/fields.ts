@@ -44,10 +44,14 @@ function requireLength(data: Uint8Array, min: number, max: number): void {
   });
 }
 
-/** A number of one byte, from 0 to `max` of the identity. While the identity is unknown: to 255. */
-export function byteField<Name extends string>(name: Name, max: (identity: Identity) => number): Field<Name, number> {
+/** A number of one byte, from 0 to `max` of the identity; while that is unknown, to `most`: what any timer can have. */
+export function byteField<Name extends string>(
+  name: Name,
+  max: (identity: Identity) => number,
+  most = 255,
+): Field<Name, number> {
   const check = (value: number, { identity }: LayoutOptions): number => {
-    requireInteger(value, name, 0, identity ? max(identity) : 255);
+    requireInteger(value, name, 0, identity ? max(identity) : most);
     return value;
   };
   return {

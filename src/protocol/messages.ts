@@ -20,7 +20,7 @@ type Values = Readonly<Record<string, unknown>>;
 
 /**
  * The bytes of a request.
- * @param options with an identity every value must fit that timer; without one every value must fit its bytes.
+ * @param options with an identity every value must fit that timer; without one, some timer.
  * @throws CodecError `unknown-command`, `not-an-integer`, `out-of-range` or `wrong-count`, with the field.
  * @example
  * ```ts

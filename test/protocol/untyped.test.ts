@@ -1,3 +1,4 @@
+import { runInNewContext } from 'node:vm';
 import fc from 'fast-check';
 import { describe, expect, expectTypeOf, it } from 'vitest';
 import {
@@ -116,6 +117,50 @@ describe('shared data', () => {
     const found = new FrameDecoder().push(chunk);
     chunk.fill(0);
     expect(found.map(({ code, data }) => encodeFrame(code, data))).toEqual(sent);
+  });
+});
+
+describe('what is pushed into a decoder', () => {
+  const bytes = encodeFrame(0x6b);
+
+  it.each<[string, unknown]>([
+    ['a text', 'k'],
+    ['nothing', undefined],
+    ['null', null],
+    ['an ArrayBuffer', bytes.buffer],
+    ['a DataView', new DataView(bytes.buffer)],
+    ['words of two bytes', new Uint16Array(9)],
+    ['numbers', [...bytes]],
+  ])('is refused when it is %s, in which no frame would ever be found', (_, chunk) => {
+    expect(() => loose(FrameDecoder.prototype.push).call(new FrameDecoder(), chunk)).toThrow(TypeError);
+  });
+
+  it('may be a Buffer of Node, and bytes of another realm', () => {
+    expect(new FrameDecoder().push(Buffer.from(bytes))).toHaveLength(1);
+    const foreign = runInNewContext('Uint8Array.from(bytes)', { bytes: [...bytes] }) as Uint8Array;
+    expect(foreign).not.toBeInstanceOf(Uint8Array);
+    expect(new FrameDecoder().push(foreign)).toHaveLength(1);
+  });
+});
+
+describe('a request without an identity', () => {
+  const requests = [
+    { name: 'SETSERVO', function: 0, servo: 0, position: 131 },
+    { name: 'SETSERVO', function: 126, servo: 0, position: 0 },
+    { name: 'SETSERVO', function: 0, servo: 126, position: 0 },
+    { name: 'MOVETOFUNC', function: 126 },
+    { name: 'SETMEMORY', memory: 255 },
+    { name: 'SETLOWRPM', idleThrottle: 256 },
+  ] as const;
+
+  it.each(requests)('is refused when no timer can take it: %o', (request) => {
+    expect(() => encodeRequest(request)).toThrow(expect.objectContaining({ code: 'out-of-range' }));
+  });
+
+  it.each(requests)('is a frame at the edge of that: %o', (request) => {
+    const least = (value: unknown): unknown => (typeof value === 'number' && value > 0 ? value - 1 : value);
+    const fits = Object.fromEntries(Object.entries(request).map(([name, value]) => [name, least(value)]));
+    expect(loose(encodeRequest)(fits)).toBeInstanceOf(Uint8Array);
   });
 });
 
