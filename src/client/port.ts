@@ -41,3 +41,17 @@ export interface BytePort {
   readonly readable: ByteSource | null;
   readonly writable: ByteSink | null;
 }
+
+/**
+ * Makes sure that this is a port, open or closed.
+ * @throws TypeError that names the usual mistakes.
+ */
+export function requirePort(port: BytePort): void {
+  const isStream = (stream: unknown, method: string): boolean =>
+    stream === null || typeof (stream as Readonly<Record<string, unknown>> | undefined)?.[method] === 'function';
+  const { readable, writable } = (port ?? {}) as Partial<BytePort>;
+  if (isStream(readable, 'getReader') && isStream(writable, 'getWriter')) return;
+  // The streams of Node have properties of the same names, which are no streams.
+  const hint = typeof readable === 'boolean' ? ': make one of a stream of Node with Duplex.toWeb(stream)' : '';
+  throw new TypeError(`a port must have a readable and a writable stream of bytes${hint}`);
+}

@@ -26,7 +26,7 @@ import type {
   WriteMemoriesOptions,
   WriteOptions,
 } from './options.js';
-import type { BytePort } from './port.js';
+import { type BytePort, requirePort } from './port.js';
 import { type AssumedQuirks, type QuirkCode, type QuirkParams, Quirks } from './quirks.js';
 import { readContent, readingPlan } from './read-program.js';
 import type { RetryPolicy } from './retry-policy.js';
@@ -89,9 +89,11 @@ export class TimerClient {
   /**
    * @param port the streams of the timer. The client reads them from its first request on.
    * @param options the speed of the line, what is known of the timer, and whom to tell.
-   * @throws CodecError `out-of-range` when the rate or the margin is negative or no number.
+   * @throws TypeError when the port has no streams of bytes, such as a stream of Node; CodecError `out-of-range` when
+   * the rate or the margin is negative or no number. A port that is not open rejects the first job with `port-lost`.
    */
   constructor(port: BytePort, options: TimerClientOptions = {}) {
+    requirePort(port);
     const { baudRate = 9600, clock = realClock, margin = 600, onLine, onLost } = options;
     // A margin such as NaN or '600' would end every wait before the reply comes.
     for (const [field, value] of Object.entries({ baudRate, margin })) {

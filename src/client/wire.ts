@@ -272,9 +272,16 @@ export class Wire {
     }
   }
 
-  /** @throws TimerError `busy` when somebody else reads from the port or writes to it. */
+  /**
+   * @throws TimerError `busy` when somebody else reads from the port or writes to it, `port-lost` when it was never
+   * open.
+   */
   #requireFree(): void {
     const { readable, writable } = this.#port;
+    if (!this.#reader.started && !(readable && writable)) {
+      this.#lose(new TimerError('port-lost', 'the port is not open: open it before the first job'));
+      throw this.#lost;
+    }
     const isReadElsewhere = !this.#reader.started && readable?.locked;
     if (!isReadElsewhere && (this.#writer || !writable?.locked)) return;
     const what = isReadElsewhere ? 'reads from' : 'writes to';

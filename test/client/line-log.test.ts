@@ -1,5 +1,6 @@
+import { Duplex } from 'node:stream';
 import { describe, expect, it } from 'vitest';
-import { type LineEntry, TimerClient } from '../../src/client/index.js';
+import { type BytePort, type LineEntry, TimerClient } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
 import { encodeFrame, encodeRequest } from '../../src/protocol/index.js';
 import { VirtualTimer } from '../../src/simulator/index.js';
@@ -68,12 +69,23 @@ describe('a port whose streams are missing', () => {
     const clock = new VirtualClock();
     const { readable, writable } = new VirtualTimer({ clock });
     const lost: string[] = [];
-    const port = side === 'readable' ? { readable: null, writable } : { readable, writable: null };
+    const port: BytePort = side === 'readable' ? { readable: null, writable } : { readable, writable: null };
     const client = new TimerClient(port, { clock, onLost: ({ code }) => lost.push(code) });
-    await expect(clock.run(client.identify())).rejects.toMatchObject({ code: 'port-lost' });
+    const refused = { code: 'port-lost', message: expect.stringContaining('not open') };
+    await expect(clock.run(client.identify())).rejects.toMatchObject(refused);
     expect(lost).toEqual(['port-lost']);
     await expect(clock.run(client.identify()), 'the port stays lost').rejects.toMatchObject({ code: 'port-lost' });
     expect(lost).toHaveLength(1);
+  });
+
+  it.each<[string, unknown, string]>([
+    ['null', null, 'readable and a writable'],
+    ['nothing', undefined, 'readable and a writable'],
+    ['a path', '/dev/ttyUSB0', 'readable and a writable'],
+    ['a port of the package serialport', new Duplex(), 'Duplex.toWeb'],
+  ])('is refused when it is %s', (_, port, hint) => {
+    expect(() => new TimerClient(port as BytePort)).toThrow(TypeError);
+    expect(() => new TimerClient(port as BytePort)).toThrow(hint);
   });
 
   it('is lost when it refuses to be written to, with the cause', async () => {
