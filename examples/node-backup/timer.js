@@ -17,7 +17,7 @@ import { Duplex } from 'node:stream';
 import { parseArgs } from 'node:util';
 import { SerialPort } from 'serialport';
 import { TimerClient, TimerError } from 'sidus-timer/client';
-import { checkProgram, formatLibraryFile, parseLibraryFile, withValue } from 'sidus-timer/program';
+import { checkProgram, formatLibraryFile, parseLibraryFile, seconds, withValue } from 'sidus-timer/program';
 
 /** @import { JobOptions, Progress, WriteReport } from 'sidus-timer/client' */
 /** @import { Setting, TimerProgram } from 'sidus-timer/program' */
@@ -77,11 +77,11 @@ function tell({ result, values, stopped }) {
 
 /** @param {TimerClient} timer @param {JobOptions} options @param {string} text */
 async function setDt(timer, options, text) {
-  const seconds = Number(text);
-  if (!/^\d+(\.\d{1,2})?$/.test(text) || seconds > 655.35) throw new Error('DT is 0 to 655.35 seconds.');
+  const dt = Number(text);
+  if (!/^\d+(\.\d{1,2})?$/.test(text) || dt > 655.35) throw new Error('DT is 0 to 655.35 seconds.');
   const baseline = await timer.readProgram(options);
   const { functions } = baseline.identity;
-  const goal = withValue(baseline, { kind: 'time', slot: functions }, Math.round(seconds * 100));
+  const goal = withValue(baseline, { kind: 'time', slot: functions }, seconds(dt));
   for (const { severity, code } of checkProgram(goal, { baseline })) say(`${severity}: ${code}`);
   return tell(await timer.writeProgram(goal, { ...options, baseline }));
 }
@@ -113,7 +113,9 @@ async function restore(timer, options, file) {
   const { settings } = parseLibraryFile(await readFile(file, 'utf8')).library;
   const goals = settings.map(({ program }) => program).filter(({ memory }) => memory !== null);
   if (goals.length === 0) throw new Error(`${file} holds no memory of a timer.`);
-  const { memories, restored, stopped } = await timer.writeMemories(goals, options);
+  // A backup goes back as it was, whatever the checks say of it.
+  const despite = goals.flatMap((goal) => checkProgram(goal).map(({ code }) => code));
+  const { memories, restored, stopped } = await timer.writeMemories(goals, { ...options, despite });
   let code = DONE;
   for (const { memory, report } of memories) {
     stdout.write(`M${memory + 1}: `);

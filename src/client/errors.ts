@@ -1,4 +1,4 @@
-import type { TimerProgram } from '../program/index.js';
+import type { Finding, TimerProgram } from '../program/index.js';
 import type { CommandName, Identity } from '../protocol/index.js';
 
 /**
@@ -25,6 +25,7 @@ import type { CommandName, Identity } from '../protocol/index.js';
  *   sleeps. Another timer may be under the head by now. Nothing more was sent.
  * - `undecided`: the reading leaves open how times are to be written (quirk `times-big-endian`). The pilot has to
  *   choose first.
+ * - `serious`: the program may cost a model, and `despite` does not allow it; `findings` says why. Nothing was sent.
  * - `busy`: somebody else reads from the port or writes to it, and holds the lock of its stream. Nothing was sent. Try
  *   again once the lock is released.
  * - `port-lost`: the stream of bytes ended, because the port was unplugged or somebody else closed it; `cause` says
@@ -45,6 +46,7 @@ export type TimerErrorCode =
   | 'changed'
   | 'stood-still'
   | 'undecided'
+  | 'serious'
   | 'busy'
   | 'port-lost'
   | 'aborted'
@@ -66,6 +68,8 @@ export interface TimerErrorDetails {
   readonly identity?: Identity;
   /** What the current memory holds, from a fresh read. */
   readonly held?: TimerProgram;
+  /** What the check has found and nobody has agreed to. */
+  readonly findings?: readonly Finding[];
 }
 
 /** The one error of the client. Its message is for developers. */

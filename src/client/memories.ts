@@ -1,5 +1,6 @@
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
 import { CodecError, encodeReply, encodeRequest } from '../protocol/index.js';
+import { requireAgreed } from './despite.js';
 import { TimerError } from './errors.js';
 import type { ClientJob } from './job.js';
 import { MemoryRoundTrip, requireIndex, SELECT } from './memory-round-trip.js';
@@ -98,15 +99,19 @@ export interface MemoriesWrite extends MemoriesHooks {
  * what differs from the goal as `writeProgram` does (which reads again before, and reads back after). It goes on to the
  * next memory only when nothing stopped the one before. At the end it makes the first memory current again.
  * @throws before anything is selected: TimerError `memory-unknown` (also for a goal without a memory), `other-timer`,
- * CodecError when a goal cannot be carried. Later it throws only what a hook throws, with the first memory current
- * again. The report names everything else.
+ * `serious`, CodecError when a goal cannot be carried. Later it throws only what a hook throws, with the first memory
+ * current again. The report names everything else.
  */
 export async function writeMemories(
   job: ClientJob,
   goals: readonly TimerProgram[],
-  { onOriginal, onMemory, onProgress, baselines = [], moveServos = false }: WriteMemoriesOptions,
+  options: WriteMemoriesOptions,
 ): Promise<MemoriesReport> {
-  for (const goal of goals) requireGoal(job, goal);
+  const { onOriginal, onMemory, onProgress, baselines = [], moveServos = false } = options;
+  for (const goal of goals) {
+    requireGoal(job, goal);
+    requireAgreed(goal, options);
+  }
   for (const baseline of baselines) {
     requireShape(baseline);
     if (!sameKind(job.identity, baseline.identity))

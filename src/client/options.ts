@@ -1,5 +1,6 @@
 import type { Clock } from '../line/index.js';
 import type { TimerProgram } from '../program/index.js';
+import type { DespiteOptions } from './despite.js';
 import type { TimerError } from './errors.js';
 import type { LineEntry } from './log.js';
 import type { MemoriesHooks, MemoriesWrite } from './memories.js';
@@ -76,7 +77,7 @@ export interface MoveOptions {
 }
 
 /** The options of `writeProgram()`. */
-export interface WriteOptions extends JobOptions, MoveOptions {
+export interface WriteOptions extends JobOptions, MoveOptions, DespiteOptions {
   /** What the timer held when it was last read. Only values that differ from it are sent. */
   readonly baseline: TimerProgram;
 }
@@ -88,4 +89,4 @@ export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'o
 }
 
 /** The options of `writeMemories()`. */
-export interface WriteMemoriesOptions extends JobOptions, MoveOptions, MemoriesWrite {}
+export interface WriteMemoriesOptions extends JobOptions, MoveOptions, DespiteOptions, MemoriesWrite {}

@@ -9,6 +9,7 @@ import {
   type ReplyOf,
   type Request,
 } from '../protocol/index.js';
+import { requireAgreed } from './despite.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { Exchange } from './exchange.js';
 import { SET_IDLE_THROTTLE, setIdleThrottle } from './idle-throttle.js';
@@ -56,12 +57,12 @@ declare global {
  * @example
  * ```ts
  * import { TimerClient } from 'sidus-timer/client';
- * import { withValue } from 'sidus-timer/program';
+ * import { seconds, withValue } from 'sidus-timer/program';
  * import { VirtualTimer } from 'sidus-timer/simulator';
  *
  * const timer = new TimerClient(new VirtualTimer());
  * const baseline = await timer.readProgram();
- * const edited = withValue(baseline, { kind: 'time', slot: 10 }, 18000); // DT at 3 minutes
+ * const edited = withValue(baseline, { kind: 'time', slot: 10 }, seconds(180)); // DT
  * console.log((await timer.writeProgram(edited, { baseline })).result); // verified
  * await timer.close();
  * ```
@@ -254,8 +255,8 @@ export class TimerClient {
    * only what differs is written and read back, as by {@link writeProgram}. At the end the first memory is current
    * again, even after an abort or an error. The idle throttle may belong to the timer and not to a memory (row 17), so
    * all goals should have the same.
-   * @throws before anything is selected: TimerError `memory-unknown`, `other-timer`; CodecError when a goal cannot be
-   * carried. Later it throws only what a hook throws: the report names everything else.
+   * @throws before anything is selected: TimerError `memory-unknown`, `other-timer`, `serious`; CodecError when a goal
+   * cannot be carried. Later it throws only what a hook throws: the report names everything else.
    */
   writeMemories(goals: readonly TimerProgram[], options: WriteMemoriesOptions = {}): Promise<MemoriesReport> {
     return this.#inTurn(async () => writeMemories(await this.#job(options), goals, options));
@@ -265,15 +266,17 @@ export class TimerClient {
    * Reads everything afresh and compares it with the baseline. Only if timer, memory and every value are the same, it
    * writes what differs, reads everything back and compares again. {@link WriteReport} says what the timer holds
    * afterwards. To finish a write that was stopped, write again with what the timer holds as baseline.
-   * @throws CodecError when a value cannot be carried, TimerError `other-timer`, `other-memory`, `memory-unknown`,
-   * `stale` (details.held), `undecided` or `aborted`: all before anything is written. After that, the report says what
-   * stopped the write.
+   * @throws CodecError when a value cannot be carried, TimerError `serious` (details.findings) when the program may
+   * cost a model and `despite` does not allow it, `other-timer`, `other-memory`, `memory-unknown`, `stale`
+   * (details.held), `undecided` or `aborted`: all before anything is written. After that, the report says what stopped
+   * the write.
    */
   writeProgram(edited: TimerProgram, options: WriteOptions): Promise<WriteReport> {
     const { baseline } = options;
     return this.#inTurn(async () => {
       requireShape(baseline);
       requireShape(edited);
+      requireAgreed(edited, options, baseline);
       const job = await this.#job(options);
       const { identity } = job;
       if (!sameKind(identity, baseline.identity) || !sameKind(identity, edited.identity)) {

@@ -21,6 +21,11 @@ export interface ValueReport {
 export interface WriteReport {
   /** `verified` only when a fresh read equals the whole wanted program: the changed values and all others. */
   readonly result: 'verified' | 'differs' | 'unknown';
+  /**
+   * How many values were to be changed. 0: the goal is what the timer held, so nothing was written, and `verified` says
+   * only that it still holds that.
+   */
+  readonly asked: number;
   /** All values that were to be changed, and all that changed without being asked. */
   readonly values: readonly ValueReport[];
   /** What the timer held at the last fresh read; null when there was none after the first SET request. */
@@ -57,7 +62,7 @@ export function verdict(
   asked: readonly Change[],
   changedUnasked: Iterable<ProgramField>,
   held: TimerProgram | null,
-): Pick<WriteReport, 'result' | 'values'> {
+): Pick<WriteReport, 'result' | 'asked' | 'values'> {
   const judge = (field: ProgramField, isAsked: boolean): ValueReport => {
     const wanted = valueAt(goal, field);
     const found = held && valueAt(held, field);
@@ -68,7 +73,8 @@ export function verdict(
     ...asked.map(({ field }) => judge(field, true)),
     ...[...changedUnasked].map((field) => judge(field, false)),
   ];
-  if (values.some(({ status }) => status === 'differs')) return { result: 'differs', values };
+  const told = { asked: asked.length, values };
+  if (values.some(({ status }) => status === 'differs')) return { result: 'differs', ...told };
   const isKnown = held !== null && values.every(({ status }) => status === 'verified');
-  return { result: isKnown ? 'verified' : 'unknown', values };
+  return { result: isKnown ? 'verified' : 'unknown', ...told };
 }

@@ -24,7 +24,8 @@ export type Severity = 'error' | 'serious' | 'warning';
  * - `motor-run-long` (limit): class Q; longer than the rules allow.
  * - `time-outside-manual` (min, max): not in the range that the maker's manual gives.
  * - `time-too-fine` (step): finer than the steps that the manual gives; the timer may round it.
- * - `dt-short` (limit): a short DT, good for trimming, lost for a contest flight.
+ * - `dt-short` (limit): a short DT, good for trimming, lost for a contest flight. Below ten seconds it is serious: it
+ *   brings a climbing model down, and was often meant in seconds.
  * - `dt-moves-nothing`: every servo stands at DT where it stood before; nothing that this timer does brings the model
  *   down.
  * - `throttle-unusual` (limit): more than 100; the unit is not known.
@@ -73,6 +74,8 @@ export interface CheckOptions {
 /** F1Q: the motor may run for 40 s at most. */
 const LONGEST_MOTOR_RUN = 4000;
 const SHORT_DT = 6000;
+/** A DT below this comes while the model still climbs: 180 hundredths were meant as seconds. */
+const DT_IN_CLIMB = 1000;
 const MAX_THROTTLE = 255;
 const USUAL_THROTTLE = 100;
 
@@ -84,13 +87,13 @@ const USUAL_THROTTLE = 100;
  * @example
  * ```ts
  * import { TimerClient } from 'sidus-timer/client';
- * import { checkProgram, withValue } from 'sidus-timer/program';
+ * import { checkProgram, seconds, withValue } from 'sidus-timer/program';
  * import { VirtualTimer } from 'sidus-timer/simulator';
  *
  * const timer = new TimerClient(new VirtualTimer());
  * const program = await timer.readProgram();
  * await timer.close();
- * const short = withValue(program, { kind: 'time', slot: 10 }, 2000); // DT at 20 s
+ * const short = withValue(program, { kind: 'time', slot: 10 }, seconds(20)); // DT
  * console.log(checkProgram(short).some(({ code }) => code === 'dt-short')); // true
  * ```
  */
@@ -211,8 +214,10 @@ function manual({ identity, times }: TimerProgram, wrong: ReadonlySet<number>): 
 
 function dethermaliser({ identity, times }: TimerProgram, limit: number): Finding[] {
   const at = identity.functions;
-  if ((times[at] as number) >= limit) return [];
-  return [{ severity: 'warning', code: 'dt-short', field: { kind: 'time', slot: at }, params: { limit } }];
+  const time = times[at] as number;
+  if (time >= Math.max(limit, DT_IN_CLIMB)) return [];
+  const severity = time < DT_IN_CLIMB ? 'serious' : 'warning';
+  return [{ severity, code: 'dt-short', field: { kind: 'time', slot: at }, params: { limit } }];
 }
 
 /** Only a warning: something else may bring the model down, such as a radio DT. */

@@ -61,8 +61,8 @@ export function valueAt(program: TimerProgram, field: ProgramField): number | nu
  * A copy of the program in which one field has another value.
  * @param value hundredths of a second (see {@link seconds}), steps, or idle throttle. It is not checked here, but by
  * `checkProgram`, and by the client before a write.
- * @throws CodecError `not-an-integer` or `out-of-range` (`slot`, `servo`, `kind`) for a field that this program does not
- * have.
+ * @throws CodecError `not-an-integer` or `out-of-range` (`slot`, `servo`, `kind`) for a field that this program does
+ * not have.
  */
 export function withValue(program: TimerProgram, field: ProgramField, value: number): TimerProgram {
   const replaced = <T>(list: readonly T[], index: number, name: 'slot' | 'servo', by: (old: T) => T): T[] => {

@@ -38,6 +38,7 @@ describe('write program', () => {
     expect(asked.slice(0, asked.findIndex(isSet))).toEqual(FRESH);
     expect(asked.slice(asked.findLastIndex(isSet) + 1)).toEqual(VERIFY);
     expect(report).toMatchObject({ result: 'verified', held: goal, acknowledged: 3, repeats: 0, stopped: null });
+    expect(report.asked).toBe(3);
     expect(report.values).toEqual([
       { field: { kind: 'time', slot: 10 }, wanted: 30000, held: 30000, status: 'verified', asked: true },
       { field: { kind: 'position', servo: 0, slot: 3 }, wanted: 70, held: 70, status: 'verified', asked: true },
@@ -54,11 +55,11 @@ describe('write program', () => {
     expect(timer.core.idleThrottle).toBe(12);
   });
 
-  it('reads back even when nothing differs, and sends no SET', async () => {
+  it('reads back even when nothing differs, sends no SET, and says that nothing was asked for', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     const report = await run(client.writeProgram(baseline, { baseline }));
-    expect(report).toMatchObject({ result: 'verified', values: [] });
+    expect(report).toMatchObject({ result: 'verified', asked: 0, values: [] });
     expect(sets(timer.core.answered)).toEqual([]);
   });
 
@@ -77,6 +78,23 @@ describe('write program', () => {
       field: 'times[10]',
     });
     expect(timer.core.answered).toEqual([]);
+  });
+
+  it('refuses what may cost a model before anything is sent, unless the pilot wants it all the same', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    timer.core.answered.length = 0;
+    // 180 was meant in seconds.
+    const short = edited(baseline, [[10, 180]]);
+    const refused = { code: 'serious', details: { findings: [{ severity: 'serious', code: 'dt-short' }] } };
+    await expect(run(client.writeProgram(short, { baseline }))).rejects.toMatchObject(refused);
+    await expect(run(client.writeProgram(short, { baseline, despite: ['time-falls'] }))).rejects.toMatchObject(refused);
+    await expect(run(client.writeMemories([baseline, { ...short, memory: 1 }]))).rejects.toMatchObject(refused);
+    expect(timer.core.answered).toEqual([]);
+    const options = { baseline, despite: ['dt-short'] } as const;
+    expect((await run(client.writeProgram(short, options))).result).toBe('verified');
+    expect(contentOf(timer).times[10]).toBe(180);
+    expect(await run(client.writeMemories([{ ...short, memory: 1 }], options))).toMatchObject({ stopped: null });
   });
 
   it('refuses to write into another memory than the one that was read', async () => {

@@ -166,7 +166,7 @@ describe('the check', () => {
       [[5, 340]],
       ['serious time-falls time:5', 'warning class-unknown -'],
     ],
-    ['a DT before the last function', 'B', [[10, 800]], ['warning time-falls time:10', 'warning dt-short time:10']],
+    ['a DT before the last function', 'B', [[10, 800]], ['warning time-falls time:10', 'serious dt-short time:10']],
     ['nothing of the order beside a time that is no time', 'B', [[4, 65536]], ['error time-out-of-range time:4']],
     ['a motor stop at DT', 'Q', [[0, 18000]], ['warning motor-run-long time:0', 'warning time-outside-manual time:0']],
     ['a motor stop where DT is no time', 'Q', [[10, -1]], ['error time-out-of-range time:10']],
@@ -217,6 +217,24 @@ describe('the check', () => {
     ],
     ['a DT under a minute', 'B', [[10, 5900]], ['warning dt-short time:10']],
     ['a DT of a minute', 'B', [[10, 6000]], []],
+    ['a DT of ten seconds', 'B', [[10, 1000]], ['warning dt-short time:10']],
+    [
+      'a DT in hundredths that was meant in seconds',
+      'B',
+      [
+        [9, 100],
+        [8, 90],
+        [7, 80],
+        [6, 70],
+        [5, 60],
+        [4, 50],
+        [3, 40],
+        [2, 30],
+        [1, 20],
+        [10, 180],
+      ],
+      ['warning time-too-fine time:10', 'serious dt-short time:10'],
+    ],
     ['no rule of steps on E', 'E', [[3, 251]], []],
   ];
   for (const [name, timerClass, times, expected] of cases) {
@@ -317,6 +335,9 @@ describe('the check', () => {
 
   it('takes another limit for a short DT', () => {
     expect(checkProgram(usual('B'), { shortDt: 20000 }).map(({ code }) => code)).toEqual(['dt-short']);
+    const inClimb = edited(usual('B'), [[10, 900]]);
+    const found = checkProgram(inClimb, { shortDt: 500 }).filter(({ severity }) => severity === 'serious');
+    expect(found, 'whatever the pilot calls short').toMatchObject([{ code: 'dt-short' }]);
   });
 
   it('knows the ranges of the manual', () => {

@@ -42,7 +42,8 @@ function counting(bytes: Uint8Array, counter: Counter): Uint8Array {
         counter.visited++;
         return bytes[index];
       }
-      if (key === 'length' || key === Symbol.toStringTag || key === 'byteLength' || key === 'byteOffset') return bytes[key];
+      if (key === Symbol.toStringTag) return bytes[Symbol.toStringTag];
+      if (key === 'length' || key === 'byteLength' || key === 'byteOffset') return bytes[key];
       const method = methods[key as keyof Uint8Array];
       if (!method) throw new Error(`counting.ts does not know how many bytes ${String(key)} reads`);
       return method;

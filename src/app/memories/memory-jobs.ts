@@ -1,5 +1,6 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
+import { checkProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { type Crossing, crossingOf, sameCrossing } from '../session/crossing.js';
 import { type JobContext, stoppedBy, type Work } from '../session/job-runner.js';
@@ -211,32 +212,32 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     const { begun } = done;
     const moveServos = servoMoves.take();
     let agreed = false;
-    const { memories, stopped, original } = await client.writeMemories(
-      shown.map(({ goal }) => goal),
-      {
-        ...options,
-        baselines: shown.map(({ before }) => before),
-        moveServos,
-        onOriginal: (original) => this.#roundTrip.leave(identity, original),
-        // The goal and a backup are kept before the first byte, as for any write.
-        onMemory: async (read, goal) => {
-          options.stillOn();
-          const change = shown.find(({ memory }) => memory === goal.memory);
-          if (!change) throw new TimerError('closed', 'it was not shown');
-          const kept = change.changes.length === 0 || (await recovery.begin(read, goal, simulated.value));
-          if (!kept) {
-            this.#kept = false;
-            agreed ||= await options.ask();
-            if (!agreed) {
-              await knowledge.ended(read);
-              throw new TimerError('aborted', 'not without a copy');
-            }
+    const goals = shown.map(({ goal }) => goal);
+    const { memories, stopped, original } = await client.writeMemories(goals, {
+      ...options,
+      // What was in a memory or is kept is copied as it is; the pilot has seen each change.
+      despite: goals.flatMap((goal) => checkProgram(goal).map(({ code }) => code)),
+      baselines: shown.map(({ before }) => before),
+      moveServos,
+      onOriginal: (original) => this.#roundTrip.leave(identity, original),
+      // The goal and a backup are kept before the first byte, as for any write.
+      onMemory: async (read, goal) => {
+        options.stillOn();
+        const change = shown.find(({ memory }) => memory === goal.memory);
+        if (!change) throw new TimerError('closed', 'it was not shown');
+        const kept = change.changes.length === 0 || (await recovery.begin(read, goal, simulated.value));
+        if (!kept) {
+          this.#kept = false;
+          agreed ||= await options.ask();
+          if (!agreed) {
+            await knowledge.ended(read);
+            throw new TimerError('aborted', 'not without a copy');
           }
-          options.stillOn();
-          begun.add(change.memory);
-        },
+        }
+        options.stillOn();
+        begun.add(change.memory);
       },
-    );
+    });
     for (const { before, report } of memories) {
       // Nothing is waited for: another timer may be there when the storage answers.
       if (report.held && !report.stopped) void knowledge.ended(before);

@@ -107,6 +107,10 @@ export const timer: Record<TimerErrorCode, Said> = {
     title: 'It is not certain in which order this timer sends the bytes of a time.',
     advice: 'The times fall. They would rise if the two bytes of each were swapped. Nothing was written.',
   },
+  serious: {
+    title: 'The checks have found something serious.',
+    advice: 'Nothing was written. Look at the checks before you write again.',
+  },
   busy: {
     title: 'Something else on this page uses the port.',
     advice: 'Nothing was sent. Disconnect, connect again and try once more. What you typed is kept.',

@@ -1,6 +1,13 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError, type WriteReport } from '../../client/index.js';
-import { type Change, differences, type Finding, type Model, type TimerProgram } from '../../program/index.js';
+import {
+  type Change,
+  differences,
+  type Finding,
+  type FindingCode,
+  type Model,
+  type TimerProgram,
+} from '../../program/index.js';
 import { CodecError } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { type Crossing, sameCrossing, sameModel } from '../session/crossing.js';
@@ -125,9 +132,10 @@ export class WriteFlow extends JobDialog<WriteStep> {
     const { modelAtHand, origin } = this.#session;
     const isModelAsShown = sameModel(modelAtHand.value, shown.model);
     if (!isModelAsShown || !sameCrossing(origin.crossing.value, shown.crossing)) return this.#review('model');
+    const despite = this.serious.value.map(({ code }) => code);
     const end = await this.#session.runner.perform('write', async (connection, options) => {
       try {
-        await this.#write(shown, connection, options);
+        await this.#write(shown, despite, connection, options);
       } catch (error) {
         // These errors come before the first byte. After any other, nobody knows what was sent.
         if (error instanceof TimerError || error instanceof CodecError) await knowledge.ended(shown.baseline);
@@ -181,7 +189,13 @@ export class WriteFlow extends JobDialog<WriteStep> {
     });
   }
 
-  async #write(shown: Shown, connection: TimerConnection, options: JobContext): Promise<void> {
+  /** @param despite the serious findings that the pilot has read. */
+  async #write(
+    shown: Shown,
+    despite: readonly FindingCode[],
+    connection: TimerConnection,
+    options: JobContext,
+  ): Promise<void> {
     const { editor, knowledge, recovery, recognition, servoMoves, link } = this.#session;
     const { baseline, goal } = shown;
     if (connection !== shown.connection) throw new TimerError('closed', 'it was shown for another connection');
@@ -196,7 +210,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
       stillOn();
     }
     const moveServos = servoMoves.take();
-    const report = await connection.client.writeProgram(goal, { baseline, moveServos, signal, onProgress });
+    const report = await connection.client.writeProgram(goal, { baseline, despite, moveServos, signal, onProgress });
     const at = Date.now();
     batch(() => {
       if (report.held) {

@@ -41,6 +41,7 @@ it('a write that changes nothing has sent no value into any memory', () => {
     result: 'unknown',
     values: [value],
     held: null,
+    asked: 1,
     acknowledged: 0,
     repeats: 0,
     stopped: new TimerError('other-memory', 'memory 2 is current, not 0', { expected: 0, found: 2 }),
