@@ -19,7 +19,7 @@ import './app.css';
 /** The whole page: gives each part the models that it needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } = models;
+  const { preferences, programPicture, saveSetting, keeping, aside, update, line, installation } = models;
   const { help } = models;
   const { views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
@@ -94,7 +94,6 @@ export function App({ models }: { readonly models: AppModels }) {
           keeping,
           aside,
           update,
-          portHolder,
           platform,
         }}
         installation={installation}

@@ -2,7 +2,6 @@ import { computed } from '@preact/signals';
 import { Bench } from './bench/bench.js';
 import { Follow } from './bench/follow.js';
 import type { Lack } from './browser/doors.js';
-import type { TabChannel } from './browser/other-tabs.js';
 import type { Platform } from './browser/platform.js';
 import { ComparedPair } from './compare/choice.js';
 import { Installation } from './connect/installation.js';
@@ -18,7 +17,6 @@ import { Memories } from './memories/memories.js';
 import { PrintOrder } from './print/print-order.js';
 import { ProgramPicture } from './program/program-picture.js';
 import { Keeping } from './session/keeping.js';
-import { PortHolder } from './session/port-holder.js';
 import { Preferences } from './session/preferences.js';
 import { Session, type SessionOptions } from './session/session.js';
 import type { SetAside } from './session/set-aside.js';
@@ -59,7 +57,6 @@ export interface AppModels {
   readonly theme: Theme;
   readonly preferences: Preferences;
   readonly update: UpdateOffer;
-  readonly portHolder: PortHolder;
   readonly installation: Installation;
   readonly help: Help;
   /** The pilot's system and browser. They only choose sentences. */
@@ -68,8 +65,6 @@ export interface AppModels {
 
 export interface ModelOptions extends SessionOptions {
   readonly platform: Platform;
-  /** The channel between the tabs of this page; null when there is none. */
-  readonly channel: TabChannel | null;
   /** How to delete what the browser keeps outside of the storage. Default: there is nothing. */
   readonly erasers?: Erasers | undefined;
   /** Loads the page again. */
@@ -85,14 +80,13 @@ const NOTHING_KEPT: Erasers = { settings: async () => {}, ports: async () => {},
 /** Builds all models, before anything is brought back or connected. */
 export function createModels({
   platform,
-  channel,
   lacks,
   erasers = NOTHING_KEPT,
   reload = () => {},
   theme = new Theme(),
   ...options
 }: ModelOptions): AppModels {
-  const keeping = new Keeping(options.tab, lacks);
+  const keeping = new Keeping(lacks);
   const storage = limited(options.storage, keeping);
   const session = new Session({ ...options, storage });
   keeping.onReturn(() => {
@@ -129,7 +123,6 @@ export function createModels({
     sharing: new Sharing(),
     preferences: new Preferences(session.editor),
     update: new UpdateOffer(session),
-    portHolder: new PortHolder(session, channel),
     installation: new Installation(
       platform,
       computed(() => write.verified.value !== null && !session.link.simulated.value),

@@ -3,10 +3,12 @@ import { render } from 'preact';
 import { App } from './app.js';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { leaveComposing } from './browser/composing.js';
-import { lacksOf, openDoors, tabNumberOf } from './browser/doors.js';
+import { type Lack, surroundings } from './browser/doors.js';
 import { registerOffline } from './browser/offline.js';
+import { OneTab } from './browser/one-tab.js';
 import { platformOf } from './browser/platform.js';
 import { nameplate, service, tried } from './browser/services.js';
+import { keepsSettings } from './browser/settings.js';
 import { onWake } from './browser/wake.js';
 import { clockText } from './messages/index.js';
 import { followDay } from './messages/today.js';
@@ -16,6 +18,7 @@ import type { Session } from './session/session.js';
 import { browserErasers } from './settings/erasers.js';
 import type { Theme } from './settings/theme.js';
 import { FramedPage, isFramed } from './shell/framed-page.js';
+import { OtherTabPage } from './shell/other-tab-page.js';
 import { shortcutOf } from './shell/shortcut.js';
 import { browserStorage } from './storage/index.js';
 
@@ -29,17 +32,31 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
     render(<FramedPage address={location.href} />, root);
     return;
   }
-  const doors = openDoors();
+  const tab = new OneTab();
+  // What a pilot opens next, perhaps this page again, must not wait for it.
+  addEventListener('pagehide', () => tab.end(), true);
+  addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
+  const begun = await tab.begin();
+  if (begun !== 'other') return await work(root, theme, tab, begun === 'unknown' ? ['tabs'] : []);
+  render(<OtherTabPage tab={tab} />, root);
+  // Another version may have come while this tab waited. It has all its files only after a reload.
+  const newer = new AbortController();
+  tried(() => service('serviceWorker')?.addEventListener('controllerchange', () => location.reload(), newer));
+  void tab.free.then(() => {
+    newer.abort();
+    return work(root, theme, tab);
+  });
+}
+
+/** The page of the one tab that works. */
+async function work(root: HTMLElement, theme: Theme, tab: OneTab, lacks: readonly Lack[] = []): Promise<void> {
   const models = createModels({
-    surroundings: doors.surroundings,
+    surroundings: surroundings(),
     storage: browserStorage(undefined, () => keeping.lack('emptied')),
-    tab: tabNumberOf(doors),
     plugSimulated: async (timerClass) => (await fetchSimulated()).plugSimulatedTimer(timerClass),
     plugRecording: async (entries) => (await fetchSimulated()).plugRecording(entries),
     platform: platformOf(nameplate()),
-    channel: doors.channel,
-    libraryChannel: doors.libraryChannel,
-    lacks: lacksOf(doors),
+    lacks: keepsSettings() ? lacks : [...lacks, 'settings'],
     erasers: browserErasers(service('serial')),
     reload: () => location.reload(),
     theme,
@@ -59,6 +76,15 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   void session.keptWork.start().then(lead);
   afterPaint(() => void fetchParts().then(() => getReady(session)));
 
+  tab.work(
+    () => session.runner.job.peek()?.asking === false,
+    async () => {
+      session.keptWork.keepNow();
+      await session.runner.still();
+      await session.timer.disconnect();
+      location.reload();
+    },
+  );
   const warn = (event: BeforeUnloadEvent): void => event.preventDefault();
   effect(() => {
     // Leaving the page during a write is the one thing that a reload cannot repair.
@@ -80,12 +106,8 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   });
   // A phone may end a page in the background without any warning.
   document.addEventListener('visibilitychange', () => {
-    if (!document.hidden) return;
-    session.keptWork.keepNow();
-    session.library.keepClashes();
+    if (document.hidden) session.keptWork.keepNow();
   });
-  // Takes in what another tab has found out, or left behind, in the meantime.
-  document.addEventListener('visibilitychange', () => document.hidden || void session.knowledge.refresh());
   // Room is made in another window, or in the settings of a phone.
   addEventListener('focus', () => keeping.tryAgain());
   document.addEventListener('visibilitychange', () => document.hidden || keeping.tryAgain());

@@ -5,14 +5,15 @@ type ShelfName = (typeof SHELVES)[number];
 type CallName = keyof typeof SHELF_CALLS;
 
 /** One call of the storage: `drafts.save`. */
-export type Door = `${ShelfName}.${CallName}`;
+export type Door = `${ShelfName}.${CallName}` | 'change';
 
 /**
  * Every call of every shelf, from the lists of the code itself, so that a new one is included without any change here.
  */
-export const DOORS: readonly Door[] = SHELVES.flatMap((shelf) =>
-  (Object.keys(SHELF_CALLS) as CallName[]).map((call): Door => `${shelf}.${call}`),
-);
+export const DOORS: readonly Door[] = [
+  'change',
+  ...SHELVES.flatMap((shelf) => (Object.keys(SHELF_CALLS) as CallName[]).map((call): Door => `${shelf}.${call}`)),
+];
 
 /** What a browser may do instead of answering. */
 export const FAULTS = {
@@ -34,7 +35,13 @@ export class FaultyStore extends MemoryStore {
 
   constructor() {
     super();
+    const change = this.change.bind(this);
+    this.change = (given) => {
+      const wait = this.before('change');
+      return wait ? wait.then(() => change(given)) : change(given);
+    };
     for (const door of DOORS) {
+      if (door === 'change') continue;
       const [name, call] = door.split('.') as [ShelfName, CallName];
       const shelf = this[name] as unknown as Record<CallName, (...given: unknown[]) => Promise<unknown>>;
       const own = shelf[call].bind(shelf);

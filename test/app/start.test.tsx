@@ -1,7 +1,6 @@
 import { render, screen } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../src/app/app.js';
-import { TabNumber } from '../../src/app/browser/tab-number.js';
 import { SHELF_CALLS, SHELVES, StorageError } from '../../src/app/storage/index.js';
 import type { ProgramField } from '../../src/program/index.js';
 import { type AppBench, appBench, type BenchOptions, connectedBench, idle, MemoryStore, run } from './bench/bench.js';
@@ -131,73 +130,4 @@ describe('what the storage says', () => {
     await drawn({ store });
     expect(screen.getByText(sentence)).toBeTruthy();
   });
-});
-
-describe('locks that never answer', () => {
-  const silent = () => new TabNumber({ request: () => new Promise(() => {}) }, { load: () => null, save: () => {} });
-
-  it('are reported, and typed values are kept in a place that no other tab uses', async () => {
-    const store = await left();
-    const bench = await drawn({ store, tab: silent() });
-    await run(bench.session.timer.connect());
-    bench.editor.type(S1, '8');
-    await idle();
-    expect(screen.getByText(/This page cannot tell its tabs apart/)).toBeTruthy();
-    const kept = [...store.drafts.records.values()].map(({ working }) => working.positions[0]?.[2]);
-    expect(kept).toEqual([7, 8]);
-  });
-
-  it.each([
-    [
-      'throw',
-      () => {
-        throw new TypeError('no locks');
-      },
-    ],
-    ['refuse', () => Promise.reject(new DOMException('Not here.', 'SecurityError'))],
-  ])('or %s: the page works and reports it', async (_, request) => {
-    const tab = new TabNumber({ request }, { load: () => 2, save: () => {} });
-    const bench = await drawn({ tab });
-    expect(screen.getByText(/This page cannot tell its tabs apart/)).toBeTruthy();
-    await run(bench.session.timer.connect());
-    bench.editor.type(S1, '7');
-    await idle();
-    expect(bench.store.drafts.records.size).toBe(1);
-  });
-});
-
-it('what is typed before the tab has its number is kept afterwards', async () => {
-  let grant = (): void => {};
-  const granted = new Promise<void>((resolve) => {
-    grant = resolve;
-  });
-  const tab = new TabNumber(
-    { request: (_, __, work) => granted.then(() => work({})) },
-    { load: () => null, save: () => {} },
-  );
-  const bench = await drawn({ tab });
-  const { working } = (await connectedBench()).editor;
-  if (!working.value) throw new Error('nothing was read');
-  bench.editor.rebase(working.value);
-  bench.editor.type(S1, '7');
-  await idle(1000);
-  expect(bench.store.drafts.records.size).toBe(0);
-  grant();
-  await idle(0);
-  expect([...bench.store.drafts.records.values()].map(({ tab: number }) => number)).toEqual([1]);
-});
-
-it('a channel to the other tabs that throws does not stop the page', async () => {
-  const channel = {
-    postMessage: () => {
-      throw new DOMException('closed', 'InvalidStateError');
-    },
-    addEventListener: () => {},
-    close: () => {},
-  };
-  const bench = await drawn({ channel });
-  bench.adapter.port.open = () => Promise.reject(new DOMException('taken', 'NetworkError'));
-  await run(bench.session.timer.connect());
-  await idle();
-  expect([bench.session.notices.current.value?.code, bench.portHolder.tab.value]).toEqual(['busy', null]);
 });

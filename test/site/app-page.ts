@@ -1,6 +1,7 @@
 import { stderr } from 'node:process';
 import type { BrowserContextOptions, Locator, Page } from 'playwright';
 import { expect, inject, onTestFinished } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { newPage, newVisit } from './page.js';
 import type { Workbench, WorkbenchOptions } from './workbench.js';
 
@@ -94,13 +95,23 @@ export class AppPage {
     }
   }
 
-  /** Another tab with the same storage, and with its own bench if this tab has one. */
+  /**
+   * Another tab with the same storage, and with its own bench if this tab has one. It works, in place of this one if
+   * that is still open.
+   */
   async sibling(): Promise<AppPage> {
-    const page = await this.page.context().newPage();
-    await page.goto(this.page.url());
-    const app = new AppPage(page);
+    const app = await this.waitingTab();
+    await app.page.locator('html[data-view]').or(app.button(en.otherTab.takeOver)).waitFor();
+    if (await app.button(en.otherTab.takeOver).isVisible()) await app.button(en.otherTab.takeOver).click();
     await app.#works();
     return app;
+  }
+
+  /** As {@link sibling}, but another tab may still be at work. */
+  async waitingTab(): Promise<AppPage> {
+    const page = await this.page.context().newPage();
+    await page.goto(this.page.url());
+    return new AppPage(page);
   }
 
   button(name: string | RegExp): Locator {
@@ -369,17 +380,6 @@ export class AppPage {
       });
       database.close();
       return JSON.stringify(drafts);
-    });
-  }
-
-  /**
-   * Waits until a new or reloaded tab has its number: by then it has read what other tabs have left.
-   */
-  async hasNumber(): Promise<void> {
-    await this.page.waitForFunction(async () => {
-      const { held = [] } = await navigator.locks.query();
-      const number = sessionStorage.getItem('sidus-timer/tab');
-      return held.some(({ name }) => name === `sidus-timer/tab/${number}`);
     });
   }
 

@@ -31,7 +31,7 @@ test('everything that the page keeps is deleted, and nothing of another program 
   const before = await kept(app);
   expect(before.databases).toContain('sidus-timer');
   expect([before.settings, before.caches, before.workers]).toEqual([
-    expect.arrayContaining(['sidus-timer/theme', 'sidus-timer/tab']),
+    expect.arrayContaining(['sidus-timer/theme']),
     [expect.stringContaining('sidus-timer'), 'another program'],
     1,
   ]);

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 
 /** Whether the middle of an element is visible and not covered. */
@@ -81,7 +82,6 @@ describe('what was typed is kept', () => {
     await app.close();
     await app.kept();
     await app.reload();
-    await app.hasNumber();
     await app.kept();
     await expect
       .poll(() => app.text('Your changes are back.').count(), { message: 'nothing is left to bring back' })
@@ -107,8 +107,8 @@ describe('what was typed is kept', () => {
     await app.connect();
     await app.type('Function 2, S1', '7');
     await app.kept();
-    const other = await app.sibling();
-    await other.page.getByRole('heading', { name: 'Set your Sidus timer' }).waitFor();
+    const other = await app.waitingTab();
+    await other.button(en.otherTab.takeOver).waitFor();
     // The browser cannot remove the tab before that has ended, and until then it counts as open.
     await app.page.evaluate(() => {
       setTimeout(() => {
@@ -117,7 +117,6 @@ describe('what was typed is kept', () => {
       });
     });
     await app.page.close();
-    await other.reload();
     await other.says('Your changes are back.');
     await expect.poll(() => other.valueOf('Function 2, S1')).toBe('7');
   });

@@ -77,26 +77,6 @@ describe('the adapter comes back', () => {
 });
 
 describe('the port is taken', () => {
-  test('by another tab: the page names it, and that tab releases the port on request', async () => {
-    const app = await edited();
-    const other = await app.sibling();
-    // One adapter for both: when one tab uses it, it is busy for the other.
-    await other.bench((bench) => bench.setBusy(true));
-    await other
-      .button(/^Connect/)
-      .first()
-      .click();
-    await other.text('Another tab of this page holds the port: F1Q, M1, since').waitFor();
-    expect(await other.text('The port cannot be opened.').count(), 'nothing else is blamed').toBe(0);
-    await other.button('Take over').click();
-    await app.says('Another tab of this page uses the port now.');
-    await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();
-    await expect.poll(() => edits(app), { message: 'the first tab keeps its edits' }).toEqual(['4:00', '7']);
-    await other.bench((bench) => bench.setBusy(false));
-    await other.hasRead();
-    await expect.poll(() => edits(other), { message: 'the second tab shows the same edits' }).toEqual(['4:00', '7']);
-  });
-
   test('by another program: the page says what to do, with a rule for this adapter to copy', async () => {
     const app = await AppPage.open({
       bench: { granted: true },

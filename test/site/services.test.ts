@@ -135,8 +135,7 @@ async function works(page: Page): Promise<void> {
 type Sentence = readonly [sentence: string | null, ...calls: (string | null)[]];
 const NOTHING: Sentence = [null];
 const SAID: Partial<Record<ServiceName, Sentence>> = {
-  locks: [lacks.locks, null, 'request'],
-  BroadcastChannel: [lacks.channel, null, 'addEventListener'],
+  locks: [lacks.tabs, null, 'request'],
   indexedDB: [storage.missing, null, 'open'],
   localStorage: [lacks.settings, null, 'setItem', 'removeItem'],
   sessionStorage: [lacks.settings, null, 'setItem', 'removeItem'],
@@ -158,7 +157,7 @@ const UNASKED: readonly ServiceName[] = [
 ];
 const ASKED = (Object.keys(SERVICES) as ServiceName[]).filter((name) => !UNASKED.includes(name));
 /** These have no message and do not disturb each other: one run has a fault of each. */
-const QUIET: readonly ServiceName[] = ['serial', 'storage', 'matchMedia', 'launchQueue'];
+const QUIET: readonly ServiceName[] = ['serial', 'BroadcastChannel', 'storage', 'matchMedia', 'launchQueue'];
 
 describe('the page is drawn and works, whatever a browser does with', () => {
   /** One page for all runs, with nothing kept: a new one would take twice the time. */

@@ -1,45 +1,79 @@
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { type AppOptions, AppPage } from './app-page.js';
 
+const { holds, takeOver, gone } = en.otherTab;
 const timers: Readonly<Record<string, { options?: AppOptions; reach: (app: AppPage) => Promise<void> }>> = {
   simulated: { reach: (app) => app.trySimulated('F1Q') },
   real: { options: { bench: { granted: true } }, reach: (app) => app.connect() },
 };
+const isOpen = new RegExp(`^${holds('\\d\\d:\\d\\d')}`);
 
 test.each(Object.entries(timers))(
-  'two tabs with a %s timer keep their edits apart, also when both are loaded again',
+  'one tab at a time works with a %s timer, and the work goes along to the other one',
   async (_, timer) => {
     const first = await AppPage.open(timer.options);
     await timer.reach(first);
-    const held = await first.valueOf('Function 2, S1');
     await first.type('Function 2, S1', '7');
-    await first.kept();
-    const second = await first.sibling();
-    await second.hasNumber();
-    await expect
-      .poll(() => second.text('Your changes are back.').count(), { message: 'they are those of the first' })
-      .toBe(0);
-    await timer.reach(second);
-    await expect.poll(() => second.valueOf('Function 2, S1')).toBe(held);
-    await second.type('Function 2, S1', '8');
-    await second.kept();
-    for (const [app, text] of [
-      [first, '7'],
-      [second, '8'],
-      [first, '7'],
+    const second = await first.waitingTab();
+    await second.page.getByRole('heading', { name: isOpen }).waitFor();
+    expect(await second.page.getByRole('button').allInnerTexts(), 'all that it can do').toEqual([takeOver]);
+    for (const [from, to] of [
+      [first, second],
+      [second, first],
     ] as const) {
-      await app.reload();
-      await app.says('Your changes are back.');
-      await expect.poll(() => app.valueOf('Function 2, S1')).toBe(text);
+      await to.button(takeOver).click();
+      await to.says('Your changes are back.');
+      await expect.poll(() => to.valueOf('Function 2, S1')).toBe('7');
+      await from.page.getByRole('heading', { name: isOpen }).waitFor();
+      expect(await from.table.count()).toBe(0);
     }
-    await second.page.close();
-    await first.reload();
-    await first.says('Your changes are back.');
-    await expect
-      .poll(() => first.valueOf('Function 2, S1'), { message: 'not the later one of the tab that was closed' })
-      .toBe('7');
-    const third = await first.sibling();
-    await third.says('Your changes are back.');
-    await expect.poll(() => third.valueOf('Function 2, S1')).toBe('8');
+    await first.page.close();
+    await second.says('Your changes are back.');
   },
 );
+
+test('a tab that is asked for in the middle of a write first ends it', async () => {
+  const first = await AppPage.open({ bench: { granted: true, timing: true } });
+  await first.connect();
+  await first.type('DT time', '4:00');
+  await first.type('Function 2, S1', '7');
+  const second = await first.waitingTab();
+  await second.button(takeOver).waitFor();
+  await first.write();
+  await first.dialog.getByRole('button', { name: 'Stop' }).waitFor();
+  await second.button(takeOver).click();
+  await second.text(en.otherTab.busy).waitFor();
+  expect(await second.page.getByRole('button').allInnerTexts()).toEqual([takeOver]);
+  await second.page.getByRole('heading', { name: 'Set your Sidus timer' }).waitFor();
+  expect(await first.bench(({ content }) => [content.times[10], content.positions[0]?.[2]])).toEqual([24_000, 7]);
+  expect(
+    await second.page.evaluate(async () => {
+      const opening = indexedDB.open('sidus-timer');
+      const database = await new Promise<IDBDatabase>((resolve) => {
+        opening.onsuccess = () => resolve(opening.result);
+      });
+      const all = database.transaction('unfinished').objectStore('unfinished').getAll();
+      return new Promise((resolve) => {
+        all.onsuccess = () => resolve(all.result);
+      });
+    }),
+    'nothing is left of the write but what the timer holds',
+  ).toEqual([]);
+  expect(await second.page.getByRole('region', { name: 'Not certain' }).count()).toBe(0);
+});
+
+test('a tab that does not answer is said', async () => {
+  const first = await AppPage.open();
+  const second = await first.waitingTab();
+  await second.button(takeOver).waitFor();
+  await first.page.evaluate(() => {
+    setTimeout(() => {
+      const end = performance.now() + 6000;
+      while (performance.now() < end);
+    });
+  });
+  await second.button(takeOver).click();
+  await second.text(gone).waitFor();
+  await second.page.locator('html[data-view]').waitFor();
+});

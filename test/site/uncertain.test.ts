@@ -33,7 +33,7 @@ test('a cable pulled before the answer to a write makes the timer uncertain unti
   await isUncertain(app, 'after a reload');
 
   // The browser has crashed: what the page would have said in leaving was never said.
-  const survivor = await app.sibling();
+  const survivor = await app.waitingTab();
   await app.page.close({ runBeforeUnload: false });
   await isUncertain(survivor, 'after a crash');
   await survivor.bench(({ content }) => {

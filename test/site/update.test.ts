@@ -4,7 +4,6 @@ import type { Page } from 'playwright';
 import { expect, test } from 'vitest';
 import { newsOf } from '../tools/news.js';
 import { root } from '../tools/pack.js';
-import { AppPage } from './app-page.js';
 import { type Host, openHost, publish, update, visited } from './host.js';
 import { newPage } from './page.js';
 
@@ -46,38 +45,6 @@ test('a new version says what is new in it, also without a network, and can be u
     await page.evaluate(async () => (await caches.keys()).length),
     'the older version is gone from the cache',
   ).toBe(1);
-});
-
-test('a new version does not start while another tab writes, but does when that tab disconnects', async () => {
-  const { host, page } = await visited();
-  const app = new AppPage(page);
-  const other = await app.sibling();
-  await app.trySimulated('F1Q');
-  await app.type('DT time', '4:00');
-  publishLater(host);
-  expect(await update(other.page)).toBe('installed');
-  await app.write();
-  await other.page.getByRole('button', { name: 'Use it now' }).click();
-  await isTaken(other.page);
-  await app.result('Verified.');
-  expect(await page.title(), 'the page is still the old one, although its worker is new').toBe('Sidus Timer');
-  await app.close();
-  await app.button('Disconnect').click();
-  await isTaken(page);
-});
-
-test('an accepted new version waits for an open dialog of another tab', async () => {
-  const { host, page } = await visited();
-  const other = await new AppPage(page).sibling();
-  await other.button('New program…').click();
-  publishLater(host);
-  expect(await update(page)).toBe('installed');
-  await page.getByRole('button', { name: 'Use it now' }).click();
-  await isTaken(page);
-  await other.page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
-  expect(await other.page.title()).toBe('Sidus Timer');
-  await other.button('Cancel').click();
-  await isTaken(other.page);
 });
 
 test('all scripts are loaded early, so that a replaced version needs none of them from the host', async () => {

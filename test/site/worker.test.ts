@@ -147,28 +147,3 @@ test('the way out deletes the kept page and its worker, and the page comes from 
   expect(await page.title()).toBe('From the host again');
   await expect.poll(() => page.evaluate(() => caches.keys())).toEqual([]);
 });
-
-test('a new version waits until what was typed in another tab is kept', async () => {
-  const { host, page } = await visited();
-  const other = await page.context().newPage();
-  await other.addInitScript(() => {
-    // A storage that never answers.
-    const { open } = IDBFactory.prototype;
-    IDBFactory.prototype.open = function (name) {
-      return Object.assign(open.call(this, `other ${name}`), { addEventListener: () => {} });
-    };
-  });
-  await other.goto(host.url);
-  await other.getByRole('button', { name: 'Try a simulated F1Q timer' }).click();
-  const field = other.getByRole('textbox', { name: 'DT time' });
-  await field.waitFor();
-  await field.fill('4:00');
-  await field.blur();
-  await other.getByRole('button', { name: 'Disconnect' }).click();
-  publish(host, 'A new version');
-  expect(await update(page)).toBe('installed');
-  await page.getByRole('button', { name: 'Use it now' }).click();
-  await expect.poll(() => page.title()).toBe('A new version');
-  await other.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
-  await expect.poll(async () => [await other.title(), await field.inputValue()]).toEqual(['Sidus Timer', '4:00']);
-});

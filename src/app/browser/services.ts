@@ -31,7 +31,7 @@ export const SERVICES = {
   indexedDB: { of: 'window', now: ['open'], later: [] },
   localStorage: { of: 'window', now: ['getItem', 'setItem', 'removeItem', 'key', 'length'], later: [] },
   sessionStorage: { of: 'window', now: ['getItem', 'setItem', 'removeItem', 'key', 'length'], later: [] },
-  BroadcastChannel: { of: 'window', made: true, now: ['postMessage', 'addEventListener', 'close'], later: [] },
+  BroadcastChannel: { of: 'window', made: true, now: ['postMessage', 'addEventListener'], later: [] },
   matchMedia: { of: 'window', made: true, now: [], later: [] },
   CloseWatcher: { of: 'window', made: true, now: ['addEventListener', 'destroy'], later: [] },
   mediaDevices: { of: 'navigator', now: [], later: ['getUserMedia'] },

@@ -1,11 +1,9 @@
 import { useSignal } from '@preact/signals';
-import { LIMITS, type Setting } from '../../program/index.js';
-import { changesSince } from '../editing/content.js';
+import { LIMITS } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
-import { changeText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Choice } from '../ui/choice.js';
-import { CancelButton, FormButtons } from '../ui/form-buttons.js';
+import { FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { Problem } from '../ui/problem.js';
 import { NameField } from './name-field.js';
@@ -17,19 +15,12 @@ interface SaveDialogProps {
   readonly saveSetting: SaveSetting;
 }
 
-/** Asks how to save the program on the screen, or what to do with a version that another tab has saved. */
+/** Asks how to save the program on the screen. */
 export function SaveDialog({ session, saveSetting }: SaveDialogProps) {
   const { save: words } = libraryMessages;
-  const current = saveSetting.current.value;
-  const isElsewhere = current?.step === 'elsewhere';
   return (
-    <Modal
-      open={current !== null}
-      title={isElsewhere ? words.elsewhere.title : words.title}
-      onEscape={() => saveSetting.dismiss()}
-    >
-      {current?.step === 'name' && <NameForm {...{ session, saveSetting }} />}
-      {current?.step === 'elsewhere' && <Elsewhere {...{ session, saveSetting }} theirs={current.theirs} />}
+    <Modal open={saveSetting.asking.value} title={words.title} onEscape={() => saveSetting.dismiss()}>
+      <NameForm {...{ session, saveSetting }} />
     </Modal>
   );
 }
@@ -102,42 +93,4 @@ function suggested({ library, editor, modelAtHand }: Session): string | null {
     .peek()
     .filter(({ model }) => !model.archived && model.timerClass === timerClass);
   return first && more.length === 0 ? first.key : null;
-}
-
-/** How many differences are named. */
-const MOST_TOLD = 6;
-
-function Elsewhere({ session, saveSetting, theirs }: SaveDialogProps & { readonly theirs: Setting }) {
-  const { elsewhere: words } = libraryMessages.save;
-  const working = session.editor.working.value;
-  if (!working) return null;
-  const changes = changesSince(theirs.program, working);
-  return (
-    <>
-      <p>{words.lead(changes.length)}</p>
-      {changes.length > 0 && (
-        <>
-          <p class="hint">{words.direction}</p>
-          <ul>
-            {changes.slice(0, MOST_TOLD).map((change) => (
-              <li key={changeText(working.identity, change)}>{changeText(working.identity, change)}</li>
-            ))}
-            {changes.length > MOST_TOLD && <li>{words.more(changes.length - MOST_TOLD)}</li>}
-          </ul>
-        </>
-      )}
-      <div class="buttons">
-        <CancelButton onClick={() => saveSetting.dismiss()} />
-        <button type="button" onClick={() => saveSetting.take()}>
-          {words.take}
-        </button>
-        <button type="button" onClick={() => void saveSetting.replace()}>
-          {words.replace}
-        </button>
-        <button type="button" class="primary" onClick={() => saveSetting.open()}>
-          {words.asNew}
-        </button>
-      </div>
-    </>
-  );
 }

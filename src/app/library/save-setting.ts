@@ -1,14 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import type { Setting } from '../../program/index.js';
 import { emptyModel, newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
-
-/**
- * The dialog that saves the program on the screen.
- * - `name`: under which name and model?
- * - `elsewhere`: another tab has saved the open setting in the meantime; which version stays?
- */
-export type SaveStep = { readonly step: 'name' } | { readonly step: 'elsewhere'; readonly theirs: Setting };
 
 /** The pilot's choices for a new setting. */
 export interface Named {
@@ -20,8 +12,9 @@ export interface Named {
 
 /** Saves the program on the screen in the library. */
 export class SaveSetting {
-  readonly #current = signal<SaveStep | null>(null, { name: 'saveSetting' });
-  readonly current: ReadonlySignal<SaveStep | null> = this.#current;
+  readonly #asking = signal(false, { name: 'saveSetting' });
+  /** Whether the dialog asks for the name and model of a new setting. */
+  readonly asking: ReadonlySignal<boolean> = this.#asking;
   readonly #session: Session;
 
   constructor(session: Session) {
@@ -30,37 +23,14 @@ export class SaveSetting {
 
   /** Asks for the name of the new setting. */
   open(): void {
-    if (this.#session.editor.working.peek()) this.#current.value = { step: 'name' };
+    if (this.#session.editor.working.peek()) this.#asking.value = true;
   }
 
-  /** Saves the open setting. Asks first when another tab has saved it, or when none is open. */
+  /** Saves the open setting. Asks first when none is open. */
   async save(): Promise<void> {
-    const { shown, unsaved, savable } = this.#session.opened;
-    const setting = shown.peek()?.setting;
-    if (!setting || !savable.peek()) return this.open();
-    await this.#session.library.settings.look(setting.id);
-    if (!unsaved.peek()?.elsewhere) await this.#session.opened.save();
-    this.#askIfElsewhere();
-  }
-
-  /** Another tab may have saved the open setting just before, or during the save here. */
-  #askIfElsewhere(): void {
-    const { shown, unsaved } = this.#session.opened;
-    const theirs = shown.peek()?.setting;
-    if (theirs && unsaved.peek()?.elsewhere) this.#current.value = { step: 'elsewhere', theirs };
-  }
-
-  /** Replaces what another tab has saved. */
-  async replace(): Promise<void> {
-    this.#current.value = null;
-    await this.#session.opened.save();
-    this.#askIfElsewhere();
-  }
-
-  /** Takes what another tab has saved onto the screen, as a step that can be undone. */
-  take(): void {
-    this.#current.value = null;
-    this.#session.opened.takeSaved();
+    const { shown, savable } = this.#session.opened;
+    if (shown.peek()?.setting && savable.peek()) await this.#session.opened.save();
+    else this.open();
   }
 
   /** @returns once the browser has saved it, or failed to. It is in the library at once. */
@@ -68,7 +38,7 @@ export class SaveSetting {
     const { library, opened, editor } = this.#session;
     const timerClass = editor.identity.peek()?.timerClass ?? null;
     if (!opened.savable.peek()) return;
-    this.#current.value = null;
+    this.#asking.value = false;
     const isNew = model !== null && typeof model === 'object';
     const id = isNew ? newId() : model;
     const keeping = isNew && id !== null ? library.keepModel(emptyModel(id, model.name, timerClass)) : null;
@@ -76,6 +46,6 @@ export class SaveSetting {
   }
 
   dismiss(): void {
-    this.#current.value = null;
+    this.#asking.value = false;
   }
 }

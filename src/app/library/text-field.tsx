@@ -27,17 +27,13 @@ const REST = 600;
 
 const asTyped = (text: string): string => text;
 
-/**
- * A text of the library that is saved while it is typed.
- * Says when another tab has saved something else in the same place.
- */
+/** A text of the library that is saved while it is typed. */
 export function TextField(props: TextFieldProps) {
-  const { label, value, longest, onSave, lines, required, hint, placeholder, hiddenLabel, asKept = asTyped } = props;
+  const { label, value, longest, lines, required, hint, placeholder, hiddenLabel, asKept = asTyped } = props;
   const words = libraryMessages;
   const id = useId();
-  /** The typed text, and the last text in the library that is known here; null while the library's text is shown. */
-  const typed = useSignal<{ readonly text: string; readonly from: string } | null>(null);
-  const theirs = useSignal<string | null>(null);
+  /** The typed text; null while the library's text is shown. */
+  const typed = useSignal<string | null>(null);
   const rest = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const latest = useRef(props);
   latest.current = props;
@@ -45,12 +41,10 @@ export function TextField(props: TextFieldProps) {
     clearTimeout(rest.current);
     const { value: held, required: must, onSave: save, asKept = asTyped } = latest.current;
     const now = typed.peek();
-    if (!now) return;
-    const kept = asKept(now.text);
+    if (now === null) return;
+    const kept = asKept(now);
     if (must && kept === '') return;
-    if (held !== now.from && held !== kept) theirs.value = held;
     if (held !== kept) save(kept);
-    typed.value = { text: now.text, from: kept };
   };
   const leave = (): void => {
     keep();
@@ -70,9 +64,9 @@ export function TextField(props: TextFieldProps) {
     id,
     placeholder,
     maxLength: longest,
-    value: typed.value?.text ?? value,
+    value: typed.value ?? value,
     onInput: (event: { readonly currentTarget: { readonly value: string } }): void => {
-      typed.value = { text: event.currentTarget.value, from: typed.peek()?.from ?? value };
+      typed.value = event.currentTarget.value;
       clearTimeout(rest.current);
       rest.current = setTimeout(keep, REST);
     },
@@ -80,7 +74,6 @@ export function TextField(props: TextFieldProps) {
   };
   // A reload would take the field from under the pilot's fingers.
   useUnsaved(typed.value !== null);
-  const other = theirs.value;
   return (
     <div class="text-field">
       <label class={hiddenLabel ? 'visually-hidden' : undefined} for={id}>
@@ -88,22 +81,7 @@ export function TextField(props: TextFieldProps) {
       </label>
       {lines ? <textarea {...given} rows={lines} /> : <input type="text" {...given} autocomplete="off" />}
       {hint && <p class="hint">{hint}</p>}
-      {required && typed.value && asKept(typed.value.text) === '' && <p class="bad-text">{words.nameNeeded}</p>}
-      {other !== null && (
-        <p class="text-theirs" role="status">
-          {words.theirs(other)}{' '}
-          <button
-            type="button"
-            class="quiet"
-            onClick={() => {
-              theirs.value = null;
-              onSave(other);
-            }}
-          >
-            {words.takeTheirs}
-          </button>
-        </p>
-      )}
+      {required && typed.value !== null && asKept(typed.value) === '' && <p class="bad-text">{words.nameNeeded}</p>}
     </div>
   );
 }

@@ -97,9 +97,11 @@ export const filesMessages = {
     done: (what: string, name: string) => `Imported from ${fileName(name)}: ${what}.`,
     unkept: 'This browser could not store all of it. What you see is lost when you close this page.',
     undo: 'Undo the import',
+    undoing: (done: number, of: number) => `Undoing the import: ${done} of ${of}`,
     undone: 'The import was undone.',
     partlyUndone: 'The import was undone. What has changed since then stays.',
-    undoUnkept: 'This browser could not store that. When you load the page again, the import may be back.',
+    undoUnkept:
+      'This browser could not store that the import was undone. When you load the page again, it may be back.',
   },
   refused: {
     title: (name: string) => `${name} cannot be imported`,

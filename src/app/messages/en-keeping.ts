@@ -19,8 +19,7 @@ export const keeping = {
       'Its storage fails. When you come back to this page, it tries again. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
   } satisfies Record<StorageErrorCode, string>,
   lacks: {
-    locks: 'This page cannot tell its tabs apart. Use one tab only.',
-    channel: 'This page cannot reach its other tabs. Close them before you connect.',
+    tabs: 'Use one tab of this page only.',
     settings: 'Colours, presets and other choices last only while this page is open.',
     emptied:
       'What it kept for this page was deleted. What you see is kept only while this page is open: export the library. What you change from now on is kept.',

@@ -3,29 +3,6 @@ import { apart } from './apart.js';
 import { whole } from './dotted.js';
 import { plural } from './plural.js';
 
-/** The fields of a model, a setting or a flight on which two tabs may disagree. */
-const FIELDS: Readonly<Record<string, string>> = {
-  name: 'Name',
-  timerClass: 'Class',
-  note: 'Note',
-  servos: 'Servos',
-  memoryNames: 'Names of its memories',
-  photo: 'Picture',
-  archived: 'Archive',
-  model: 'Model',
-  tags: 'Tags',
-  program: 'Times and positions',
-  at: 'Date and time',
-  place: 'Place',
-  modelName: 'Name of the model',
-  setting: 'Setting',
-  settingName: 'Name of the setting',
-  wind: 'Wind',
-  temperature: 'Temperature',
-  round: 'Round',
-  result: 'Result',
-};
-
 /** Why a file is not taken as a picture. */
 export const pictureFaults = {
   unreadable: 'This file could not be read as a picture. Choose a JPEG or PNG file.',
@@ -186,30 +163,6 @@ export const libraryMessages = {
       changes + unreadable === 0
         ? `${apart(name)}: saved`
         : `${apart(name)}: ${plural(changes + unreadable, 'change', 'changes')} not saved`,
-    elsewhere: {
-      title: 'Another tab has saved this setting since you opened it.',
-      lead: (count: number) =>
-        count === 0
-          ? 'It is the same as on your screen.'
-          : `It differs from your screen in ${plural(count, 'value', 'values')}. Nothing is lost before you choose.`,
-      direction: 'What is saved there → what is on your screen:',
-      more: (count: number) => `And ${count} more.`,
-      replace: 'Replace it with mine',
-      asNew: 'Save mine as new…',
-      take: 'Take over what was saved there',
-    },
-  },
-  clash: {
-    title: 'Another tab has saved this at the same time',
-    lead: (name: string) =>
-      `Both tabs have changed “${name}”. What the other tab has saved is kept until you choose. If you leave without choosing, both are kept.`,
-    flightOf: (model: string, day: string) => [apart(model), `flight of ${day}`].filter(Boolean).join(', '),
-    /** @param field its name in a record of the library. */
-    field: (field: string) => FIELDS[field] ?? field,
-    theirs: 'Saved there',
-    mine: 'Yours',
-    keepTheirs: 'Keep what was saved there',
-    keepMine: 'Replace it with mine',
   },
   newModel: {
     title: 'New model',
@@ -224,7 +177,4 @@ export const libraryMessages = {
     mark: 'not kept by this browser',
   },
   nameNeeded: 'A name is needed. The old name stays.',
-  /** Another tab has changed the same text. */
-  theirs: (text: string) => `Another tab has saved something else here: “${text}”. Yours is kept.`,
-  takeTheirs: 'Take that',
 };

@@ -176,10 +176,6 @@ export const notes = {
     advice:
       'The page read everything again until two readings agreed. Keep other timers and programmers out of the beam of the infrared head.',
   },
-  'taken-over': {
-    title: 'Another tab of this page uses the port now.',
-    advice: 'What you typed here is kept.',
-  },
   'made-restored': {
     title: 'Your program is back.',
     advice: 'It is in no timer yet. Connect to a timer to write it.',

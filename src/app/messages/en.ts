@@ -119,13 +119,11 @@ export const en = {
   aboutPage,
   help,
   otherTab: {
-    /** @param what empty until that tab has read a timer. */
-    holds: (what: string, since: string) =>
-      `Another tab of this page holds the port${what === '' ? '' : `: ${what}`}, since ${since}.`,
-    takeOver: 'Take over',
-    asking: 'Asking the other tab',
-    writing: 'The other tab is writing. Wait until it has finished.',
-    gone: 'The other tab does not answer. Close it, then press Connect again.',
+    /** @param since null until that tab has said it. */
+    holds: (since: string | null) => `Sidus Timer is open in another tab${since === null ? '' : `, since ${since}`}.`,
+    takeOver: 'Use it here',
+    busy: 'The other tab is working with the timer. It opens here as soon as that has ended.',
+    gone: 'The other tab does not answer. Close it, then load this page again.',
   },
   link,
   ports,

@@ -1,30 +1,25 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
-import type { TabNumber } from '../browser/tab-number.js';
 import { changesSince } from '../editing/content.js';
 import type { EditorContent } from '../editing/editor.js';
 import type { Draft, Keeper } from '../storage/index.js';
 import { programKey, workKey } from './record-keys.js';
 
-/** In place of a key, until it is known under which number this tab keeps its work. */
+/** In place of a key, until the storage has said what it holds. */
 const EARLY = '';
-/** How long a browser may take to clear a closed tab away, in milliseconds. */
-const CLEARING_WAIT = 30_000;
 
 /**
- * What a pilot works on, with its undo history, by kind of timer, memory and tab. It survives a reload or a crash where
- * the browser keeps anything; else it lasts as long as the page. The work of a closed tab goes to the next tab that
- * needs it.
+ * What a pilot works on, with its undo history, by kind of timer and memory. It survives a reload or a crash where the
+ * browser keeps anything; else it lasts as long as the page.
  */
 export class Drafts {
   readonly #shelf: Keeper<Draft>;
-  readonly #tab: TabNumber;
   readonly #open = new Map<string, Draft>();
   /** The keys for which it is known what the storage held. */
   readonly #seen = new Set<string>();
   readonly #begun: Promise<void>;
   #begin: () => void = () => {};
-  /** Work to keep once the number of this tab is known. */
+  /** Work to keep once the storage has been asked for what it holds. */
   #early: (() => void) | null = null;
   #hasBegun = false;
   #saving: Promise<unknown> = Promise.resolve();
@@ -33,25 +28,19 @@ export class Drafts {
   /** Whether everything that was typed would survive a reload. */
   readonly kept: ReadonlySignal<boolean> = computed(() => this.#unsaved.value.size === 0);
 
-  constructor(shelf: Keeper<Draft>, tab: TabNumber) {
+  constructor(shelf: Keeper<Draft>) {
     this.#shelf = shelf;
-    this.#tab = tab;
     this.#begun = new Promise((resolve) => {
       this.#begin = resolve;
     });
   }
 
   /**
-   * The latest unwritten draft: of this tab, else of a closed one. Afterwards this tab has its number.
+   * The latest unwritten draft.
    * @param wanted asked once it is found, which may take time: whether there is still a place for it.
    */
   async latest(wanted: () => boolean): Promise<Draft | undefined> {
-    await this.#tab.takeBefore();
-    const edited = (await this.#all()).filter(isOpen);
-    let found: Draft | undefined;
-    for (const draft of edited) if (!found && (await this.#tab.take(draft.tab))) found = draft;
-    await this.#tab.takeAny();
-    for (const draft of edited) if (!found && (await this.#tab.isFree(draft.tab))) found = draft;
+    const found = (await this.#all()).find(isOpen);
     const draft = found && wanted() ? this.take(found) : undefined;
     this.#hasBegun = true;
     this.#begin();
@@ -59,69 +48,29 @@ export class Drafts {
     return draft;
   }
 
-  /**
-   * Waits a while for a tab that seems to be open and has edits: a tab that was just closed may have its number until
-   * the browser has cleared it away.
-   * @param wanted as in {@link latest}, which comes first.
-   */
-  async leftBehind(wanted: () => boolean): Promise<Draft | undefined> {
-    const stop = new AbortController();
-    const giveUp = setTimeout(() => stop.abort(), CLEARING_WAIT);
-    const others = new Set((await this.#all()).filter(isEdited).map(({ tab }) => tab));
-    others.delete(this.#tab.value);
-    const closing = [...others].map(async (tab) => {
-      if (!(await this.#tab.whenClosed(tab, stop.signal))) throw new Error('it is open');
-    });
-    const isAny = await Promise.any(closing).then(
-      () => true,
-      () => false,
-    );
-    clearTimeout(giveUp);
-    stop.abort();
-    // Read again: the tab may have stored something while it was closing.
-    const edited = isAny ? (await this.#all()).filter(isEdited) : [];
-    // It must not cover work that this tab has begun in the meantime.
-    if (this.#open.size > 0 || edited.some(({ tab }) => tab === this.#tab.value)) return undefined;
-    for (const draft of edited) {
-      if (await this.#tab.isFree(draft.tab)) return wanted() ? this.take(draft) : undefined;
-    }
-    return undefined;
-  }
-
-  /**
-   * The stored work on a program like this one.
-   * @param inherit another tab has given its timer to this one: takes its edits, too.
-   */
-  async of(program: TimerProgram, simulated: boolean, inherit: boolean): Promise<Draft | undefined> {
+  /** The stored work on a program like this one. */
+  async of(program: TimerProgram, simulated: boolean): Promise<Draft | undefined> {
     await this.#begun;
     const key = this.keyOf(program, simulated);
     await this.#saving;
     const own = this.#open.get(key) ?? (await this.#load(key).catch(() => undefined));
-    if (own) return this.#adopt(own);
-    const kind = programKey(program, simulated);
-    for (const draft of await this.#all()) {
-      if (draft.madeAt !== undefined) continue;
-      if (programKey(draft.working, draft.simulated) !== kind) continue;
-      if (inherit || (await this.#tab.isFree(draft.tab))) return this.#adopt(draft);
-    }
-    return undefined;
+    if (own) return this.take(own);
+    const other = (await this.#all()).find(
+      ({ madeAt, working, simulated: of }) => madeAt === undefined && programKey(working, of) === key,
+    );
+    return other && this.take(other);
   }
 
-  /** All drafts that can be shown and belong to no other tab, the latest first. */
+  /** All drafts that can be shown, the latest first. */
   async available(): Promise<Draft[]> {
     await this.#begun;
     await this.#saving;
-    const free: Draft[] = [];
-    for (const draft of await this.#all()) {
-      if (!isEdited(draft)) continue;
-      if (draft.tab === this.#tab.value || (await this.#tab.isFree(draft.tab))) free.push(draft);
-    }
-    return free;
+    return (await this.#all()).filter(isEdited);
   }
 
-  /** The key under which this tab keeps its work on such a program. */
+  /** The key under which work on such a program is kept. */
   keyOf(program: TimerProgram, simulated: boolean): string {
-    return workKey(program, simulated, this.#tab.value);
+    return workKey(program, simulated);
   }
 
   /** A program that was made here leaves the screen, and is kept: see {@link Draft.shelved}. */
@@ -135,7 +84,7 @@ export class Drafts {
     this.#keep(shelved);
   }
 
-  /** The stored, unsaved changes of a setting: of this tab, or of a closed one. */
+  /** The stored, unsaved changes of a setting. */
   async ofSetting(id: string): Promise<Draft | undefined> {
     return (await this.available()).find((draft) => draft.madeAt !== undefined && draft.of?.id === id);
   }
@@ -149,27 +98,21 @@ export class Drafts {
   }
 
   /**
-   * A draft that was found among all comes to the screen: from now on it is the work of this tab. Its new place holds
-   * no other edits.
+   * A stored draft is worked on: it gets the place of its program. Some have another one, because what was there must
+   * not be overwritten, or because an earlier version kept the work of each tab apart.
    */
   take(draft: Draft): Draft {
-    const own = this.#adopt(draft);
-    this.#seen.add(own.key);
-    return own;
-  }
-
-  /** Takes a draft over into this tab. An open tab that had it keeps it, too. */
-  #adopt(draft: Draft): Draft {
-    const tab = this.#tab.value;
-    const key = workKey(draft.working, draft.simulated, tab, draft.madeAt);
-    const own = { ...draft, key, tab };
-    if (draft.tab !== tab) {
+    const key = workKey(draft.working, draft.simulated, draft.madeAt);
+    const own = { ...draft, key };
+    if (draft.key === key) {
+      this.#seen.add(key);
+    } else {
+      // Other edits may be there.
+      this.#seen.delete(key);
       this.#then(async () => {
         await this.#save(own);
-        if (await this.#tab.isFree(draft.tab)) await this.#shelf.remove(draft.key);
+        await this.#shelf.remove(draft.key);
       });
-    } else {
-      this.#seen.add(key);
     }
     this.#open.set(key, own);
     return own;
@@ -190,9 +133,8 @@ export class Drafts {
     }
     this.#early = null;
     this.#note(EARLY, true);
-    const tab = this.#tab.value;
-    const key = workKey(content.working, simulated, tab, content.madeAt);
-    const draft: Draft = { key, ...content, savedAt: Date.now(), simulated, tab };
+    const key = workKey(content.working, simulated, content.madeAt);
+    const draft: Draft = { key, ...content, savedAt: Date.now(), simulated };
     if (isOpen(draft) || draft.history?.past.length || draft.history?.future.length) {
       this.#open.set(key, draft);
       this.#keep(draft);
@@ -245,13 +187,11 @@ export class Drafts {
     return draft;
   }
 
-  /** When the browser failed to give a draft, it must not be overwritten: it is kept as the work of a closed tab. */
+  /** When the browser failed to give a draft, it must not be overwritten: it gets another place. */
   async #save(draft: Draft): Promise<void> {
     const unseen = this.#seen.has(draft.key) ? undefined : await this.#load(draft.key);
     if (unseen && isEdited(unseen) && !sameWork(unseen, draft)) {
-      const tab = Math.max(2, Math.floor(unseen.savedAt));
-      const key = workKey(unseen.working, unseen.simulated, tab, unseen.madeAt);
-      await this.#shelf.save({ ...unseen, key, tab });
+      await this.#shelf.save({ ...unseen, key: `${unseen.key}/${Math.floor(unseen.savedAt)}` });
     }
     await this.#shelf.save(draft);
   }

@@ -67,7 +67,7 @@ export class JobRunner {
   readonly busy: ReadonlySignal<boolean>;
   /** Whether a timer is connected and nothing has the wire. */
   readonly ready: ReadonlySignal<boolean>;
-  /** Whether bytes move that must not be cut off, by leaving the page or for another tab. */
+  /** Whether bytes move that must not be cut off by leaving the page. */
   readonly writing: ReadonlySignal<boolean> = computed(() => {
     const job = this.#job.value;
     return job !== null && WRITING.has(job.kind) && !job.asking;
@@ -152,9 +152,18 @@ export class JobRunner {
 
   /** Settles when no job is in progress and the caller of the last one has its result. */
   ended(): Promise<void> {
+    return this.#when((job) => job === null);
+  }
+
+  /** Settles when nothing moves on the wire: the job has ended, or asks the pilot. */
+  still(): Promise<void> {
+    return this.#when((job) => job === null || job.asking);
+  }
+
+  #when(isSo: (job: Job | null) => boolean): Promise<void> {
     return new Promise((resolve) => {
       const stop = effect(() => {
-        if (this.#job.value) return;
+        if (!isSo(this.#job.value)) return;
         queueMicrotask(() => {
           stop();
           resolve();

@@ -1,6 +1,5 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { Lack } from '../browser/doors.js';
-import type { TabNumber } from '../browser/tab-number.js';
 import type { StorageCall, StorageErrorCode, StorageWatch } from '../storage/index.js';
 
 /** What the browser keeps for this page, judged by what it does: each call of the storage reports here. */
@@ -20,10 +19,10 @@ export class Keeping implements StorageWatch {
   #onReturn: () => void = () => {};
 
   /** @param lacks what was missing when the page opened. */
-  constructor(tab: TabNumber, lacks: readonly Lack[] = []) {
+  constructor(lacks: readonly Lack[] = []) {
     this.#lacks.value = new Set(lacks);
     this.storage = computed(() => [...this.#failing.value.values()][0] ?? null);
-    this.lacks = computed(() => [...this.#lacks.value, ...(tab.told.value ? [] : (['locks'] as const))]);
+    this.lacks = computed(() => [...this.#lacks.value]);
     this.#now = computed(() => [this.storage.value, ...this.lacks.value].join(' '));
     this.dismissed = computed(() => this.#seen.value === this.#now.value);
   }

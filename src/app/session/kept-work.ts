@@ -79,9 +79,7 @@ export class KeptWork {
 
   async #bringBack(): Promise<void> {
     const { knowledge, backups, link, aside, library } = this.#session;
-    // To know what other tabs have in progress, this tab needs its number, which comes with the edits.
-    const known = this.#bringBackEdits().then(() => knowledge.refresh());
-    await Promise.all([known, backups.load(), link.start()]);
+    await Promise.all([this.#bringBackEdits(), knowledge.refresh(), backups.load(), link.start()]);
     this.#drafts.keepAgain();
     // It may be long, and nothing waits for it.
     void library.load();
@@ -93,13 +91,5 @@ export class KeptWork {
     const wanted = (): boolean => !this.#hasShown && !engaged.value;
     const draft = await this.#drafts.latest(wanted);
     if (draft) this.#session.onScreen.bringBack(draft);
-    else if (wanted()) void this.#bringBackLate(wanted);
-  }
-
-  async #bringBackLate(wanted: () => boolean): Promise<void> {
-    const draft = await this.#drafts.leftBehind(wanted);
-    if (!draft) return;
-    this.#session.onScreen.bringBack(draft);
-    await this.#session.knowledge.refresh();
   }
 }

@@ -42,7 +42,6 @@ export class Knowledge {
   readonly uncertain: ReadonlySignal<readonly UnfinishedWrite[]>;
   readonly #records: UnfinishedRecords;
   readonly #timer: ReadonlySignal<TimerAtHand | null>;
-  readonly #tab: () => number;
   readonly #readings = signal<ReadonlyMap<string, Reading>>(new Map(), { name: 'readings' });
   /**
    * The changes that this page has in progress, by the key of the record:
@@ -54,10 +53,9 @@ export class Knowledge {
   #lastStart = 0;
   #onRead: (reading: FreshReading) => void = () => {};
 
-  constructor(records: UnfinishedRecords, timer: ReadonlySignal<TimerAtHand | null>, tab: () => number) {
+  constructor(records: UnfinishedRecords, timer: ReadonlySignal<TimerAtHand | null>) {
     this.#records = records;
     this.#timer = timer;
-    this.#tab = tab;
     this.writes = computed(() =>
       records.writes.value
         .filter(({ key }) => !this.#underWay.value.has(key))
@@ -106,7 +104,7 @@ export class Knowledge {
         expected = true;
         const wasUnderWay = this.#leave(record.key);
         if (extent === 'all') void this.#records.remove(record.key);
-        else if (record.seenAt === null) void this.#records.save({ ...record, seenAt: at, tab: null });
+        else if (record.seenAt === null) void this.#records.save({ ...record, seenAt: at });
         if (extent === 'all' && !wasUnderWay) completed = 'completed';
       }
       this.#onRead({ program, at, expected });
@@ -153,7 +151,6 @@ export class Knowledge {
       goal,
       readAt,
       seenAt: null,
-      tab: this.#tab(),
     });
   }
 
@@ -228,7 +225,7 @@ export class Knowledge {
     await this.#drop(key);
   }
 
-  /** Looks again for what other tabs and earlier pages have left behind. */
+  /** Looks for what earlier pages have left behind. */
   refresh(): Promise<void> {
     return this.#records.refresh();
   }
@@ -249,7 +246,6 @@ export class Knowledge {
         const readings = new Map(this.#readings.value);
         readings.delete(memoryKey(record));
         this.#readings.value = readings;
-        void this.#records.save({ ...record, tab: null });
       }
     });
   }

@@ -1,19 +1,11 @@
-import { computed, type ReadonlySignal } from '@preact/signals';
-import { type Flight, LIMITS, type Model, type Setting } from '../../program/index.js';
-import type { TabChannel } from '../browser/other-tabs.js';
-import type { FlightRecord, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
-import type { Clash } from './clashes.js';
-import { Collection, changeTime } from './collection.js';
-import { beginningOf, withPlainNames } from './plain-names.js';
+import { batch, computed, type ReadonlySignal } from '@preact/signals';
+import type { Flight, Model, Setting } from '../../program/index.js';
+import type { Change, FlightRecord, LibraryChange, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
+import { Collection, changeTime, UNDO_WAIT } from './collection.js';
+import { withPlainNames } from './plain-names.js';
 
-/** The message between tabs when one of them has changed the library. */
-const CHANGED = 'library changed';
-
-/** A record on which two tabs do not agree, and the list that it is in. */
-export type LibraryClash =
-  | ({ readonly kind: 'models' } & Clash<ModelRecord>)
-  | ({ readonly kind: 'settings' } & Clash<SettingRecord>)
-  | ({ readonly kind: 'flights' } & Clash<FlightRecord>);
+/** How many records at most are changed in one step of the storage. */
+const AT_A_TIME = 200;
 
 /** The id of a new record. It never comes twice, on any device. */
 export function newId(): string {
@@ -36,36 +28,38 @@ export class Library {
   readonly kept: ReadonlySignal<boolean>;
   /** Whether the storage failed to give models or settings: missing ones may be there. */
   readonly unread: ReadonlySignal<boolean>;
-  /** Set when another tab has just saved something else in the same place: the pilot has to choose. */
-  readonly clash: ReadonlySignal<LibraryClash | null>;
-  readonly #channel: TabChannel | null;
+  readonly #storage: LibraryStorage;
+  #deleting: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param channel between the tabs of this page, for the library only; null when there is none. */
-  constructor(storage: Pick<Storage, 'models' | 'settings' | 'flights'>, channel: TabChannel | null = null) {
+  constructor(storage: LibraryStorage) {
+    this.#storage = storage;
     const byOrder = (a: { order: number; key: string }, b: { order: number; key: string }): number =>
       a.order - b.order || (a.key < b.key ? -1 : 1);
     const latestFirst = (a: FlightRecord, b: FlightRecord): number =>
       b.flight.at - a.flight.at || (a.key < b.key ? -1 : 1);
-    const tell = (): void => this.#tell();
-    this.models = new Collection(storage.models, byOrder, copyOfModel, tell);
-    this.settings = new Collection(storage.settings, byOrder, copyOfSetting, tell);
-    this.flights = new Collection(storage.flights, latestFirst, copyOfFlight, tell);
+    const onRemove = (): void => this.#deleteLater();
+    this.models = new Collection({
+      inOrder: byOrder,
+      read: () => storage.models.all(),
+      change: (models) => this.change({ models }),
+      onRemove,
+    });
+    this.settings = new Collection({
+      inOrder: byOrder,
+      read: () => storage.settings.all(),
+      change: (settings) => this.change({ settings }),
+      onRemove,
+    });
+    this.flights = new Collection({
+      inOrder: latestFirst,
+      read: () => storage.flights.all(),
+      change: (flights) => this.change({ flights }),
+      onRemove,
+    });
     this.kept = computed(() =>
       [this.models, this.settings, this.flights].every(({ unsaved }) => unsaved.value.size === 0),
     );
     this.unread = computed(() => this.models.failed.value || this.settings.failed.value);
-    this.clash = computed(() => {
-      const [model] = this.models.clashes.value;
-      const [setting] = this.settings.clashes.value;
-      const [flight] = this.flights.clashes.value;
-      if (model) return { kind: 'models', ...model };
-      if (setting) return { kind: 'settings', ...setting };
-      return flight ? { kind: 'flights', ...flight } : null;
-    });
-    this.#channel = channel;
-    channel?.addEventListener('message', ({ data }) => {
-      if (data === CHANGED) void this.refresh();
-    });
   }
 
   /** Reads models and settings, unless that is done. Flights are read when they are needed. */
@@ -73,10 +67,35 @@ export class Library {
     await Promise.all([this.models.load(), this.settings.load()]);
   }
 
-  /** Reads everything again that was read before. */
-  async refresh(): Promise<void> {
-    const read = [this.models, this.settings, this.flights].filter(({ loaded }) => loaded.peek());
-    await Promise.all(read.map((each) => each.refresh()));
+  /**
+   * Changes several records that belong together. They are on the screen at once, and in the storage all or none of
+   * them: in one step, or in some if there are more than 200.
+   * @param tell called with the number of records that the storage has done.
+   * @returns whether the storage has all of it.
+   */
+  async change(change: LibraryChange, tell: (done: number) => void = () => {}): Promise<boolean> {
+    batch(() => {
+      this.models.begin(change.models ?? {});
+      this.settings.begin(change.settings ?? {});
+      this.flights.begin(change.flights ?? {});
+    });
+    let done = 0;
+    // The storage keeps their order.
+    const parts = inParts(change).map(async ({ part, size }) => {
+      const isKept = await this.#storage.change(part).then(
+        () => true,
+        () => false,
+      );
+      batch(() => {
+        this.models.ended(part.models ?? {}, isKept);
+        this.settings.ended(part.settings ?? {}, isKept);
+        this.flights.ended(part.flights ?? {}, isKept);
+      });
+      if (isKept) done += size;
+      if (isKept) tell(done);
+      return isKept;
+    });
+    return (await Promise.all(parts)).every(Boolean);
   }
 
   /** Saves a new model at the end of the list, or a changed one. @returns its record. */
@@ -105,6 +124,7 @@ export class Library {
 
   /** Puts back what was removed from the three lists, if it is not deleted yet. */
   undoRemove(): void {
+    clearTimeout(this.#deleting);
     for (const each of [this.models, this.settings, this.flights]) each.undoRemove();
   }
 
@@ -143,54 +163,66 @@ export class Library {
     if (moved.length > 0) await list.save(...moved);
   }
 
-  /** The pilot leaves the page: deletes what was removed. */
+  /** Deletes for good what was removed: ten seconds are over, or the pilot leaves the page. */
   flush(): void {
-    for (const each of [this.models, this.settings, this.flights]) each.flush();
-    this.keepClashes();
-  }
-
-  /** The page may not come back: keeps both versions of records on which the pilot has not chosen. */
-  keepClashes(): void {
-    for (const each of [this.models, this.settings, this.flights]) each.keepClashes();
+    clearTimeout(this.#deleting);
+    const gone = ({ removed }: { removed: ReadonlySignal<readonly { readonly key: string }[]> }) => ({
+      gone: removed.peek().map(({ key }) => key),
+    });
+    void this.change({ flights: gone(this.flights), settings: gone(this.settings), models: gone(this.models) });
   }
 
   /** The storage works again: reads what it did not give, and saves what it did not save. */
   async keepAgain(): Promise<void> {
     const asked = [this.models, this.settings, this.flights].filter(({ loaded }) => loaded.peek());
     await Promise.all(asked.map((each) => each.load()));
-    await Promise.all([this.models, this.settings, this.flights].map((each) => each.keepAgain()));
+    const [models, settings, flights] = [this.models.waiting, this.settings.waiting, this.flights.waiting] as const;
+    await this.change({ models: { put: models }, settings: { put: settings }, flights: { put: flights } });
   }
 
-  #tell(): void {
-    try {
-      this.#channel?.postMessage(CHANGED);
-    } catch {
-      // Nobody hears it: other tabs will see the change when they open next.
-    }
+  #deleteLater(): void {
+    clearTimeout(this.#deleting);
+    this.#deleting = setTimeout(() => this.flush(), UNDO_WAIT);
   }
+}
+
+type LibraryStorage = Pick<Storage, 'models' | 'settings' | 'flights' | 'change'>;
+
+/**
+ * A change in parts that the storage does in one step each. What a model holds comes after it, and goes before it: a
+ * page that ends in between leaves nothing without its model.
+ */
+function inParts({ models, settings, flights }: LibraryChange): { part: LibraryChange; size: number }[] {
+  const single: readonly LibraryChange[] = [
+    ...(flights?.gone ?? []).map((key) => ({ flights: { gone: [key] } })),
+    ...(settings?.gone ?? []).map((key) => ({ settings: { gone: [key] } })),
+    ...(models?.gone ?? []).map((key) => ({ models: { gone: [key] } })),
+    ...(models?.put ?? []).map((record) => ({ models: { put: [record] } })),
+    ...(settings?.put ?? []).map((record) => ({ settings: { put: [record] } })),
+    ...(flights?.put ?? []).map((record) => ({ flights: { put: [record] } })),
+  ];
+  const parts: { part: LibraryChange; size: number }[] = [];
+  for (let at = 0; at < single.length; at += AT_A_TIME) {
+    const some = single.slice(at, at + AT_A_TIME);
+    parts.push({
+      part: {
+        models: joined(some.map((each) => each.models)),
+        settings: joined(some.map((each) => each.settings)),
+        flights: joined(some.map((each) => each.flights)),
+      },
+      size: some.length,
+    });
+  }
+  return parts;
+}
+
+function joined<T>(changes: readonly (Change<T> | undefined)[]): Change<T> {
+  return {
+    put: changes.flatMap((change) => change?.put ?? []),
+    gone: changes.flatMap((change) => change?.gone ?? []),
+  };
 }
 
 function nextOrder(records: readonly { readonly order: number }[]): number {
   return Math.max(0, ...records.map(({ order }) => order)) + 1;
-}
-
-/** The values of this tab as a copy beside those of another one. Only one model keeps what its timer holds. */
-function copyOfModel({ model, ...rest }: ModelRecord): ModelRecord {
-  const key = newId();
-  return { ...rest, key, verified: [], model: { ...model, id: key, name: secondName(model.name) } };
-}
-
-function copyOfSetting({ setting, ...rest }: SettingRecord): SettingRecord {
-  const key = newId();
-  return { ...rest, key, setting: { ...setting, id: key, name: secondName(setting.name) } };
-}
-
-function copyOfFlight({ flight, ...rest }: FlightRecord): FlightRecord {
-  const key = newId();
-  return { ...rest, key, flight: { ...flight, id: key } };
-}
-
-function secondName(name: string): string {
-  const end = ' (2)';
-  return beginningOf(name, LIMITS.name - end.length) + end;
 }

@@ -15,7 +15,6 @@ export type NoteCode =
   | 'nothing-written'
   | 'select-unanswered'
   | 'strays'
-  | 'taken-over'
   | 'made-restored'
   | 'made-laid'
   | 'made-put-away'
@@ -30,8 +29,6 @@ export type Notice =
       readonly kind: 'connection';
       readonly code: ConnectionErrorCode;
       readonly port: PortInfo | null;
-      /** See `portKey`; null when it is not about a port. */
-      readonly portKey: string | null;
       /** The bytes that came in place of an answer, where they tell something. */
       readonly bytes: Uint8Array | null;
     }

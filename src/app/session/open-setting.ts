@@ -1,4 +1,4 @@
-import { computed, effect, type ReadonlySignal, untracked } from '@preact/signals';
+import { computed, type ReadonlySignal } from '@preact/signals';
 import {
   type Model,
   requireProgram,
@@ -34,8 +34,6 @@ export interface Unsaved {
   readonly changes: number;
   /** How many fields have a text that is no value. */
   readonly unreadable: number;
-  /** Whether the library has changed since the setting was opened here: another tab has saved it. */
-  readonly elsewhere: boolean;
 }
 
 /** The name of a new setting, and where it goes. */
@@ -68,16 +66,11 @@ export class OpenSetting {
       const held = record.value?.setting.program;
       if (!of || !working || !held) return null;
       const changes = sameLayout(held.identity, working.identity) ? changesSince(held, working).length : Infinity;
-      return { changes, unreadable: editor.unreadable.value.size, elsewhere: !isSame(of.saved, held) };
+      return { changes, unreadable: editor.unreadable.value.size };
     });
     this.savable = computed(() => {
       const working = editor.working.value;
       return working !== null && editor.unreadable.value.size === 0 && isStorable(working);
-    });
-    effect(() => {
-      // Only when the library changes: undo may bring back an earlier version.
-      void library.settings.list.value;
-      untracked(() => this.#follow());
     });
   }
 
@@ -150,16 +143,6 @@ export class OpenSetting {
     return await this.#keep(setting);
   }
 
-  /** Brings the library's version of the open setting to the screen, as one step. */
-  takeSaved(): void {
-    const { editor } = this.#session;
-    const setting = this.shown.peek()?.setting;
-    const working = editor.working.peek();
-    if (!setting || !working || !sameLayout(setting.program.identity, working.identity)) return;
-    const of = { id: setting.id, saved: setting.program };
-    editor.apply({ ...replaceAll({ code: 'open', params: { name: setting.name } }, setting.program), of });
-  }
-
   /** Where the values on the screen come from. */
   source(): SettingSource {
     const { editor, onScreen } = this.#session;
@@ -173,44 +156,11 @@ export class OpenSetting {
 
   async #keep(setting: Setting): Promise<boolean> {
     const { library, editor } = this.#session;
-    const before = editor.of.peek();
     const keeping = library.keepSetting(setting);
     editor.saved({ id: setting.id, saved: setting.program });
     await keeping;
-    const isClash = library.settings.clashes.peek().some(({ theirs }) => theirs.key === setting.id);
-    if (isClash && before) {
-      // Works as if the other tab had been a little quicker: see `Unsaved.elsewhere`.
-      editor.saved(before);
-      library.settings.settled(setting.id);
-      return false;
-    }
     return !library.settings.unsaved.peek().has(setting.id);
   }
-
-  /**
-   * Another tab has saved the open setting, which has no changes here and is of no timer: shows its version. Undo
-   * brings the old one back.
-   */
-  #follow(): void {
-    const { editor, library } = this.#session;
-    const of = editor.of.peek();
-    const held = of && library.settings.get(of.id)?.setting.program;
-    const working = editor.working.peek();
-    if (!of || !held || !working || editor.madeAt.peek() === null || isSame(of.saved, held)) return;
-    // The pilot will be asked.
-    if (library.settings.clashes.peek().some(({ theirs }) => theirs.key === of.id)) return;
-    if (
-      !isOfOneShape(held.identity, working.identity) ||
-      editor.unreadable.peek().size > 0 ||
-      !isSame(of.saved, working)
-    )
-      return;
-    this.takeSaved();
-  }
-}
-
-function isSame(a: TimerProgram, b: TimerProgram): boolean {
-  return sameLayout(a.identity, b.identity) && changesSince(a, b).length === 0;
 }
 
 function isStorable(program: TimerProgram): boolean {

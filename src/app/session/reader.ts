@@ -23,8 +23,6 @@ export class Reader {
   readonly #drafts: Drafts;
   /** Whether the timer was away or silent, so that the next reading is of one that has come back. */
   #wasAway = false;
-  /** Whether the timer was another tab's. */
-  #inherits = false;
   /** Whether a new timer has come, for which there may be stored edits. */
   #isNew = false;
   #firstReading: Promise<unknown> = Promise.resolve();
@@ -32,11 +30,6 @@ export class Reader {
   constructor(parts: ReaderParts, drafts: Drafts) {
     this.#parts = parts;
     this.#drafts = drafts;
-  }
-
-  /** The next timer comes from another tab, which has released it: its edits come along. */
-  inherit(): void {
-    this.#inherits = true;
   }
 
   /** The timer is away or silent; the next one may be the same. */
@@ -140,10 +133,9 @@ export class Reader {
     // Both at once, so that a storage that does not answer is waited for only once.
     const [draft] = await Promise.all([
       // The screen may still show the earlier reading.
-      same && (editor.dirty.value || !this.#isNew) ? undefined : this.#drafts.of(read, simulated, this.#inherits),
+      same && (editor.dirty.value || !this.#isNew) ? undefined : this.#drafts.of(read, simulated),
       knowledge.refresh(),
     ]);
-    this.#inherits = false;
     this.#isNew = false;
     stillOn();
     const isBack = this.#wasAway;

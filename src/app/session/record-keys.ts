@@ -21,11 +21,9 @@ export function programKey(
 }
 
 /**
- * The key of the work on a program. Each tab has its own, by its number, see `TabNumber`.
+ * The key of the work on a program.
  * @param madeAt for a program that was read from no timer: each has a key of its own.
  */
-export function workKey(program: TimerProgram, simulated: boolean, tab: number, madeAt?: number): string {
-  const key = madeAt === undefined ? programKey(program, simulated) : `made/${madeAt}`;
-  // The first tab has the keys from before tabs had numbers.
-  return tab > 1 ? `${key}/${tab}` : key;
+export function workKey(program: TimerProgram, simulated: boolean, madeAt?: number): string {
+  return madeAt === undefined ? programKey(program, simulated) : `made/${madeAt}`;
 }

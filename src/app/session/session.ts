@@ -1,8 +1,6 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
 import type { Model } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { TabChannel } from '../browser/other-tabs.js';
-import type { TabNumber } from '../browser/tab-number.js';
 import { Editor } from '../editing/editor.js';
 import type { Storage } from '../storage/index.js';
 import { Backups } from './backups.js';
@@ -34,9 +32,6 @@ import { UnfinishedRecords } from './unfinished.js';
 
 export interface SessionOptions extends TimerSources {
   readonly storage: Storage;
-  readonly tab: TabNumber;
-  /** The channel between the tabs of this page, for the library; null when there is none. */
-  readonly libraryChannel?: TabChannel | null;
 }
 
 /** One pilot, one wire, one program on the screen: builds all models for that in one place. */
@@ -87,10 +82,10 @@ export class Session {
   readonly engaged: ReadonlySignal<boolean>;
 
   constructor(options: SessionOptions) {
-    const { surroundings, storage, tab } = options;
+    const { surroundings, storage } = options;
     this.backups = new Backups(storage.backups, () => this.recognition.model.peek()?.id ?? null);
     this.aside = new SetAside(storage.aside);
-    this.library = new Library(storage, options.libraryChannel);
+    this.library = new Library(storage);
     this.link = new Link({
       surroundings,
       ports: storage.ports,
@@ -104,8 +99,8 @@ export class Session {
       const shown = this.editor.identity.value;
       return shown && { identity: shown, simulated: this.onScreen.simulated.value };
     });
-    const unfinished = new UnfinishedRecords(storage.unfinished, tab);
-    this.knowledge = new Knowledge(unfinished, atHand, () => tab.value);
+    const unfinished = new UnfinishedRecords(storage.unfinished);
+    this.knowledge = new Knowledge(unfinished, atHand);
     this.recognition = new Recognition(this);
     this.modelAtHand = computed(() =>
       this.connection.value ? this.recognition.model.value : (this.opened.shown.value?.model ?? null),
@@ -116,7 +111,7 @@ export class Session {
     this.notices = new Notices(() => this.link.wait());
     this.runner = new JobRunner(this);
     this.engaged = computed(() => this.runner.busy.value || this.link.waiting.value);
-    const drafts = new Drafts(storage.drafts, tab);
+    const drafts = new Drafts(storage.drafts);
     this.onScreen = new OnScreen(this, drafts);
     this.reader = new Reader(this, drafts);
     this.simulated = this.onScreen.simulated;

@@ -1,7 +1,7 @@
 import { batch } from '@preact/signals';
 import type { AssumedQuirks } from '../../client/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
-import { type LinkState, portKey, type SerialPortLike, type Surroundings } from '../../serial/index.js';
+import type { LinkState, SerialPortLike, Surroundings } from '../../serial/index.js';
 import { type Assumed, portInfoOf } from './link.js';
 import type { Reader } from './reader.js';
 import type { Session } from './session.js';
@@ -47,12 +47,6 @@ export class TimerAccess {
       const sure = first && (more.length === 0 || link.recordOf(first.key));
       return sure ? () => link.connect(first.port) : () => link.choose();
     });
-  }
-
-  /** Connects to the timer that another tab has released, and goes on with its edits. */
-  async takeOver(): Promise<void> {
-    this.#reader.inherit();
-    await this.connect();
   }
 
   /** Connects to one of the known ports. */
@@ -159,7 +153,7 @@ export class TimerAccess {
     if (!state.error) return;
     const { code, bytes } = state.error;
     const port = portInfoOf(before);
-    notices.show({ kind: 'connection', code, port, portKey: port && portKey(port), bytes });
+    notices.show({ kind: 'connection', code, port, bytes });
     void link.refresh();
   }
 

@@ -1,11 +1,9 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
-import type { TabNumber } from '../browser/tab-number.js';
 import type { Keeper, Unfinished, UnfinishedWrite } from '../storage/index.js';
 
 /**
  * The records of jobs that change a timer, from before their first byte until somebody has seen their end. They are in
- * the browser's storage, which all tabs share; where that keeps nothing, in this page alone. Jobs that another tab has
- * in progress are left out.
+ * the browser's storage; where that keeps nothing, in this page alone.
  */
 export class UnfinishedRecords {
   readonly #list = signal<readonly Unfinished[]>([], { name: 'unfinished' });
@@ -15,7 +13,6 @@ export class UnfinishedRecords {
     this.list.value.filter((record) => record.kind === 'write'),
   );
   readonly #keeper: Keeper<Unfinished>;
-  readonly #tab: TabNumber;
   /** As the storage had them at the last look. */
   #stored: readonly Unfinished[] = [];
   /** Changes that the storage has not confirmed yet, or never will; null for a deletion. */
@@ -24,12 +21,11 @@ export class UnfinishedRecords {
   #loading: Promise<void> | null = null;
 
   /** @param keeper whose calls all end in time, see `limited`. */
-  constructor(keeper: Keeper<Unfinished>, tab: TabNumber) {
+  constructor(keeper: Keeper<Unfinished>) {
     this.#keeper = keeper;
-    this.#tab = tab;
   }
 
-  /** Reads the storage again: other tabs write there, too. */
+  /** Reads the storage again. It may not have answered before. */
   refresh(): Promise<void> {
     this.#loading ??= this.#load().finally(() => {
       this.#loading = null;
@@ -66,27 +62,16 @@ export class UnfinishedRecords {
 
   async #load(): Promise<void> {
     let seen: number;
-    let tab: number;
-    let stored: Unfinished[];
+    let stored: Unfinished[] | null;
     do {
       seen = this.#changes;
-      tab = this.#tab.value;
-      const all = await this.#keeper.all().catch(() => null);
+      stored = await this.#keeper.all().catch(() => null);
       // Known records are not forgotten because the storage fails.
-      if (!all) return;
-      const elsewhere = await Promise.all(all.map((record) => this.#isElsewhere(record)));
-      stored = all.filter((_, index) => !elsewhere[index]);
-      // Changes from the meantime are not in what was loaded, and with another tab number other records are this tab's
-      // own.
-    } while (seen !== this.#changes || tab !== this.#tab.value);
+      if (!stored) return;
+      // Changes from the meantime are not in what was loaded.
+    } while (seen !== this.#changes);
     this.#stored = stored;
     this.#publish();
-  }
-
-  /** Whether another tab is working on it: that tab reports the result. A closed tab has left it behind. */
-  async #isElsewhere(record: Unfinished): Promise<boolean> {
-    if (record.kind !== 'write' || record.tab === null || record.tab === this.#tab.value) return false;
-    return await this.#tab.isElsewhere(record.tab);
   }
 
   #note(key: string, record: Unfinished | null): void {

@@ -59,6 +59,8 @@ export class Erase {
   async start(): Promise<void> {
     if (this.#current.value?.step !== 'review') return;
     this.#current.value = { step: 'running' };
+    // What a job leaves behind on a timer is the last thing to be forgotten.
+    await this.#session.runner.still();
     await this.#session.timer.disconnect();
     // Nothing may be left that would be stored again.
     this.#session.editor.clear();

@@ -3,13 +3,11 @@ import type { Platform } from '../browser/platform.js';
 import { ConnectionHelp, connectionSaid } from '../connect/connection-help-view.js';
 import { InstallHint } from '../connect/install-hint.js';
 import type { Installation } from '../connect/installation.js';
-import { OtherTabNotice } from '../connect/other-tab-notice.js';
 import { hexOf } from '../messages/frame-text.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { Keeping } from '../session/keeping.js';
 import { isRateSet } from '../session/link.js';
 import type { Notice } from '../session/notices.js';
-import type { PortHolder } from '../session/port-holder.js';
 import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
 import { NoticeText } from '../ui/notice-text.js';
@@ -25,7 +23,6 @@ const CALM: ReadonlySet<Notice['code']> = new Set([
   'back-same',
   'write-completed',
   'nothing-written',
-  'taken-over',
   'made-restored',
   'made-laid',
 ]);
@@ -35,7 +32,6 @@ export interface NoticeBarProps {
   readonly keeping: Keeping;
   readonly aside: SetAside;
   readonly update: UpdateOffer;
-  readonly portHolder: PortHolder;
   readonly platform: Platform;
   /** What was done with files. */
   readonly fileNotice: ComponentChildren;
@@ -45,11 +41,10 @@ export interface NoticeBarProps {
 }
 
 /** What the pilot should know now: shown until it is dismissed, or another message comes. */
-export function NoticeBar({ session, keeping, aside, update, portHolder, platform, ...rest }: NoticeBarProps) {
+export function NoticeBar({ session, keeping, aside, update, platform, ...rest }: NoticeBarProps) {
   const { fileNotice, onExport, installation } = rest;
   const { dismiss, link } = messages.value;
   const notice = session.notices.current.value;
-  const holder = portHolder.tab.value;
   // While a timer is connected, nothing that can wait moves the table.
   const isCalm = notice === null && session.link.state.value.status === 'off';
   return (
@@ -62,15 +57,7 @@ export function NoticeBar({ session, keeping, aside, update, portHolder, platfor
       <RemovedNotice backups={session.backups} />
       <LibraryRemovedNotice library={session.library} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
-      {holder && (
-        <OtherTabNotice
-          key={holder.id}
-          tab={holder}
-          onTakeOver={() => portHolder.takeOver(holder)}
-          onDismiss={() => session.notices.dismiss()}
-        />
-      )}
-      {notice && !holder && (
+      {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
           <NoticeText said={said(notice, platform, session.standing.value.sure === 'not')} />
           {notice.kind === 'connection' && notice.bytes && (

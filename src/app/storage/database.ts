@@ -4,10 +4,8 @@ import * as v from 'valibot';
 import { service } from '../browser/services.js';
 import { whenIdle } from '../browser/when-idle.js';
 import { withPresentNames } from './former-names.js';
-import { isLeaving } from './leaving.js';
 import { StorageError } from './limit.js';
 import type { AsideRecord } from './records.js';
-import { isSame } from './same.js';
 
 const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside', 'models', 'settings', 'flights'] as const;
 
@@ -25,21 +23,16 @@ interface Schema extends DBSchema {
   flights: { key: string; value: unknown };
 }
 
-/** A record to keep, and the versions that the shelf may hold now. An empty shelf is always right. */
-export interface Exchange<T> {
-  readonly record: T;
-  readonly known: readonly T[];
+/** Records of one shelf to put there, and the keys of those to delete. */
+export interface Change<T> {
+  readonly put?: readonly T[];
+  readonly gone?: readonly string[];
 }
 
 /** The part of a shelf that the models use, so that a test can put another in its place. */
 export interface Keeper<T extends { readonly key: string }> {
   /** @param now the pilot leaves the page: saves at once, before everything that waits. */
   save(record: T, now?: boolean): Promise<void>;
-  /**
-   * Replaces a version that is known here by this record, in one step, so that another tab's version is not lost.
-   * @returns another version that the shelf holds, and keeps; null when the record was saved.
-   */
-  exchange(change: Exchange<T>): Promise<T | null>;
   remove(key: string): Promise<void>;
   /** Undefined when there is none. A stored record that cannot be read is set aside. */
   load(key: string): Promise<T | undefined>;
@@ -114,7 +107,7 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
   };
 }
 
-/** Deletes the whole storage. Other tabs release it when they are asked. */
+/** Deletes the whole storage. */
 export async function deleteStorage(opened: Opened, name: string): Promise<void> {
   // A storage that could not be opened need not be closed.
   await opened().then(
@@ -122,6 +115,25 @@ export async function deleteStorage(opened: Opened, name: string): Promise<void>
     () => {},
   );
   await deleteDB(name);
+}
+
+/** Changes several shelves in one step: all of it is on the disk, or nothing. */
+export async function changeShelves(
+  opened: Opened,
+  changes: Readonly<Partial<Record<StoreName, Change<{ readonly key: string }> | undefined>>>,
+): Promise<void> {
+  const each = Object.entries(changes) as [StoreName, Change<{ readonly key: string }> | undefined][];
+  const names = each.filter(([, change]) => change?.put?.length || change?.gone?.length).map(([name]) => name);
+  if (names.length === 0) return;
+  const changing = (await opened()).transaction(names, 'readwrite', { durability: 'strict' });
+  const asked = names.flatMap((name) => {
+    const { put = [], gone = [] } = changes[name] ?? {};
+    const shelf = changing.objectStore(name);
+    return [...gone.map((key) => shelf.delete(key)), ...put.map((record) => shelf.put(record))];
+  });
+  // Commits at once: the page may be gone by the time that all is stored.
+  changing.commit?.();
+  await Promise.all([...asked, changing.done]);
 }
 
 /** How long a record that is not urgent waits at most for an idle browser, in milliseconds. */
@@ -153,8 +165,6 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   readonly #onLeft: (records: readonly AsideRecord[]) => void;
   /** Records that wait for an idle browser, by key. */
   readonly #waiting = new Map<string, T>();
-  /** Records that are being exchanged, the latest of each key. */
-  readonly #exchanged = new Map<string, T>();
 
   /**
    * @param durability `strict`: a saved record is on the disk, which costs some milliseconds.
@@ -186,45 +196,6 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     // Commits at once: the page may be gone by the time that the record is stored.
     writing.commit?.();
     await Promise.all([put, writing.done]);
-  }
-
-  async exchange({ record, known }: Exchange<T>): Promise<T | null> {
-    this.#exchanged.set(record.key, record);
-    if (isLeaving()) {
-      await this.save(record, true);
-      return null;
-    }
-    const opened = await this.#opened();
-    const changing = opened.transaction(this.#name, 'readwrite', { durability: this.#durability });
-    // The next promise gives the error to whoever waits.
-    changing.done.catch(() => {});
-    const left = new AbortController();
-    let saving: Promise<void> | null = null;
-    // The page may be gone before the storage answers, so what was typed is sent first.
-    const sendNow = (): void => {
-      changing.abort();
-      // Not this one, if a later one came while the page was left.
-      saving = this.save(this.#exchanged.get(record.key) ?? record, true);
-    };
-    addEventListener('pagehide', sendNow, left);
-    try {
-      const stored: unknown = await changing.store.get(record.key);
-      const held = v.safeParse(this.#schema, stored);
-      // A record that cannot be read was set aside when it was read.
-      if (held.success && ![record, ...known].some((each) => isSame(each, held.output))) return held.output;
-      left.abort();
-      const put = changing.store.put(record);
-      changing.commit?.();
-      await Promise.all([put, changing.done]);
-      return null;
-    } catch (cause) {
-      if (!saving) throw cause;
-      await saving;
-      return null;
-    } finally {
-      left.abort();
-      if (this.#exchanged.get(record.key) === record) this.#exchanged.delete(record.key);
-    }
   }
 
   async remove(key: string): Promise<void> {
@@ -268,7 +239,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
       for (const { stored, ...record } of records) {
         const { key } = stored as { key: string };
         const now: unknown = await moving.objectStore(this.#name).get(key);
-        // Another tab may have put a good record in its place, or set it aside first.
+        // A good record may have come in its place.
         if (now === undefined || v.is(this.#schema, now)) continue;
         await moving.objectStore('aside').put({ ...record, stored: now });
         await moving.objectStore(this.#name).delete(key);

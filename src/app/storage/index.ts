@@ -1,4 +1,4 @@
-import { deleteStorage, type Keeper, openStorage, Shelf } from './database.js';
+import { type Change, changeShelves, deleteStorage, type Keeper, openStorage, Shelf } from './database.js';
 import { isLeaving } from './leaving.js';
 import { StorageQuestions, type StorageWatch } from './limit.js';
 import {
@@ -20,7 +20,7 @@ import {
   unfinishedSchema,
 } from './records.js';
 
-export type { Exchange, Keeper } from './database.js';
+export type { Change, Keeper } from './database.js';
 export { type StorageCall, StorageError, type StorageErrorCode, type StorageWatch, withinLimit } from './limit.js';
 export type {
   AsideRecord,
@@ -37,6 +37,13 @@ export type {
 
 export { isSame } from './same.js';
 
+/** What changes in the library in one step. */
+export interface LibraryChange {
+  readonly models?: Change<ModelRecord>;
+  readonly settings?: Change<SettingRecord>;
+  readonly flights?: Change<FlightRecord>;
+}
+
 /** Everything that the browser keeps, so that it survives a reload, a crash and a flat battery. */
 export interface Storage {
   readonly drafts: Keeper<Draft>;
@@ -48,6 +55,8 @@ export interface Storage {
   readonly models: Keeper<ModelRecord>;
   readonly settings: Keeper<SettingRecord>;
   readonly flights: Keeper<FlightRecord>;
+  /** Changes the library in one step: all of it is kept, or nothing. */
+  change(change: LibraryChange): Promise<void>;
   /** Deletes everything. Nothing can be stored after that until the page is loaded again. */
   erase(): Promise<void>;
 }
@@ -55,7 +64,6 @@ export interface Storage {
 /** The calls of a shelf, and what each does. The limits apply to all of them. */
 export const SHELF_CALLS = {
   save: 'change',
-  exchange: 'change',
   remove: 'change',
   load: 'read',
   all: 'read',
@@ -70,7 +78,7 @@ export const SHELVES = [
   'models',
   'settings',
   'flights',
-] as const satisfies readonly Exclude<keyof Storage, 'erase'>[];
+] as const satisfies readonly Exclude<keyof Storage, 'change' | 'erase'>[];
 
 /** @param onEmptied see {@link openStorage}. */
 export function browserStorage(name = 'sidus-timer', onEmptied?: () => void): Storage {
@@ -88,7 +96,6 @@ export function browserStorage(name = 'sidus-timer', onEmptied?: () => void): St
     ports: new Shelf(opened, 'ports', portSchema, 'relaxed', note),
     aside: {
       save: (record) => aside.save(record),
-      exchange: (change) => aside.exchange(change),
       remove: (key) => aside.remove(key),
       load: (key) => aside.load(key),
       all: async () => [...(await aside.all()), ...left.values()],
@@ -96,6 +103,7 @@ export function browserStorage(name = 'sidus-timer', onEmptied?: () => void): St
     models: new Shelf(opened, 'models', modelSchema, 'strict', note),
     settings: new Shelf(opened, 'settings', settingSchema, 'strict', note),
     flights: new Shelf(opened, 'flights', flightSchema, 'strict', note),
+    change: (change) => changeShelves(opened, { ...change }),
     erase: () => deleteStorage(opened, name),
   };
 }
@@ -106,12 +114,12 @@ export function limited(storage: Storage, watch: StorageWatch): Storage {
     const questions = new StorageQuestions(watch, name);
     return {
       save: (record, now) => questions.ask(SHELF_CALLS.save, () => keeper.save(record, now), now),
-      exchange: (change) => questions.ask(SHELF_CALLS.exchange, () => keeper.exchange(change), isLeaving()),
       remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key), isLeaving()),
       load: (key) => questions.ask(SHELF_CALLS.load, () => keeper.load(key)),
       all: () => questions.ask(SHELF_CALLS.all, () => keeper.all()),
     };
   };
+  const changes = new StorageQuestions(watch, 'models', 'settings', 'flights');
   return {
     drafts: inTime(storage.drafts, 'drafts'),
     unfinished: inTime(storage.unfinished, 'unfinished'),
@@ -121,6 +129,7 @@ export function limited(storage: Storage, watch: StorageWatch): Storage {
     models: inTime(storage.models, 'models'),
     settings: inTime(storage.settings, 'settings'),
     flights: inTime(storage.flights, 'flights'),
+    change: (change) => changes.ask('change', () => storage.change(change), isLeaving()),
     erase: () => new StorageQuestions(watch, 'all').ask('change', () => storage.erase()),
   };
 }

@@ -1,7 +1,7 @@
 /**
  * Why the browser did not store something, or did not give it back.
  * - `slow`: it has not answered in time. It may still do it.
- * - `blocked`: another tab holds an older version of the storage.
+ * - `blocked`: an older version of this page holds the storage.
  * - `full`: there is no room.
  * - `newer`: a newer version of this page has changed the storage.
  * - `missing`: the browser has no storage for this page, or it is switched off.
@@ -98,32 +98,47 @@ const SAID_AFTER = 3000;
  */
 const SHORT_LIMIT = 250;
 
-/** Asks one shelf of a storage, and waits only as long as its earlier answers make sensible. */
+/** Asks some shelves of a storage, and waits only as long as its earlier answers make sensible. */
 export class StorageQuestions {
   readonly #watch: StorageWatch;
-  readonly #shelf: string;
+  readonly #shelves: readonly string[];
   #limit = STORAGE_LIMIT;
   #changes: Promise<unknown> = Promise.resolve();
+  /** Sends those that wait for their turn, in their order. */
+  readonly #waiting = new Set<() => void>();
   /** How many changes have been answered, each in its turn. */
   #answers = 0;
 
-  constructor(watch: StorageWatch, shelf: string) {
+  constructor(watch: StorageWatch, ...shelves: string[]) {
     this.#watch = watch;
-    this.#shelf = shelf;
+    this.#shelves = shelves;
   }
 
   /**
-   * @param now at once instead of after earlier changes: the pilot leaves the page, and no answer may come any more.
+   * @param now at once, with the changes before it: the pilot leaves the page, and no answer may come any more.
    * @throws StorageError
    */
   async ask<T>(kind: StorageCall, work: () => Promise<T>, now = false): Promise<T> {
     const limit = this.#limit;
     // A late change must not undo a later one: changes go one by one, however long that takes.
     const waits = kind === 'change' && !now;
-    const answer = waits ? this.#changes.then(work) : (async () => work())();
+    const answer = new Promise<T>((resolve, reject) => {
+      const send = (): void => {
+        if (!this.#waiting.delete(send)) return;
+        const sent = async (): Promise<T> => work();
+        sent().then(resolve, reject);
+      };
+      this.#waiting.add(send);
+      if (waits) void this.#changes.then(send);
+      else if (kind === 'read') send();
+      else for (const each of this.#waiting) each();
+    });
     // Thousands of changes take long on any disk. The storage is slow only when it answers none of them.
     const signs = (): number => (waits ? this.#answers : 0);
-    const say = (): void => this.#watch.failed(this.#shelf, kind, 'slow');
+    const fail = (code: StorageErrorCode): void => {
+      for (const shelf of this.#shelves) this.#watch.failed(shelf, kind, code);
+    };
+    const say = (): void => fail('slow');
     const end = afterSilence(Math.min(limit, SAID_AFTER), say, signs);
     // Without the results: each would hold the one before, for as long as the page is open.
     if (kind === 'change') this.#changes = Promise.allSettled([this.#changes, answer]).then(() => {});
@@ -132,13 +147,13 @@ export class StorageQuestions {
         end();
         if (waits) this.#answers++;
         this.#limit = STORAGE_LIMIT;
-        this.#watch.answered(this.#shelf, kind);
+        for (const shelf of this.#shelves) this.#watch.answered(shelf, kind);
       },
       (cause) => {
         end();
         if (waits) this.#answers++;
         this.#limit = STORAGE_LIMIT;
-        this.#watch.failed(this.#shelf, kind, StorageError.of(cause).code);
+        fail(StorageError.of(cause).code);
       },
     );
     try {

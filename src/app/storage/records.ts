@@ -22,8 +22,6 @@ const whole = (min: number, max: number) => v.pipe(v.number(), v.safeInteger(), 
 /** Milliseconds since 1970, up to the latest JavaScript date. */
 const date = v.pipe(v.number(), v.finite(), v.minValue(0), v.maxValue(8.64e15));
 const key = v.pipe(v.string(), v.maxLength(200));
-/** The number of a tab, see `TabNumber`. */
-const tab = v.pipe(v.number(), v.safeInteger(), v.minValue(1));
 
 const identity: v.GenericSchema<unknown, Identity> = v.pipe(
   v.object({
@@ -133,8 +131,6 @@ export const draftSchema = v.pipe(
     simulated: v.boolean(),
     /** The id of the model that it is for; absent when it is not known. */
     model: v.exactOptional(key),
-    /** The number of the tab in which it was worked on, see `TabNumber`. */
-    tab: v.optional(tab, 1),
   }),
   v.check(({ baseline, working }) => sameLayout(baseline.identity, working.identity), 'the two are not of one layout'),
 );
@@ -158,8 +154,6 @@ export const unfinishedSchema = v.variant('kind', [
       readAt: v.optional(v.nullable(date), null),
       /** When a fresh reading has explained what the timer holds. From then on only the offer to finish it is left. */
       seenAt: v.optional(v.nullable(date), null),
-      /** The number of the tab in which it is in progress, see `TabNumber`; null once that tab has seen its end. */
-      tab: v.optional(v.nullable(tab), null),
     }),
     v.check(({ before, goal }) => sameLayout(before.identity, goal.identity), 'the two are not of one layout'),
   ),

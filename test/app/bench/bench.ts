@@ -1,17 +1,14 @@
 import { onTestFinished, vi } from 'vitest';
-import type { TabChannel } from '../../../src/app/browser/other-tabs.js';
 import { platformOf } from '../../../src/app/browser/platform.js';
-import { type Locks, TabNumber } from '../../../src/app/browser/tab-number.js';
 import { plugRecording } from '../../../src/app/connect/simulated-timer.js';
 import { createModels, type ModelOptions } from '../../../src/app/models.js';
 import {
   type AsideRecord,
   type Backup,
   type Draft,
-  type Exchange,
   type FlightRecord,
-  isSame,
   type Keeper,
+  type LibraryChange,
   type ModelRecord,
   type PortRecord,
   type SettingRecord,
@@ -36,14 +33,6 @@ class MemoryShelf<T extends { readonly key: string }> implements Keeper<T> {
   async save(record: T): Promise<void> {
     this.#store.touch();
     this.records.set(record.key, structuredClone(record));
-  }
-
-  async exchange({ record, known }: Exchange<T>): Promise<T | null> {
-    this.#store.touch();
-    const held = this.records.get(record.key);
-    if (held && ![record, ...known].some((each) => isSame(each, held))) return structuredClone(held);
-    await this.save(record);
-    return null;
   }
 
   async remove(key: string): Promise<void> {
@@ -75,6 +64,15 @@ export class MemoryStore implements Storage {
   /** Whether it fails, like the storage of a browser that is full or switched off. */
   broken = false;
 
+  async change(change: LibraryChange): Promise<void> {
+    this.touch();
+    for (const shelf of ['models', 'settings', 'flights'] as const) {
+      const { put = [], gone = [] } = change[shelf] ?? {};
+      for (const key of gone) this[shelf].records.delete(key);
+      for (const record of put) this[shelf].records.set(record.key, structuredClone(record) as never);
+    }
+  }
+
   async erase(): Promise<void> {
     this.touch();
     for (const shelf of SHELVES) this[shelf].records.clear();
@@ -85,18 +83,11 @@ export class MemoryStore implements Storage {
   }
 }
 
-/** The locks of a browser with one tab. */
-const ALONE: Locks = { request: async (_, __, work) => work({}) };
-
 export interface BenchOptions extends TimerOptions, Partial<Pick<ModelOptions, 'erasers' | 'reload' | 'platform'>> {
   /** Default: a new one. Used again, it stands for a reload. */
   readonly store?: MemoryStore;
   /** Whether this browser has Web Serial. Default true. */
   readonly webSerial?: boolean;
-  /** The channel to other tabs of this page. Default: none. */
-  readonly channel?: TabChannel;
-  /** Default: the only tab. */
-  readonly tab?: TabNumber;
   /** False leaves the page as it is before it asks the browser for anything. Default true. */
   readonly started?: boolean;
 }
@@ -105,8 +96,6 @@ export interface BenchOptions extends TimerOptions, Partial<Pick<ModelOptions, '
 export async function appBench({
   store = new MemoryStore(),
   webSerial = true,
-  channel,
-  tab,
   started = true,
   erasers,
   reload,
@@ -122,11 +111,9 @@ export async function appBench({
   const models = createModels({
     surroundings: { serial: webSerial ? serial : undefined, isSecureContext: true },
     storage: store,
-    tab: tab ?? new TabNumber(ALONE, { load: () => null, save: () => {} }),
     plugSimulated: (timerClass) => new Adapter(new MockSerial(), { identity: { timerClass } }).port,
     plugRecording,
     platform,
-    channel: channel ?? null,
     erasers,
     reload,
   });

@@ -49,8 +49,8 @@ it('what was typed last into a flight is saved when the page goes, also after a 
   act(() => app.models.flights.fillIn('c'));
   await idle(0);
   const sent: string[] = [];
-  app.store.flights.exchange = ({ record }) => {
-    sent.push(record.flight.note);
+  app.store.change = ({ flights }) => {
+    sent.push(...(flights?.put ?? []).map(({ flight }) => flight.note));
     return new Promise(() => {});
   };
   fill('Note', 'strong');

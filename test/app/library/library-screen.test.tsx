@@ -1,7 +1,7 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it, onTestFinished, vi } from 'vitest';
 import { SETTING } from '../../program/library-examples.js';
-import { idle, MemoryStore, run } from '../bench/bench.js';
+import { idle, MemoryStore } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
 import { manyRecords } from './many.js';
 
@@ -98,25 +98,6 @@ it('a name cannot become empty', async () => {
   fireEvent.blur(input('Name'));
   await idle();
   expect([input('Name').value, app.store.settings.records.get('setting-0')?.setting.name]).toEqual([before, before]);
-});
-
-it('a text saved by another tab in the same field is shown and can be taken; other fields follow', async () => {
-  const app = await at('model-0/setting-0');
-  const record = app.store.settings.records.get('setting-0');
-  if (!record) throw new Error('it is gone');
-  await write('Note', 'mine');
-  const setting = { ...record.setting, note: 'theirs', tags: ['new tag'] };
-  app.store.settings.records.set('setting-0', { ...record, setting, changedAt: Date.now() });
-  await run(app.session.library.refresh());
-  await idle();
-  expect([input('Note').value, input('Tags').value]).toEqual(['mine', 'new tag']);
-  expect(screen.getByText(/Another tab has saved something else here: “theirs”/)).toBeTruthy();
-  fireEvent.blur(input('Note'));
-  await press('Take that');
-  expect([input('Note').value, app.store.settings.records.get('setting-0')?.setting.note]).toEqual([
-    'theirs',
-    'theirs',
-  ]);
 });
 
 it.each([

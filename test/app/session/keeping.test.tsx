@@ -124,7 +124,7 @@ it('a program that the pilot has closed stays closed while the storage is tried 
   await run(session.timer.disconnect());
   await idle();
   session.onScreen.closeProgram();
-  store.fail('models.save', 'is full');
+  store.fail('change', 'is full');
   void session.library.keepModel(MODEL).catch(() => {});
   await idle(1000);
   expect([keeping.storage.value, editor.working.value]).toEqual(['full', null]);
@@ -198,6 +198,20 @@ describe('an unreadable record', () => {
 
 describe('everything on this device', () => {
   const dialog = () => within(screen.getByRole('dialog', { name: 'Delete everything on this device' }));
+
+  it('waits for a job, so that no note of a write goes before its end was seen', async () => {
+    const reload = vi.fn();
+    const bench = await connectedBench({ reload });
+    let end = (): void => {};
+    const job = bench.session.runner.run('write', () => new Promise<void>((resolve) => (end = resolve)));
+    await run(bench.erase.open());
+    const erasing = bench.erase.start();
+    await idle();
+    expect([bench.session.runner.job.value?.stopping, reload.mock.calls.length]).toEqual([false, 0]);
+    end();
+    await run(Promise.all([job, erasing]));
+    expect(reload).toHaveBeenCalledOnce();
+  });
 
   it('is deleted after a question, once, and the page begins afresh', async () => {
     const reload = vi.fn();

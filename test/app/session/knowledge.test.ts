@@ -1,6 +1,5 @@
 import { signal } from '@preact/signals';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { type Locks, TabNumber } from '../../../src/app/browser/tab-number.js';
 import { Knowledge, type TimerAtHand } from '../../../src/app/session/knowledge.js';
 import { openValues, possibleValues } from '../../../src/app/session/known.js';
 import { UnfinishedRecords } from '../../../src/app/session/unfinished.js';
@@ -20,15 +19,11 @@ const PART = withValue(BEFORE, DT, 36_000);
 const STRANGE = withValue(BEFORE, STOP, 4321);
 const Q: TimerAtHand = { identity: BEFORE.identity, simulated: false };
 
-/** A page that has looked into the storage. The same store again stands for a reload or another tab. */
-async function page(
-  store = new MemoryStore(),
-  tab = new TabNumber(null, { load: () => null, save: () => {} }),
-  { unfinished }: Pick<Storage, 'unfinished'> = store,
-) {
+/** A page that has looked into the storage. The same store again stands for a reload. */
+async function page(store = new MemoryStore(), { unfinished }: Pick<Storage, 'unfinished'> = store) {
   const timer = signal<TimerAtHand | null>(Q);
-  const records = new UnfinishedRecords(unfinished, tab);
-  const knowledge = new Knowledge(records, timer, () => tab.value);
+  const records = new UnfinishedRecords(unfinished);
+  const knowledge = new Knowledge(records, timer);
   await knowledge.refresh();
   return { knowledge, timer, store };
 }
@@ -154,7 +149,7 @@ describe('a write', () => {
     vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
     onTestFinished(() => void vi.useRealTimers());
     const store = new MemoryStore();
-    const { knowledge } = await page(store, undefined, limited(store, { answered: () => {}, failed: () => {} }));
+    const { knowledge } = await page(store, limited(store, { answered: () => {}, failed: () => {} }));
     store.unfinished.save = () => new Promise(() => {});
     store.unfinished.all = () => new Promise(() => {});
     let kept: boolean | null = null;
@@ -291,53 +286,6 @@ describe("the pilot's word", () => {
     await one.knowledge.forget(one.knowledge.uncertain.value[0]?.key ?? '');
     expect(one.knowledge.of(0)).toEqual({ state: 'unread' });
     expect((await page(one.store)).knowledge.uncertain.value).toEqual([]);
-  });
-});
-
-describe('another tab', () => {
-  /** Which numbers are taken, by tabs that are open. */
-  function locksOf(taken: Set<string>): Locks {
-    return {
-      request: async (name, _, work) => {
-        const free = !taken.has(name);
-        taken.add(name);
-        const until = work(free ? {} : null);
-        void until?.then(() => taken.delete(name));
-        return undefined;
-      },
-    };
-  }
-  async function tabs() {
-    const taken = new Set<string>();
-    const numbered = async (number: number): Promise<TabNumber> => {
-      const tab = new TabNumber(locksOf(taken), { load: () => null, save: () => {} });
-      await tab.take(number);
-      return tab;
-    };
-    const store = new MemoryStore();
-    const first = await page(store, await numbered(1));
-    const second = await page(store, await numbered(2));
-    return { first, second, taken };
-  }
-
-  it('does not call a write cut off while it runs in this tab, but does when this tab is closed', async () => {
-    const { first, second, taken } = await tabs();
-    await first.knowledge.begin(BEFORE, GOAL);
-    await second.knowledge.refresh();
-    expect(second.knowledge.uncertain.value).toEqual([]);
-    taken.delete('sidus-timer/tab/1');
-    await second.knowledge.refresh();
-    expect(second.knowledge.uncertain.value).toHaveLength(1);
-  });
-
-  it('knows of a write that was cut off in this tab, and this tab knows what the other one reads', async () => {
-    const { first, second } = await tabs();
-    await cut(first, BEFORE, GOAL);
-    await second.knowledge.refresh();
-    expect(second.knowledge.uncertain.value).toHaveLength(1);
-    second.knowledge.read(GOAL);
-    await first.knowledge.refresh();
-    expect(first.knowledge.uncertain.value).toEqual([]);
   });
 });
 

@@ -55,7 +55,7 @@ describe('a setting that is opened without a timer', () => {
     const { session, editor } = bench;
     expect([names(bench), editor.working.value?.memory, editor.changes.value]).toEqual([['Lancer', 'calm'], null, []]);
     expect([session.opened.unsaved.value, session.standing.value]).toEqual([
-      { changes: 0, unreadable: 0, elsewhere: false },
+      { changes: 0, unreadable: 0 },
       { sure: 'once', at: null },
     ]);
   });
@@ -67,7 +67,7 @@ describe('a setting that is opened without a timer', () => {
     await run(bench.session.opened.save());
     expect([bench.session.opened.unsaved.value?.changes, dtOf(bench, 'calm')]).toEqual([0, 12000]);
     bench.editor.undo();
-    expect(bench.session.opened.unsaved.value).toEqual({ changes: 1, unreadable: 0, elsewhere: false });
+    expect(bench.session.opened.unsaved.value).toEqual({ changes: 1, unreadable: 0 });
   });
 
   it('keeps what is not saved through a reload, with what can be undone', async () => {
@@ -137,66 +137,6 @@ describe('a setting that is opened without a timer', () => {
     bench.store.broken = false;
     await run(library.keepAgain());
     expect([library.kept.value, dtOf(bench, 'calm')]).toEqual([true, 12000]);
-  });
-});
-
-describe('another tab saves the setting that is open here', () => {
-  const elsewhere = async (bench: AppBench, dt: number): Promise<void> => {
-    const times = USUAL.times.map((time, slot) => (slot === 10 ? dt : time));
-    keepIn(bench.store, settingOf('calm', { ...USUAL, times }));
-    await run(bench.session.library.refresh());
-  };
-
-  it('comes to the screen when nothing was typed, as a step that undo takes back', async () => {
-    const bench = await opened(settingOf('calm'));
-    await elsewhere(bench, 6000);
-    expect([bench.editor.textOf(DT), bench.session.opened.unsaved.value]).toEqual([
-      '1:00',
-      { changes: 0, unreadable: 0, elsewhere: false },
-    ]);
-    bench.editor.undo();
-    expect([bench.editor.textOf(DT), bench.session.opened.unsaved.value?.changes]).toEqual(['3:00', 1]);
-  });
-
-  it('stays away from what was typed here, and the page asks before replacing it', async () => {
-    const bench = await opened(settingOf('calm'));
-    type(bench, S2, '70');
-    await elsewhere(bench, 6000);
-    expect([bench.editor.textOf(DT), bench.editor.textOf(S2)]).toEqual(['3:00', '70']);
-    expect(bench.session.opened.unsaved.value).toEqual({ changes: 2, unreadable: 0, elsewhere: true });
-    await run(bench.saveSetting.save());
-    expect([bench.saveSetting.current.value?.step, dtOf(bench, 'calm')]).toEqual(['elsewhere', 6000]);
-    bench.saveSetting.take();
-    expect([bench.editor.textOf(DT), bench.editor.textOf(S2)]).toEqual(['1:00', '65']);
-    bench.editor.undo();
-    expect([bench.editor.textOf(S2), bench.session.opened.unsaved.value?.elsewhere]).toEqual(['70', true]);
-    await run(bench.saveSetting.save());
-    await run(bench.saveSetting.replace());
-    expect([dtOf(bench, 'calm'), bench.session.opened.unsaved.value?.elsewhere]).toEqual([18000, false]);
-  });
-
-  it('also leads to the question when it was saved a moment before, without a message', async () => {
-    const bench = await opened(settingOf('calm'));
-    type(bench, S2, '70');
-    const times = USUAL.times.map((time, slot) => (slot === 10 ? 6000 : time));
-    const look = bench.store.settings.load.bind(bench.store.settings);
-    bench.store.settings.load = async (key) => {
-      const found = await look(key);
-      // The other tab is that much quicker.
-      keepIn(bench.store, settingOf('calm', { ...USUAL, times }));
-      return structuredClone(found);
-    };
-    await run(bench.saveSetting.save());
-    expect([bench.saveSetting.current.value?.step, dtOf(bench, 'calm')]).toEqual(['elsewhere', 6000]);
-    expect([bench.editor.textOf(DT), bench.editor.textOf(S2)], 'the fields show what was typed').toEqual([
-      '3:00',
-      '70',
-    ]);
-    expect(bench.session.opened.unsaved.value).toEqual({ changes: 2, unreadable: 0, elsewhere: true });
-    expect(bench.session.library.clash.value, 'the question comes once').toBeNull();
-    await run(bench.saveSetting.replace());
-    expect([dtOf(bench, 'calm'), bench.session.opened.unsaved.value?.elsewhere]).toEqual([18000, false]);
-    expect(bench.saveSetting.current.value).toBeNull();
   });
 });
 

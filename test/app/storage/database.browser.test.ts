@@ -1,7 +1,7 @@
 import { deleteDB, openDB, unwrap } from 'idb';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { openStorage, Shelf } from '../../../src/app/storage/database.js';
-import { browserStorage, limited, StorageError } from '../../../src/app/storage/index.js';
+import { browserStorage, limited, type Storage, StorageError } from '../../../src/app/storage/index.js';
 import { backupSchema, portSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
 import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 
@@ -322,78 +322,45 @@ describe('an old version of the page in another tab', () => {
   });
 });
 
-describe('an exchange', () => {
-  const first = { key: MODEL.id, model: MODEL, order: 1, changedAt: 5, verified: [] };
-  const named = (text: string) => ({ ...first, model: { ...MODEL, name: text } });
+describe('a change of the library', () => {
+  const model = { key: MODEL.id, model: MODEL, order: 1, changedAt: 5, verified: [] };
+  const setting = { key: SETTING.id, setting: SETTING, order: 1, changedAt: 5 };
+  const flight = { key: FLIGHT.id, flight: FLIGHT, changedAt: 5 };
+  const named = (text: string) => ({ ...model, model: { ...MODEL, name: text } });
+  const held = async ({ models, settings, flights }: Storage) =>
+    (await Promise.all([models.all(), settings.all(), flights.all()])).map((records) => records.map(({ key }) => key));
+  const nameIn = async (storage: Storage) => (await storage.models.all())[0]?.model.name;
 
-  it('by two tabs at once stores one record, and tells the other tab what is there', async () => {
-    const own = name();
-    const tabs = [browserStorage(own).models, browserStorage(own).models] as const;
-    expect(await tabs[0].exchange({ record: first, known: [] })).toBeNull();
-    for (let round = 0; round < 20; round++) {
-      const [held] = await tabs[0].all();
-      const known = held ? [held] : [];
-      const [mine, theirs] = [named(`one ${round}`), named(`other ${round}`)];
-      const said = await Promise.all([
-        tabs[0].exchange({ record: mine, known }),
-        tabs[1].exchange({ record: theirs, known }),
-      ]);
-      expect(said.filter((each) => each === null)).toHaveLength(1);
-      const put = said[0] === null ? mine : theirs;
-      expect(said.find((each) => each !== null)).toEqual(put);
-      expect(await tabs[0].all()).toEqual([put]);
-    }
+  it('puts and deletes records of several kinds', async () => {
+    const storage = browserStorage(name());
+    await storage.change({ models: { put: [model] }, settings: { put: [setting] } });
+    expect(await held(storage)).toEqual([[MODEL.id], [SETTING.id], []]);
+    await storage.change({ models: { gone: [MODEL.id] }, flights: { put: [flight] }, settings: {} });
+    expect(await held(storage)).toEqual([[], [SETTING.id], [FLIGHT.id]]);
+    await storage.change({});
   });
 
-  it('accepts the known record, whatever the order of its fields, and a deleted one', async () => {
-    const { models } = browserStorage(name());
-    await models.save(first);
-    const { order, ...rest } = first;
-    expect(await models.exchange({ record: named('b'), known: [{ ...rest, order }] })).toBeNull();
-    expect(await models.exchange({ record: named('b'), known: [] }), 'the record exists').toBeNull();
-    await models.remove(first.key);
-    expect(await models.exchange({ record: named('c'), known: [named('b')] })).toBeNull();
-    expect(await models.exchange({ record: named('d'), known: [named('b')] })).toEqual(named('c'));
+  it('is kept whole or not at all', async () => {
+    const storage = browserStorage(name());
+    await storage.change({ models: { put: [model] } });
+    const bad = { ...setting, key: () => {} } as never;
+    await expect(storage.change({ models: { gone: [MODEL.id] }, settings: { put: [bad] } })).rejects.toThrow();
+    expect(await held(storage)).toEqual([[MODEL.id], [], []]);
   });
 
-  it('is done at once when the page is left, whatever is stored', async () => {
+  it('is sent at once when the page is left, after those that wait for their turn', async () => {
     const own = name();
-    const { models } = browserStorage(own);
-    await models.save(first);
-    const late = models.exchange({ record: named('typed last'), known: [] });
-    late.catch(() => {});
-    // The storage is open: the question is on its way.
+    const storage = limited(browserStorage(own), { answered: () => {}, failed: () => {} });
+    await storage.change({ models: { put: [model] } });
+    const sent = [1, 2, 3].map((each) => storage.change({ models: { put: [named(`typed ${each}`)] } }));
+    dispatchEvent(new PageTransitionEvent('pagehide'));
+    sent.push(storage.change({ models: { put: [named('typed last')] } }));
     await Promise.resolve();
-    dispatchEvent(new PageTransitionEvent('pagehide'));
+    await Promise.resolve();
+    const next = browserStorage(own);
+    await expect.poll(() => nameIn(next)).toBe('typed last');
     dispatchEvent(new PageTransitionEvent('pageshow'));
-    await expect.poll(async () => (await browserStorage(own).models.all())[0]?.model.name).toBe('typed last');
-  });
-
-  it('that begins while the page is left asks for no answer, until the page is back', async () => {
-    const { models } = browserStorage(name());
-    await models.save(first);
-    dispatchEvent(new PageTransitionEvent('pagehide'));
-    expect(await models.exchange({ record: named('typed last'), known: [] })).toBeNull();
-    dispatchEvent(new PageTransitionEvent('pageshow'));
-    expect(await models.exchange({ record: first, known: [] })).toEqual(named('typed last'));
-  });
-
-  it('is done before the page is left, and the later of two is what stays', async () => {
-    const own = name();
-    const watch = { answered: () => {}, failed: () => {} };
-    const { models } = limited(browserStorage(own), watch);
-    await models.save(first);
-    const late: Promise<unknown>[] = [];
-    const stop = new AbortController();
-    const keep = (): void => void late.push(models.exchange({ record: named('typed last'), known: [] }));
-    addEventListener('pagehide', keep, stop);
-    late.push(models.exchange({ record: named('typed'), known: [first] }));
-    // The question of that one is on its way.
-    for (let turn = 0; turn < 5; turn++) await Promise.resolve();
-    dispatchEvent(new PageTransitionEvent('pagehide'));
-    dispatchEvent(new PageTransitionEvent('pageshow'));
-    stop.abort();
-    await Promise.allSettled(late);
-    expect((await browserStorage(own).models.all())[0]?.model.name).toBe('typed last');
+    await Promise.all(sent);
+    expect(await nameIn(next)).toBe('typed last');
   });
 });

@@ -77,7 +77,7 @@ describe('a request to the storage', () => {
 it('every call of every shelf of the storage goes through it', async () => {
   const store = new MemoryStore();
   const storage = limited(store, { answered: () => {}, failed: () => {} });
-  expect(Object.keys(storage), 'every shelf goes through the limit').toEqual([...SHELVES, 'erase']);
+  expect(Object.keys(storage), 'every shelf goes through the limit').toEqual([...SHELVES, 'change', 'erase']);
   for (const shelf of SHELVES) {
     expect(Object.keys(storage[shelf])).toEqual(Object.keys(SHELF_CALLS));
     for (const call of Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[]) {
@@ -93,6 +93,10 @@ it('every call of every shelf of the storage goes through it', async () => {
       ).toEqual(['slow', 1]);
     }
   }
+  store.change = () => new Promise(() => {});
+  const said = watched(storage.change({}));
+  await vi.advanceTimersByTimeAsync(5000);
+  expect(said.said).toBe('slow');
 });
 
 it('after one without an answer, the next ones wait only briefly until one answers', async () => {
@@ -146,12 +150,12 @@ it('keeps nothing of what the changes gave back', async () => {
   const { drafts } = limited(store, { answered: () => {}, failed: () => {} });
   let given: WeakRef<object> | undefined;
   // No spy: it would keep each result itself.
-  store.drafts.exchange = async () => {
+  store.drafts.remove = async () => {
     const result = {};
     given ??= new WeakRef(result);
     return result as never;
   };
-  for (let changes = 0; changes < 3; changes++) await drafts.exchange({} as never);
+  for (let changes = 0; changes < 3; changes++) await drafts.remove('');
   // A WeakRef holds what it refers to until the code that made it has returned.
   vi.useRealTimers();
   await new Promise((resolve) => setTimeout(resolve));

@@ -13,7 +13,6 @@ const DRAFT = {
   history: { past: [], future: [], open: null },
   savedAt: 5,
   simulated: false,
-  tab: 1,
 };
 const WRITE = {
   kind: 'write',
@@ -23,7 +22,6 @@ const WRITE = {
   goal: PROGRAM,
   readAt: 4,
   seenAt: null,
-  tab: 1,
 };
 const BACKUP = { key: 'a', savedAt: 5, reason: 'write', program: PROGRAM, simulated: false };
 
@@ -129,7 +127,6 @@ it.each<[string, object]>([
   ['with a number in place of a text', { texts: { 'time/1': 5 } }],
   ['with a text that is far too long', { texts: { 'time/1': 'x'.repeat(10_001) } }],
   ['with more texts than fields', { texts: Object.fromEntries(Array.from({ length: 1001 }, (_, i) => [i, 'x'])) }],
-  ['of an impossible tab', { tab: 0.5 }],
 ])('a draft %s is refused', (_, change) => {
   expect(v.is(draftSchema, { ...DRAFT, ...change })).toBe(false);
 });

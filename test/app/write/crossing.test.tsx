@@ -194,9 +194,9 @@ describe('a write into the timer of another model', () => {
     bench.session.safety.confirm();
     await run(bench.write.open());
     bench.write.cross(true);
-    const magpie = bench.store.models.records.get('Magpie') as ModelRecord;
-    bench.store.models.records.set('Magpie', { ...magpie, model: { ...magpie.model, name: 'Magpie 2' } });
-    await run(bench.session.library.refresh());
+    const { library } = bench.session;
+    const { model } = library.models.get('Magpie') as ModelRecord;
+    await run(library.keepModel({ ...model, name: 'Magpie 2' }));
     await run(bench.write.start());
     expect(sets(bench)).toBe(0);
     expect(shown(bench)).toMatchObject({ moved: 'model', from: 'Magpie 2', to: ['Lancer'] });
@@ -220,8 +220,7 @@ describe('a write into the timer of another model', () => {
   it('needs no tick with the name of a deleted model', async () => {
     const bench = await lancer();
     bench.session.onScreen.showBackup(BACKUP);
-    bench.store.models.records.delete('Magpie');
-    await run(bench.session.library.refresh());
+    await run(bench.session.library.change({ models: { gone: ['Magpie'] } }));
     await run(bench.write.open());
     expect(shown(bench).from).toBeUndefined();
   });

@@ -18,7 +18,7 @@ export function FileNotice({ files }: { readonly files: LibraryFiles }) {
           {words.undo}
         </button>
       )}
-      {said.kind !== 'saving' && said.kind !== 'importing' && (
+      {said.kind !== 'saving' && said.kind !== 'importing' && said.kind !== 'undoing' && (
         <button type="button" class="quiet" onClick={() => files.dismissWord()}>
           {messages.value.dismiss}
         </button>
@@ -34,6 +34,8 @@ function wordText(said: FileWord): string {
       return out.saving(said.name);
     case 'importing':
       return into.importing(said.name, said.done, said.of);
+    case 'undoing':
+      return into.undoing(said.done, said.of);
     case 'saved':
       return out.saved(said.name, counted(said.holds));
     case 'downloaded':
@@ -49,8 +51,8 @@ function wordText(said: FileWord): string {
     case 'imported':
       return [into.done(counted(said.holds), said.name), !said.kept && into.unkept].filter(Boolean).join(' ');
     case 'undone':
-      return [into.undone, !said.kept && into.undoUnkept].filter(Boolean).join(' ');
+      return said.kept ? into.undone : into.undoUnkept;
     case 'partly-undone':
-      return [into.partlyUndone, !said.kept && into.undoUnkept].filter(Boolean).join(' ');
+      return said.kept ? into.partlyUndone : into.undoUnkept;
   }
 }

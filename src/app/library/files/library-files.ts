@@ -4,7 +4,6 @@ import { askForFiles } from '../../browser/ask-for-file.js';
 import { textOfFile, type UnreadableFile } from '../../browser/read-file.js';
 import { type ChosenFile, chooseFile, saveFile, writeFile } from '../../browser/save-file.js';
 import { version } from '../../browser/version.js';
-import type { Collection } from '../../session/collection.js';
 import { type Library, newId } from '../../session/library.js';
 import { plainName } from '../../session/plain-names.js';
 import type { StorageErrorCode } from '../../storage/index.js';
@@ -43,6 +42,7 @@ export interface Ways {
 export type FileWord =
   | { readonly kind: 'saving'; readonly name: string }
   | { readonly kind: 'importing'; readonly name: string; readonly done: number; readonly of: number }
+  | { readonly kind: 'undoing'; readonly done: number; readonly of: number }
   | { readonly kind: 'saved' | 'downloaded' | 'not-written'; readonly name: string; readonly holds: EntryCounts }
   | { readonly kind: 'too-large' | 'nothing' | 'failed' }
   | { readonly kind: 'undone' | 'partly-undone'; readonly kept: boolean }
@@ -54,8 +54,6 @@ export const ALL_NAME = 'Sidus library';
 const ACCEPTED = '.sidus,.json,application/json';
 /** The type of a library file, and its endings. */
 const TYPE = { 'application/json': ['.sidus.json', '.sidus'] };
-/** How many records are saved at once. */
-const AT_A_TIME = 200;
 const ENDING = '.sidus.json';
 
 /** What the import has put into the library, and what was there before. */
@@ -189,7 +187,10 @@ export class LibraryFiles {
     const holds = { models: put.models.length, settings: put.settings.length, flights: put.flights.length };
     const { name } = step;
     const all = put.models.length + put.settings.length + put.flights.length;
-    const kept = await this.#save(put, (done) => this.#say({ kind: 'importing', name, done, of: all }));
+    const kept = await this.#parts.library.change(
+      { models: { put: put.models }, settings: { put: put.settings }, flights: { put: put.flights } },
+      (done) => this.#say({ kind: 'importing', name, done, of: all }),
+    );
     // Only now: the pilot may have exported, or imported another file, while this one was being saved.
     this.#done = { put, before };
     this.#say({ kind: 'imported', name, holds, kept });
@@ -207,16 +208,17 @@ export class LibraryFiles {
     const settings = undoOf(put.settings, before.settings, now.settings);
     const flights = undoOf(put.flights, before.flights, now.flights);
     const kind = [models, settings, flights].every(({ isWhole }) => isWhole) ? 'undone' : 'partly-undone';
-    const said: FileWord = { kind, kept: true };
-    this.#say(said);
-    const gone = [
-      library.models.delete(...models.gone),
-      library.settings.delete(...settings.gone),
-      library.flights.delete(...flights.gone),
-    ];
-    const isBack = await this.#save({ models: models.back, settings: settings.back, flights: flights.back });
-    const isGone = (await Promise.all(gone)).every(Boolean);
-    if (!(isBack && isGone) && this.#said.peek() === said) this.#say({ kind, kept: false });
+    const size = [models, settings, flights].reduce((sum, { gone, back }) => sum + gone.length + back.length, 0);
+    this.#say({ kind: 'undoing', done: 0, of: size });
+    const kept = await library.change(
+      {
+        models: { gone: models.gone, put: models.back },
+        settings: { gone: settings.gone, put: settings.back },
+        flights: { gone: flights.gone, put: flights.back },
+      },
+      (done) => this.#say({ kind: 'undoing', done, of: size }),
+    );
+    this.#say({ kind, kept });
   }
 
   /** The pilot leaves the import, whatever state it is in. */
@@ -229,34 +231,6 @@ export class LibraryFiles {
   dismissWord(): void {
     this.#done = null;
     this.#say(null);
-  }
-
-  /**
-   * In parts, so that the pilot sees how far it is.
-   * @param tell called with the number of records done.
-   * @returns whether the browser has saved all of them.
-   */
-  async #save({ models, settings, flights }: Records, tell: (done: number) => void = () => {}): Promise<boolean> {
-    const { library } = this.#parts;
-    let done = 0;
-    const save = async <R extends { readonly key: string; readonly changedAt: number }>(
-      list: Collection<R>,
-      records: readonly R[],
-    ): Promise<boolean> => {
-      for (let at = 0; at < records.length; at += AT_A_TIME) {
-        const some = records.slice(at, at + AT_A_TIME);
-        if (!(await list.save(...some))) {
-          // Where the browser saves nothing, the rest goes in one piece, so that nobody waits for each part.
-          await list.save(...records.slice(at + AT_A_TIME));
-          return false;
-        }
-        done += some.length;
-        tell(done);
-      }
-      return true;
-    };
-    const kept = [await save(library.models, models), await save(library.settings, settings)];
-    return [...kept, await save(library.flights, flights)].every(Boolean);
   }
 
   #say(word: FileWord | null): void {

@@ -3,6 +3,7 @@ import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { LibraryFiles } from '../../../../src/app/library/files/library-files.js';
 import { filesOf } from '../../../../src/app/library-files.js';
+import { filesMessages } from '../../../../src/app/messages/en-files.js';
 import { Library } from '../../../../src/app/session/library.js';
 import {
   formatLibraryFile,
@@ -18,6 +19,7 @@ beforeEach(() => localStorage.clear());
 
 const ALL: Kept = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
 const DAY = 86_400_000;
+const words = filesMessages.import;
 
 const text = (library: Kept = ALL, writtenAt = 1): string =>
   formatLibraryFile(library, { writtenAt, writtenBy: 'Sidus Timer 1.0.0' });
@@ -51,7 +53,7 @@ async function choose(model: string, way: string): Promise<void> {
   act(() => void fireEvent.change(choice, { target: { value } }));
   await idle(0);
 }
-const notice = (words: RegExp) => screen.getByText(words).closest('.notice') as HTMLElement;
+const notice = (words: RegExp | string) => screen.getByText(words).closest('.notice') as HTMLElement;
 const kept = ({ store }: AppBench) => ({
   models: [...store.models.records.values()].map(({ model }) => model),
   settings: [...store.settings.records.values()].map(({ setting }) => setting),
@@ -309,8 +311,29 @@ describe('an import', () => {
     await press('Import 3');
     app.store.broken = true;
     await press('Undo the import');
-    expect(notice(/^The import was undone\./).textContent).toContain('the import may be back');
+    notice(words.undoUnkept);
+    expect(screen.queryByText(words.undone)).toBeNull();
     expect(app.session.library.models.list.value).toEqual([]);
+  });
+
+  it('that is undone says so only when the storage has done it', async () => {
+    const app = await library({});
+    await drop(file());
+    await press('Import 3');
+    const change = app.store.change.bind(app.store);
+    let go = (): void => {};
+    app.store.change = async (given) => {
+      await new Promise<void>((resolve) => (go = resolve));
+      await change(given);
+    };
+    fireEvent.click(button('Undo the import'));
+    await idle(0);
+    notice(words.undoing(0, 3));
+    expect([screen.queryByText(words.undone), kept(app)]).toEqual([null, ALL]);
+    go();
+    await idle(0);
+    notice(words.undone);
+    expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
   });
 
   it('that is undone leaves the undo of a deletion where it is', async () => {
@@ -329,12 +352,12 @@ describe('an import', () => {
 
   it('that ends after another one, and after an export, undoes itself and nothing else', async () => {
     const app = await library({});
-    const { settings } = app.store;
-    const exchange = settings.exchange.bind(settings);
+    const { store } = app;
+    const change = store.change.bind(store);
     const held: (() => void)[] = [];
-    settings.exchange = async (change) => {
+    store.change = async (given) => {
       await new Promise<void>((resolve) => held.push(resolve));
-      return exchange(change);
+      return change(given);
     };
     const part = (name: string) => ({
       models: [],
@@ -369,22 +392,22 @@ describe('an import', () => {
 
   it('of thousands is stored in parts', async () => {
     const app = await library({});
-    const { settings } = app.store;
-    const { save } = settings;
-    let under = 0;
-    let most = 0;
-    settings.save = async (record) => {
-      most = Math.max(most, ++under);
+    const { store } = app;
+    const change = store.change.bind(store);
+    const sizes: number[] = [];
+    store.change = async (given) => {
+      sizes.push(
+        [given.models, given.settings, given.flights].reduce((sum, each) => sum + (each?.put?.length ?? 0), 0),
+      );
       await new Promise((resolve) => setTimeout(resolve, 10));
-      under--;
-      return save.call(settings, record);
+      return change(given);
     };
     const many = Array.from({ length: 1000 }, (_, at) => ({ ...SETTING, id: `s${at}` }));
     await drop(file(text({ ...ALL, settings: many })));
     await press('Import 1002');
     notice(/^Imported from/);
     expect(kept(app).settings).toHaveLength(1000);
-    expect(most).toBeLessThanOrEqual(200);
+    expect(sizes, 'each in one step of the storage').toEqual([200, 200, 200, 200, 200, 2]);
   });
 
   it('does not overwrite a library that the browser does not give', async () => {
