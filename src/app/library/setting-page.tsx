@@ -169,6 +169,18 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
         <button type="button" class="primary" onClick={onProgram}>
           {words.setting.isOpen}
         </button>
+        {count > 0 && Number.isFinite(count) && (
+          <button
+            type="button"
+            disabled={obstacle !== null}
+            onClick={() => {
+              opened.takeSaved();
+              onProgram();
+            }}
+          >
+            {words.setting.loadAgain(count)}
+          </button>
+        )}
         {count > 0 && <p class="hint setting-unsaved">{words.setting.unsaved(count)}</p>}
       </>
     );

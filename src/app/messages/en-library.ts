@@ -107,6 +107,8 @@ export const libraryMessages = {
     open: 'Open',
     isOpen: 'On the screen: look at it',
     load: 'Load into the table',
+    /** @param count of the values on the screen that differ from the saved ones. */
+    loadAgain: (count: number) => `Load again: ${plural(count, 'value goes', 'values go')} back`,
     name: 'Name',
     note: 'Note',
     notePlace: 'Note: what changed, how it flew',

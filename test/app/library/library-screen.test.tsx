@@ -1,5 +1,6 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it, onTestFinished, vi } from 'vitest';
+import { libraryMessages } from '../../../src/app/messages/en-library.js';
 import { SETTING } from '../../program/library-examples.js';
 import { idle, MemoryStore } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
@@ -127,6 +128,22 @@ it('the strip says which setting is open, and how many changes are not saved', a
   // The storage answers a turn later than the timers that the press waits for.
   await idle(0);
   expect(screen.getByText('Lancer 01, fly-off 0: saved')).toBeTruthy();
+});
+
+it('a setting that is open can be loaded again after changes, as one step', async () => {
+  const app = await at('model-0/setting-0');
+  await press(libraryMessages.setting.open);
+  const { editor } = app.session;
+  const saved = editor.working.value;
+  const again = libraryMessages.setting.loadAgain(3);
+  for (const slot of [1, 2, 3]) editor.type({ kind: 'position', servo: 0, slot }, '111');
+  app.models.views.show('library', 'model-0/setting-0');
+  await idle();
+  expect(again).toBe('Load again: 3 values go back');
+  await press(again);
+  expect([editor.working.value, app.models.views.shown.value]).toEqual([saved, 'program']);
+  editor.undo();
+  expect(editor.working.value?.positions[0]?.slice(1, 4)).toEqual([111, 111, 111]);
 });
 
 it('a program is saved under a model that is made with it', async () => {
