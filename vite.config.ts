@@ -4,8 +4,7 @@ import { resolve } from 'node:path';
 import preact from '@preact/preset-vite';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
-import { LICENCES_FILE, licences, ownWorkOnly } from './test/tools/licences.js';
-import { newsOf } from './test/tools/news.js';
+import { licences, ownWorkOnly } from './test/tools/licences.js';
 
 const root = import.meta.dirname;
 
@@ -105,7 +104,7 @@ const offline = VitePWA({
     buildPlugins: { vite: [ownWorkOnly(root)] },
     globPatterns: ['**/*'],
     // The emergency worker for the publisher, and files that the page itself never asks for.
-    globIgnores: ['kill-sw.js', 'library.schema.json', LICENCES_FILE, '*.png', 'screenshots/*'],
+    globIgnores: ['kill-sw.js', 'library.schema.json', '*.png', 'screenshots/*'],
     manifestTransforms: [
       async (entries) => ({
         manifest: entries.map(({ url, size }) => ({
@@ -122,9 +121,8 @@ const offline = VitePWA({
 
 const textOf = (file: string): string => readFileSync(new URL(file, import.meta.url), 'utf8');
 
-/** The version that the page shows, and what is new in it. */
+/** The version that the page shows. */
 const { version } = JSON.parse(textOf('package.json')) as { version: string };
-const news = newsOf(textOf('CHANGELOG.md'), version);
 
 export default defineConfig({
   root: 'src/app',
@@ -134,7 +132,6 @@ export default defineConfig({
   appType: 'mpa',
   define: {
     'import.meta.env.VITE_VERSION': JSON.stringify(version),
-    'import.meta.env.VITE_NEWS': JSON.stringify(news),
   },
   plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, firstPicture, securityPolicy, font, licences(root), offline],
   build: {

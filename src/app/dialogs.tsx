@@ -13,14 +13,13 @@ import { MemoriesDialog } from './memories/memories-dialog.js';
 import type { AppModels } from './models.js';
 import { ModelDialog } from './recognition/model-dialog.js';
 import { EraseDialog } from './settings/erase-dialog.js';
-import { NewsDialog } from './shell/news-dialog.js';
 import { PageKeys } from './shell/page-keys.js';
 import { Palette } from './shell/palette.js';
 import { WriteDialog } from './write/write-dialog.js';
 
 /** The dialogs that can lie over every view. */
 export function Dialogs({ models }: { readonly models: AppModels }) {
-  const { session, views, sharing, write, memories, leaving, flights, erase, update, saveSetting, help } = models;
+  const { session, views, sharing, write, memories, leaving, flights, erase, saveSetting, help } = models;
   const after = (
     <>
       <FlyingThis session={session} log={flights} onFillIn={() => write.dismiss()} />
@@ -48,7 +47,6 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
       <EraseDialog session={session} erase={erase} />
       <WordsDialog session={session} help={help} onMore={() => views.show('help', 'words')} />
       <PageKeys views={views} />
-      <NewsDialog update={update} />
       <Palette commands={() => commandsOf(models)} />
     </>
   );

@@ -1,6 +1,5 @@
 import { fetchRule } from './session/recognition.js';
 import { modelLine } from './shell/header.js';
-import { licenceList } from './shell/licence-part.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand } from './ui/on-demand.js';
 
@@ -49,7 +48,6 @@ export async function fetchParts(): Promise<void> {
     fileNotice,
     help,
     compare,
-    licenceList,
   ];
   await Promise.all(parts.filter(({ isAskedFor }) => isAskedFor).map((part) => part.fetch()));
   for (const part of parts) await part.fetch();

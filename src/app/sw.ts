@@ -1,4 +1,3 @@
-import { news } from './browser/news.js';
 import { SiteCache, type SiteFile } from './browser/worker-cache.js';
 
 /** The part of a service worker's world that is used here. The types of a page do not have it. */
@@ -28,10 +27,8 @@ self.addEventListener('install', (event) => event.waitUntil(site.fill()));
 // The first visit works offline at once, without a reload.
 self.addEventListener('activate', (event) => event.waitUntil(site.dropOthers().then(() => self.clients.claim())));
 // A new version waits until the pilot accepts it: see offline.ts.
-self.addEventListener('message', ({ data, ports }) => {
+self.addEventListener('message', ({ data }) => {
   if (data?.type === 'SKIP_WAITING') void self.skipWaiting();
-  // A page of the version before asks what is new in this one: see update-news.ts.
-  if (data?.type === 'NEWS') ports[0]?.postMessage(news);
 });
 self.addEventListener('fetch', (event) => {
   const { request } = event;

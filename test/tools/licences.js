@@ -1,5 +1,5 @@
-// The licences of the built page and of its packages: the build finds out which packages the page contains, gives
-// their names and texts to the page, and puts them beside it. A package without a licence text fails the build.
+// The licences of the built page and of its packages: the build finds out which packages the page contains, and puts
+// their names and texts beside it. A package without a licence text fails the build.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -14,8 +14,6 @@ import { join } from 'node:path';
 
 /** The file beside the page. */
 export const LICENCES_FILE = 'LICENSES.txt';
-/** A placeholder in the script until all its packages are known. Then the licences replace it. */
-const PLACE = '@licences@';
 /** Of two licences to choose from, the shorter one. */
 const FILES = [/^LICEN[SC]E-MIT/i, /^LICEN[SC]E/i, /^COPYING/i];
 /**
@@ -32,13 +30,6 @@ export function licences(root) {
   return {
     name: 'licences',
     apply: 'build',
-    config: () => ({ define: { 'import.meta.env.VITE_LICENCES': JSON.stringify(PLACE) } }),
-    renderChunk(code, _chunk, _options, { chunks }) {
-      if (!code.includes(PLACE)) return null;
-      const list = JSON.stringify(licencesOf(modulesOf(Object.values(chunks)), root));
-      // The quotes depend on the printer of the script.
-      return { code: code.replace(/(["'`])@licences@\1/, () => JSON.stringify(list)), map: null };
-    },
     generateBundle(_options, bundle) {
       const chunks = Object.values(bundle).filter((file) => file.type === 'chunk');
       const source = textOf(licencesOf(modulesOf(chunks), root));

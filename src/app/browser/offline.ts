@@ -1,5 +1,4 @@
 import { answerOf, nameplate, service } from './services.js';
-import { type News, newsOfWaiting } from './update-news.js';
 
 /** How often a page that stays open looks for a new version, in milliseconds. */
 const LOOK_AGAIN = 3_600_000;
@@ -7,11 +6,8 @@ const LOOK_AGAIN = 3_600_000;
 const FETCHED = 10_000;
 
 export interface OfflineOptions {
-  /**
-   * A new version waits; `take` starts it in place of this one. `news` says what is new, or null when the version does
-   * not say. Called again for each version that replaces a waiting one.
-   */
-  readonly onUpdateReady: (take: () => void, news: Promise<News | null>) => void;
+  /** A new version waits; `take` starts it in place of this one. Called again for each that replaces a waiting one. */
+  readonly onUpdateReady: (take: () => void) => void;
   /**
    * Calls back once, as soon as no port is open; at once if none is. Only then a new version replaces this one, and
    * only then the page loads again, even when another tab has started the new version.
@@ -52,7 +48,7 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
     };
     const offer = (): void => {
       const { waiting, active } = registration;
-      if (waiting && active) onUpdateReady(() => whenFree(takeWaiting), newsOfWaiting(waiting));
+      if (waiting && active) onUpdateReady(() => whenFree(takeWaiting));
     };
     offer();
     // The page was loaded past the worker, as some keys do. It is completely kept all the same.

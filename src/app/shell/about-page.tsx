@@ -1,44 +1,41 @@
-import { useSignal } from '@preact/signals';
-import { news } from '../browser/news.js';
+import { version } from '../browser/version.js';
 import type { Installation } from '../connect/installation.js';
 import { messages } from '../messages/index.js';
-import { licenceList } from './licence-part.js';
-import { ReleaseList } from './release-list.js';
 import type { UpdateOffer } from './update-offer.js';
+
+/** Needs a network, as the new version did. */
+const CHANGES = 'https://github.com/sidus-timer/sidus-timer/blob/main/CHANGELOG.md';
+/** The build puts it beside the page. */
+const LICENCES = 'LICENSES.txt';
 
 interface AboutPageProps {
   readonly installation: Installation;
   readonly update: UpdateOffer;
 }
 
-/** The version, what is new in it, whether it works without a network, and the work of others in it. */
+/** The version, whether it works without a network, what is new in it, and the work of others in it. */
 export function AboutPage({ installation, update }: AboutPageProps) {
   const { aboutPage: words, update: updateWords, start } = messages.value;
-  const isRead = useSignal(false);
-  const isAsked = useSignal(false);
   const install = installation.install.value;
   const take = update.take.value;
   return (
     <section class="setting">
       <h2>{words.title}</h2>
       <p>
-        {words.version(news.version)} {installation.ready.value ? words.offline : words.notOffline}
+        {words.version(version)} {installation.ready.value ? words.offline : words.notOffline}
       </p>
-      {news.releases.length > 0 && (
-        <details onToggle={({ currentTarget }) => (isRead.value = currentTarget.open)}>
-          <summary>{updateWords.news}</summary>
-          {isRead.value && <ReleaseList releases={news.releases} />}
-        </details>
-      )}
-      <details onToggle={({ currentTarget }) => (isAsked.value = currentTarget.open)}>
-        <summary>{words.licences}</summary>
-        <p>{words.madeWith}</p>
-        {isAsked.value && <licenceList.Part />}
-      </details>
+      <p>
+        <a href={CHANGES} target="_blank" rel="noreferrer">
+          {updateWords.news}
+        </a>{' '}
+        <a href={LICENCES} target="_blank" rel="noreferrer">
+          {words.licences}
+        </a>
+      </p>
       <div class="buttons">
         {take && (
           <button type="button" onClick={take}>
-            {words.take(update.version.value)}
+            {updateWords.take}
           </button>
         )}
         {install && (

@@ -11,23 +11,16 @@ interface UpdateNoticeProps {
 export function UpdateNotice({ update, busy }: UpdateNoticeProps) {
   const { update: words } = messages.value;
   const take = update.take.value;
-  const taken = update.taken.value;
-  const waitsFor = update.waitsFor.value;
-  if (busy || (!take && !(taken && waitsFor))) return null;
+  const isWaiting = update.taken.value && !update.free.value;
+  if (busy || (!take && !isWaiting)) return null;
   return (
     <div class="notice">
       <p>
-        <strong>{taken ? words.waits(update.version.value) : words.ready(update.version.value)}</strong>{' '}
-        {waitsFor && words.later[waitsFor]}
+        <strong>{words.ready}</strong> {!update.free.value && words.waits}
       </p>
       {take && (
         <button type="button" onClick={take}>
           {words.take}
-        </button>
-      )}
-      {update.releases.value.length > 0 && (
-        <button type="button" class="quiet" onClick={() => update.read(true)}>
-          {words.news}
         </button>
       )}
     </div>
