@@ -174,7 +174,7 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
             type="button"
             disabled={obstacle !== null}
             onClick={() => {
-              opened.takeSaved();
+              opened.loadAgain();
               onProgram();
             }}
           >

@@ -99,18 +99,14 @@ export class OpenSetting {
   async show(setting: Setting): Promise<boolean> {
     if (this.obstacle(setting.program)) return false;
     const { editor, connection, onScreen } = this.#session;
-    const of = { id: setting.id, saved: setting.program };
-    if (connection.value) {
-      const name = { code: 'open', params: { name: setting.name } } as const;
-      return editor.apply({ ...replaceAll(name, setting.program), of }) === null;
-    }
+    if (connection.value) return this.#layOver(setting);
     if (editor.of.value?.id === setting.id && editor.madeAt.value !== null) return true;
     const kept = await this.#drafts.ofSetting(setting.id);
     // A timer may have come in the meantime.
     if (this.obstacle(setting.program) || connection.value) return false;
     // It belongs to no memory, so nothing that is known about a memory applies to it.
     if (kept) onScreen.showKept(kept);
-    else onScreen.make({ ...setting.program, memory: null }, { of });
+    else onScreen.make({ ...setting.program, memory: null }, { of: openedFrom(setting) });
     return true;
   }
 
@@ -143,11 +139,24 @@ export class OpenSetting {
     return await this.#keep(setting);
   }
 
+  /** Brings the values of the open setting back to the screen, as one step. */
+  loadAgain(): void {
+    const setting = this.shown.peek()?.setting;
+    const working = this.#session.editor.working.peek();
+    if (setting && working && sameLayout(setting.program.identity, working.identity)) this.#layOver(setting);
+  }
+
   /** Where the values on the screen come from. */
   source(): SettingSource {
     const { editor, onScreen } = this.#session;
     if (editor.baseline.peek() === null || editor.dirty.peek()) return 'typed';
     return onScreen.simulated.peek() ? 'simulated' : 'timer';
+  }
+
+  #layOver(setting: Setting): boolean {
+    const name = { code: 'open', params: { name: setting.name } } as const;
+    const of = openedFrom(setting);
+    return this.#session.editor.apply({ ...replaceAll(name, setting.program), of }) === null;
   }
 
   #program(): TimerProgram | null {
@@ -157,10 +166,14 @@ export class OpenSetting {
   async #keep(setting: Setting): Promise<boolean> {
     const { library, editor } = this.#session;
     const keeping = library.keepSetting(setting);
-    editor.saved({ id: setting.id, saved: setting.program });
+    editor.saved(openedFrom(setting));
     await keeping;
     return !library.settings.unsaved.peek().has(setting.id);
   }
+}
+
+function openedFrom({ id, program }: Setting): { readonly id: string; readonly saved: TimerProgram } {
+  return { id, saved: program };
 }
 
 function isStorable(program: TimerProgram): boolean {
