@@ -51,11 +51,24 @@ export function ratesToTry({ baudRate }: SerialSettings, isBluetooth: boolean, k
 const OTHER_RATE_EVERY = 4;
 
 /**
- * The rate of quiet question number `asked`, counted from 0. Three of four questions use the likeliest rate, the fourth
- * uses the next of the others. So after 4 questions for each other rate, every rate was asked: at one question a
- * second, within 24 seconds.
+ * How many questions in a row use one rate, once every rate was asked. Another rate needs another opening, and some
+ * adapters restart then (DTR resets them) and are deaf for up to three seconds. At one question a second, such an
+ * adapter hears the last one.
+ */
+const STAY = 5;
+
+/**
+ * The rate of quiet question number `asked`, counted from 0. At first three of four questions use the likeliest rate,
+ * the fourth uses the next of the others. So after 4 questions for each other rate, every rate was asked: at one
+ * question a second, within 24 seconds. From then on the port stays open for {@link STAY} questions: at the likeliest
+ * rate, at the first of the others, at the likeliest again, at the second of the others ...
  */
 export function quietRate([likeliest, ...others]: Rates, asked: number): number {
+  const quick = OTHER_RATE_EVERY * others.length;
+  if (asked >= quick) {
+    const stay = Math.floor((asked - quick) / STAY);
+    return (stay % 2 === 1 && others[((stay - 1) / 2) % others.length]) || likeliest;
+  }
   const round = Math.floor(asked / OTHER_RATE_EVERY);
   const isOthersTurn = asked % OTHER_RATE_EVERY === OTHER_RATE_EVERY - 1;
   return (isOthersTurn && others[round % others.length]) || likeliest;

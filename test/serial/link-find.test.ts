@@ -194,7 +194,17 @@ describe('waiting for a timer', () => {
     }
   });
 
-  it('finds it within 25 seconds after it wakes, whatever its rate', async () => {
+  it('finds it within six seconds after it wakes at the likeliest rate, however late that is', async () => {
+    for (let ms = 20_000; ms < 32_000; ms += 1333) {
+      const { clock, timer, link } = await waiting();
+      await clock.advance(ms);
+      timer.core.press();
+      await clock.advance(6000);
+      expect(link.state.status, `it woke at ${ms} ms`).toBe('on');
+    }
+  });
+
+  it('finds it within a little more than a minute after it wakes, whatever its rate', async () => {
     const rates = fc.constantFrom(...RATES, 31250);
     await fc.assert(
       fc.asyncProperty(rates, rates, fc.integer({ min: 0, max: 60_000 }), async (answersAt, knownRate, ms) => {
@@ -204,12 +214,54 @@ describe('waiting for a timer', () => {
         await clock.run(link.connect(port, DEFAULT_SETTINGS, { knownRate }));
         await clock.advance(ms);
         timer.core.press();
-        await clock.advance(25_000);
+        await clock.advance(65_000);
         expect(connectionOf(link).settings.baudRate).toBe(answersAt);
         await clock.run(link.stop());
       }),
       { numRuns: 60 },
     );
+  });
+
+  // A home-made bridge whose DTR resets its processor: after each opening it hears nothing for a while.
+  it.each([
+    [500, 9600],
+    [700, 115200],
+    [1500, 19200],
+    [3000, 9600],
+    [3000, 57600],
+    [3000, 4800],
+  ])(
+    'finds an adapter that is deaf for %i ms after each opening, at %i baud, with few openings',
+    async (deaf, rate) => {
+      const { clock, link, port, adapter } = linkBench({ answersAt: 0 });
+      const open = port.open.bind(port);
+      let openings = 0;
+      port.open = async (options) => {
+        await open(options);
+        const mine = ++openings;
+        adapter.answersAt = 0;
+        clock.after(deaf, () => {
+          if (mine === openings) adapter.answersAt = rate;
+        });
+      };
+      await clock.run(link.connect(port));
+      await clock.advance(80_000);
+      expect(connectionOf(link).settings.baudRate).toBe(rate);
+      expect(openings).toBeLessThan(30);
+    },
+  );
+
+  it('opens the port half as often as before while nothing answers', async () => {
+    const { clock, link, port } = linkBench({ answersAt: 0 });
+    const open = port.open.bind(port);
+    let openings = 0;
+    port.open = (options) => {
+      openings++;
+      return open(options);
+    };
+    await clock.run(link.connect(port));
+    await clock.advance(120_000);
+    expect(openings).toBeLessThan(40);
   });
 
   it('stops within one reply time', async () => {

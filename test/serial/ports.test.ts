@@ -37,12 +37,19 @@ describe('the rates to try', () => {
     expect(rates).toEqual(expected);
   });
 
-  it('are mostly the likeliest one in quiet questions, and all of them within 24 questions', () => {
+  it('are mostly the likeliest one in the first quiet questions, and all of them within 24 questions', () => {
     const rates = ratesToTry(DEFAULT_SETTINGS, false, 31250);
-    for (let begin = 0; begin < 100; begin++) {
-      const asked = Array.from({ length: 24 }, (__, i) => quietRate(rates, begin + i));
-      expect(new Set(asked)).toEqual(new Set(rates));
-      expect(asked.filter((rate) => rate === 31250)).toHaveLength(18);
+    const asked = Array.from({ length: 24 }, (__, i) => quietRate(rates, i));
+    expect(new Set(asked)).toEqual(new Set(rates));
+    expect(asked.filter((rate) => rate === 31250)).toHaveLength(18);
+  });
+
+  it('stay for five questions later, at the likeliest and at one of the others in turn', () => {
+    const rates = ratesToTry(DEFAULT_SETTINGS, false);
+    for (let begin = 20; begin < 120; begin += 50) {
+      const asked = Array.from({ length: 50 }, (__, i) => quietRate(rates, begin + i));
+      const turns = RATES.slice(1).flatMap((rate) => [...Array(5).fill(9600), ...Array(5).fill(rate)]);
+      expect(asked).toEqual(turns);
     }
   });
 

@@ -60,9 +60,11 @@ function firefoxPorts({ browser, mobile }: Platform): readonly HelpStepCode[] {
   return browser === 'firefox' && !mobile ? ['firefox-reload'] : [];
 }
 
-/** A rate that the pilot has set may be wrong; another one is found. */
-function setRate(rateSet: boolean): readonly HelpStepCode[] {
-  return rateSet ? ['rate-waiting'] : [];
+/** A rate that the pilot has set may be wrong. To find one, the page opens the port again and again. */
+function setRate({ rateSet, info }: Situation): readonly HelpStepCode[] {
+  if (rateSet) return ['rate-waiting'];
+  // Over Bluetooth there is one rate, and one opening.
+  return isBluetooth(info) ? [] : ['restarts'];
 }
 
 /** Browsers that Ubuntu installs as snaps, which keep them from serial ports. */
@@ -123,8 +125,8 @@ const PLANS: Readonly<Record<HelpCode, (situation: Situation) => Plan>> = {
           systems: { linux: ['brltty'], chromeos: ['linux-container'] },
           last: firefoxPorts(platform),
         },
-  waiting: ({ rateSet }) => ({ first: ['wake', 'near', 'battery', 'other-port-waiting', ...setRate(rateSet)] }),
-  'still-waiting': ({ rateSet }) => ({ first: ['battery', ...setRate(rateSet)] }),
+  waiting: (here) => ({ first: ['wake', 'near', 'battery', 'other-port-waiting', ...setRate(here)] }),
+  'still-waiting': (here) => ({ first: ['battery', ...setRate(here)] }),
   'bad-reply': () => ({ first: ['near', 'other-port', 'rate', 'report'] }),
   lost: ({ platform, info }) =>
     isBluetooth(info)

@@ -78,6 +78,8 @@ const steps = {
   rate: 'Let this page find the rate, or choose the rate of your adapter. 9600 baud is the most likely.',
   'rate-waiting':
     'You have set a rate, and it may be wrong for your adapter. Press Stop, open Settings, “Serial settings”, and press “Usual settings”. Then connect again: the page finds the rate by itself.',
+  restarts:
+    'Some adapters restart each time their port is opened (DTR resets them), and hear nothing for some seconds. If yours does, set its rate in Settings, “Serial settings”: then the port is opened only once. The page itself leaves DTR as the browser sets it.',
   'usual-settings':
     'Open Settings, “Serial settings”, and press “Usual settings”: 8 data bits, no parity and 1 stop bit. Every adapter takes them.',
   report:

@@ -66,7 +66,12 @@ describe('what to do', () => {
         for (const browser of BROWSERS) {
           for (const info of [null, FTDI, SPP]) {
             const address = 'http://timers.example/';
-            const { here, elsewhere } = helpFor(code, { platform: on(system, browser), info, address, rateSet: true });
+            const { here, elsewhere } = helpFor(code, {
+              platform: on(system, browser),
+              info,
+              address,
+              rateSet: info === FTDI,
+            });
             const codes = here.map((step) => step.code);
             expect(new Set(codes).size, `a step comes twice: ${code} ${system} ${browser}`).toBe(codes.length);
             expect(elsewhere.map((other) => other.system)).not.toContain(system);
@@ -201,12 +206,15 @@ describe('the help under a notice', () => {
     expect(container.textContent).toBe('');
   });
 
-  it('says nothing about a rate that nobody has set', () => {
-    const steps = (rateSet: boolean) =>
-      helpFor('waiting', { platform: on('windows'), info: FTDI, address: ADDRESS, rateSet }).here.map(
-        ({ code }) => code,
-      );
-    expect([steps(false).includes('rate-waiting'), steps(true).includes('rate-waiting')]).toEqual([false, true]);
+  it('says nothing about a rate that nobody has set, but how to set one for an adapter that restarts', () => {
+    const last = (rateSet: boolean, info: PortInfo) =>
+      helpFor('waiting', { platform: on('windows'), info, address: ADDRESS, rateSet }).here.at(-1)?.code;
+    expect([last(false, FTDI), last(true, FTDI), last(false, SPP)]).toEqual([
+      'restarts',
+      'rate-waiting',
+      'other-port-waiting',
+    ]);
+    expect(en.help.steps.restarts).toMatch(/DTR.*rate/);
   });
 
   it('brings the head of the page into sight when it is opened there', () => {

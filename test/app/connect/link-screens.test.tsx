@@ -199,7 +199,7 @@ describe('what to do while no timer answers', () => {
     await idle(10_000);
     const shown = help();
     if (!shown) throw new Error('there is no help');
-    expect(within(shown).getAllByRole('listitem', { hidden: true })).toHaveLength(1);
+    expect(within(shown).getAllByRole('listitem', { hidden: true })).toHaveLength(2);
     expect(shown.textContent).toMatch(/^If it still does not answer.*battery/);
     shown.open = true;
     await idle();
