@@ -5,7 +5,9 @@ import type { CommandName, Identity } from '../protocol/index.js';
  * What can go wrong between a request and its reply.
  * - `no-answer`: the timer kept silent, or it does not answer this request. `sent` says how often the request went out.
  *   0 means never, because older requests got no answer either. The timer may have obeyed a command all the same.
- * - `bad-reply`: replies came with a right checksum and an impossible content; `cause` says what.
+ * - `bad-reply`: replies came with a right checksum and an impossible content; `cause` says what. Or each reply to the
+ *   request came damaged in the same way (`alike`). Noise is random, so that is none: the timer or its adapter forms
+ *   this reply in a way that is not known (quirk `replies-alike`). As after `no-answer`, the timer may have obeyed.
  * - `unstable`: the line damages too many bytes. The repeats were used up, or no two reads agreed. As after
  *   `no-answer`, the timer may have obeyed a request that was `sent`.
  * - `crowded`: no two reads agreed, and frames came that nobody asked for. A second timer or programmer may be in the
@@ -70,6 +72,10 @@ export interface TimerErrorDetails {
   readonly held?: TimerProgram;
   /** What the check has found and nobody has agreed to. */
   readonly findings?: readonly Finding[];
+  /** Whether each reply was damaged, and all in the same way. */
+  readonly alike?: boolean;
+  /** The times or the positions, where only they could be read, by two readings that agree. */
+  readonly part?: Pick<TimerProgram, 'identity' | 'memory'> & Partial<Pick<TimerProgram, 'times' | 'positions'>>;
 }
 
 /** The one error of the client. Its message is for developers. */

@@ -11,8 +11,9 @@ import {
 } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import type { LearnedTiming } from './line-timing.js';
-import type { Outcome } from './outcome.js';
+import { damagedReply, type Outcome } from './outcome.js';
 import {
+  ALIKE,
   BAD_REPLIES,
   type Belief,
   LATEST_REPLY,
@@ -228,6 +229,8 @@ export class Exchange {
     let silent = 0;
     let bad = 0;
     let badReply: unknown;
+    let alike = 0;
+    let damaged: string | null = null;
     let isChecked = true;
     let isDecided = false;
     const isIgnored = (): boolean => silent === sent && sent >= (wire.damage > 0 ? tries : unanswered);
@@ -238,6 +241,8 @@ export class Exchange {
       const mayBeLate = !wire.unanswered.isEmpty && !(anyReply && wire.unanswered.hasOnly(COMMANDS[name].request));
       if (mayBeLate && !(await this.#fence(signal))) {
         isChecked = false;
+        // Where other replies are damaged, too, it is the line.
+        alike = 0;
         continue;
       }
       if (beforeRepeat && !isChecked) {
@@ -262,13 +267,25 @@ export class Exchange {
         badReply = outcome.error;
         bad++;
       }
-      isDecided = !COMMANDS[name].repeatable || sent >= tries || bad >= BAD_REPLIES || isIgnored();
+      if (outcome.kind === 'damaged') {
+        const reply = damagedReply(outcome.bytes, name);
+        alike = reply === null ? 0 : reply === damaged ? alike + 1 : 1;
+        damaged = reply;
+      }
+      isDecided = !COMMANDS[name].repeatable || sent >= tries || bad >= BAD_REPLIES || alike >= ALIKE || isIgnored();
       if (isDecided) break;
     }
     this.requireGoing();
     const details = { request: name, sent };
     if (bad > 0 && (bad === sent || bad >= BAD_REPLIES)) {
       throw new TimerError('bad-reply', `the reply to ${name} cannot be right`, details, badReply);
+    }
+    if (alike >= ALIKE) {
+      wire.noteAlike(name);
+      throw new TimerError('bad-reply', `each reply to ${name} was damaged in the same way`, {
+        ...details,
+        alike: true,
+      });
     }
     const isGone = this.#isSilent(request, seen());
     if (isGone) this.#awake = false;

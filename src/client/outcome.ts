@@ -1,13 +1,16 @@
 import {
   answers,
+  COMMANDS,
   type CommandName,
   decodeReply,
   exchangeSize,
   type Frame,
   frameSize,
   type Identity,
+  MIN_LENGTH,
   type Reply,
   type Request,
+  ZEROS_NEEDED,
 } from '../protocol/index.js';
 import type { Quirks } from './quirks.js';
 import { LONGEST_FRAME } from './retry-policy.js';
@@ -20,7 +23,11 @@ import { LONGEST_FRAME } from './retry-policy.js';
  * - `stray`: whole frames came, but none was the answer.
  * - `silent`: nothing came, or only an echo.
  */
-export type Outcome<Answer> = AnswerOutcome<Answer> | { readonly kind: 'damaged' | 'stray' | 'silent' };
+export type Outcome<Answer> =
+  | AnswerOutcome<Answer>
+  | { readonly kind: 'stray' | 'silent' }
+  /** `bytes`: all that came since the request went out. */
+  | { readonly kind: 'damaged'; readonly bytes: Uint8Array };
 
 /** What a frame means as the answer. */
 export type AnswerOutcome<Answer> =
@@ -63,6 +70,23 @@ export function asReply(
   // With the value 0 the bare command byte is the right checksum anyway, so it shows nothing.
   if (reply.name !== 'GETLOWRPM' || reply.idleThrottle !== 0) quirks.noteForm(request.name, match);
   return { kind: 'answer', answer: reply };
+}
+
+/**
+ * A damaged reply to a request, from its length byte on: what came after four zeros and has the right letter. Bytes
+ * without such a header are noise, and say nothing about the timer.
+ * @returns null when there is none.
+ */
+export function damagedReply(bytes: Uint8Array, name: CommandName): string | null {
+  const { reply } = COMMANDS[name];
+  const at = bytes.findIndex(
+    (letter, i) =>
+      letter === reply &&
+      (bytes[i - 1] ?? 0) >= MIN_LENGTH &&
+      i > ZEROS_NEEDED &&
+      bytes.subarray(i - 1 - ZEROS_NEEDED, i - 1).every((byte) => byte === 0),
+  );
+  return at < 0 ? null : bytes.subarray(at - 1).join(' ');
 }
 
 /** The most bytes that the reply to a request can take. */

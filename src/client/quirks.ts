@@ -1,4 +1,4 @@
-import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
+import { COMMANDS, type CommandName, type LayoutQuirks, type Request } from '../protocol/index.js';
 
 /**
  * How this timer or its adapter differs from the usual reading of the protocol. The row numbers are those of the open
@@ -20,6 +20,8 @@ import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
  * - `echo`: the adapter returns the bytes that are sent (row 16).
  * - `idle-throttle-unanswered`: GETLOWRPM got no answer (row 19).
  * - `idle-throttle-malformed`: the reply to GETLOWRPM does not have one byte of data (row 6).
+ * - `replies-alike` (a letter for each request, under its name): each reply to these requests comes damaged in the
+ *   same way (rows 6 and 21). What they ask for stays unknown.
  *
  * These change how values are read or where they go. They are found only when two replies agree, and dropped again when
  * the timer contradicts them: `timers-reply-66`, `bare-checksum`, `times-big-endian`, `memories-from-one`,
@@ -39,7 +41,8 @@ export type QuirkCode =
   | 'positions-unchanged'
   | 'echo'
   | 'idle-throttle-unanswered'
-  | 'idle-throttle-malformed';
+  | 'idle-throttle-malformed'
+  | 'replies-alike';
 
 /** The facts of a quirk by name, as {@link QuirkCode} lists them. Times in hundredths of a second. */
 export type QuirkParams = Readonly<Record<string, number>>;
@@ -93,6 +96,15 @@ export class Quirks {
     if (!this.found.has(code)) this.found.set(code, params);
   }
 
+  /** Each reply to this request was damaged in the same way. */
+  noteAlike(name: CommandName): void {
+    this.found.set('replies-alike', { ...this.found.get('replies-alike'), [name]: COMMANDS[name].reply });
+  }
+
+  isAlike(name: CommandName): boolean {
+    return this.found.get('replies-alike')?.[name] !== undefined;
+  }
+
   assume(quirks: AssumedQuirks): void {
     this.assumed = { ...this.assumed, ...quirks };
   }
@@ -110,6 +122,7 @@ export class Quirks {
 
   /** Notes the form of a reply: the right one, or that of a misprint. */
   noteForm(name: CommandName, match: 'exact' | 'misprint'): void {
+    this.#dropAlike(name);
     const code = MISPRINTS[name];
     if (!code) return;
     if (match === 'exact') {
@@ -123,6 +136,14 @@ export class Quirks {
     this.#misprints.set(name, count);
     // Once is enough for UNLOCK: it is not sent again, and only the letter differs.
     if (name === 'UNLOCK' || count > 1) this.note(code);
+  }
+
+  /** A whole reply came: damage that was always the same was none of this timer's. */
+  #dropAlike(name: CommandName): void {
+    const { [name]: letter, ...others } = this.found.get('replies-alike') ?? {};
+    if (letter === undefined) return;
+    if (Object.keys(others).length > 0) this.found.set('replies-alike', others);
+    else this.drop('replies-alike');
   }
 
   /**

@@ -1,6 +1,7 @@
 import type { TimerProgram } from '../program/index.js';
 import type { CommandName, Identity } from '../protocol/index.js';
 import { askMemory, isNoAnswer, policyFor, requireMemory } from './current-memory.js';
+import { TimerError } from './errors.js';
 import type { ClientJob } from './job.js';
 import type { Progress } from './progress.js';
 import { ATTEMPTS, READS } from './retry-policy.js';
@@ -59,7 +60,9 @@ export async function readContent(
     const current =
       how.memory === undefined ? await askMemory(job, { optional: true }) : await requireMemory(job, how.memory);
 
-    const content = await agreedContent(job, how, previous);
+    const content = await agreedContent(job, how, previous).catch((error: unknown) =>
+      withPart(job, strict, current.memory, error),
+    );
 
     const isSameMemory = !current.answered || (await isStillCurrent(job, current.memory, how));
     await exchange.requireIdentity(signal);
@@ -70,6 +73,27 @@ export async function readContent(
     previous = strict || !isSameMemory ? known : content.content;
   }
   throw exchange.unbelievable(`not one of ${ATTEMPTS} readings was undisturbed`, 'GETMEMORY', seen());
+}
+
+/**
+ * When either times or positions come damaged in the same way each time, reads the others, to be looked at.
+ * @throws what ended the reading, with what could be read all the same.
+ */
+async function withPart(
+  { exchange, identity, signal }: ClientJob,
+  strict: boolean,
+  memory: number | null,
+  error: unknown,
+): Promise<never> {
+  const isPart = error instanceof TimerError && error.details.alike && !strict;
+  if (!isPart) throw error;
+  const { details, message } = error;
+  const part =
+    details.request === 'GETSERVOPOS'
+      ? { times: (await exchange.read({ name: 'GETTIMERS' }, signal, { twice: true })).times }
+      : { positions: (await exchange.read({ name: 'GETSERVOPOS' }, signal, { twice: true })).positions };
+  await exchange.requireIdentity(signal);
+  throw new TimerError(error.code, message, { ...details, part: { identity, memory, ...part } });
 }
 
 async function isStillCurrent(job: ClientJob, memory: number | null, how: ReadingOptions): Promise<boolean> {
@@ -129,13 +153,14 @@ async function readOnce(
  * But a timer that answers nothing else either is asleep.
  */
 async function askIdleThrottle({ exchange, signal, quirks }: ClientJob): Promise<number | null> {
-  const isKnown = quirks.found.has('idle-throttle-unanswered');
+  const isKnown = quirks.found.has('idle-throttle-unanswered') || quirks.isAlike('GETLOWRPM');
   try {
     const { idleThrottle } = await exchange.ask({ name: 'GETLOWRPM' }, signal, policyFor(isKnown));
     if (idleThrottle === null) quirks.note('idle-throttle-malformed');
     return idleThrottle;
   } catch (error) {
     if (!isNoAnswer(error, isKnown) || !exchange.awake) throw error;
+    if (quirks.isAlike('GETLOWRPM')) return null;
     quirks.note(error.code === 'bad-reply' ? 'idle-throttle-malformed' : 'idle-throttle-unanswered');
     return null;
   }

@@ -85,6 +85,11 @@ export const SILENT = 7;
 export const SILENT_AT_FIRST = 3;
 /** Replies with a right checksum and impossible content after which the client takes that for this timer's answer. */
 export const BAD_REPLIES = 3;
+/**
+ * Damaged replies to one request, all with the same bytes, after which they are no accident, while fences between them
+ * are answered: noise is random.
+ */
+export const ALIKE = 3;
 /** Milliseconds that a job may lose to damage, beyond twice the longest time of its exchanges. */
 export const LOST_TO_DAMAGE = 45_000;
 /** How many of those milliseconds are reserved for the end of a job: reading back, returning to the first memory. */

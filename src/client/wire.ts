@@ -1,6 +1,7 @@
 import type { Clock } from '../line/index.js';
 import {
   COMMANDS,
+  type CommandName,
   commandOf,
   encodeFrame,
   encodeRequest,
@@ -38,6 +39,9 @@ interface Waiting {
   readonly fail: (error: TimerError) => void;
 }
 
+/** What an exchange comes to when no answer comes in time. */
+type Came<T> = Exclude<Outcome<T>, { kind: 'answer' | 'damaged' }> | { readonly kind: 'damaged' };
+
 /** A sign that somebody is there. */
 type Sign = 'stray' | 'damaged';
 
@@ -48,6 +52,8 @@ interface Pause {
 }
 
 const NO_BYTES = new Uint8Array(0);
+/** How many bytes are kept of what comes after a request: an echo and a reply. */
+const HEARD = 2 * LONGEST_FRAME;
 
 /**
  * Handles one request at a time on a pair of byte streams: sends it, waits until its own reply comes or its time is up,
@@ -71,6 +77,8 @@ export class Wire {
   #damage = 0;
   #strays = 0;
   #lastSent: Frame | undefined;
+  /** What has come since the last request went out. */
+  #heard: number[] = [];
   #pause: Pause | undefined;
   /** The last frame whose command byte stands in place of its checksum. */
   #bare: Frame | undefined;
@@ -117,6 +125,11 @@ export class Wire {
   /** An accepted reply turned out to be wrong. As after damage, a single reply is no longer believed. */
   doubt(): void {
     this.#noteDamage();
+  }
+
+  /** Each reply to this request was damaged in the same way. */
+  noteAlike(name: CommandName): void {
+    this.#quirks.noteAlike(name);
   }
 
   /**
@@ -217,9 +230,10 @@ export class Wire {
     this.#requireFree();
     this.#reader.start();
     this.#decoder.quirks.bareChecksum = bytes[ZEROS_SENT + 1] === COMMANDS.GETLOWRPM.request;
+    this.#heard = [];
     const ended = new Promise<Outcome<T>>((settle, fail) => {
       // The most telling of the signs that came.
-      let came: Exclude<Outcome<T>, { kind: 'answer' }> = { kind: 'silent' };
+      let came: Came<T> = { kind: 'silent' };
       const note = (kind: Sign): void => {
         if (came.kind === 'silent' || came.kind === 'stray') came = { kind };
       };
@@ -235,7 +249,9 @@ export class Wire {
         }
         return true;
       };
-      this.#waiting = { take, note, giveUp: () => settle(came), fail };
+      const giveUp = (): void =>
+        settle(came.kind === 'damaged' ? { kind: 'damaged', bytes: Uint8Array.from(this.#heard) } : came);
+      this.#waiting = { take, note, giveUp, fail };
     });
     const sentAt = this.#options.clock.now();
     const cancel = this.#waitFor(bytes.length + size);
@@ -314,6 +330,7 @@ export class Wire {
 
   #receive(bytes: Uint8Array): void {
     this.#lastByteAt = this.#options.clock.now();
+    this.#heard.push(...bytes.subarray(0, HEARD - this.#heard.length));
     this.#dispatch(this.#decoder.push(bytes), true);
   }
 

@@ -1,4 +1,4 @@
-import type { LayoutQuirks } from '../protocol/index.js';
+import type { CommandName, LayoutQuirks } from '../protocol/index.js';
 
 /**
  * How a timer, or its adapter, may differ from the usual reading of the protocol. The row numbers are those of the open
@@ -15,6 +15,10 @@ export interface TimerQuirks extends LayoutQuirks {
   readonly memoryReplyEmpty?: boolean;
   /** The reply to GETLOWRPM carries the bare command byte in place of its checksum (row 5). */
   readonly bareChecksumReply?: boolean;
+  /** The reply to GETLOWRPM has 3 as its length, and still its byte of data, as one print of the source (row 6). */
+  readonly idleThrottleLength3?: boolean;
+  /** The replies to these requests add their length to the checksum (row 21). */
+  readonly lengthInSum?: readonly CommandName[];
   /** SETMEMORY and SETLOWRPM are accepted only with the bare command byte in place of their checksum (row 5). */
   readonly bareChecksumRequests?: boolean;
   /** The timer rounds times down to multiples of this many hundredths of a second (row 13). Default 1. */

@@ -9,8 +9,10 @@ import {
   encodeReply,
   type Frame,
   type Identity,
+  MIN_LENGTH,
   type Reply,
   type Request,
+  ZEROS_SENT,
 } from '../protocol/index.js';
 import { firstContent, type MemoryContent, requireContent } from './memory.js';
 import type { TimerQuirks } from './quirks.js';
@@ -197,6 +199,9 @@ export class TimerCore {
     const bytes = encodeReply(reply, { identity: this.identity, quirks, bareChecksum });
     const code = this.#misprint(reply.name);
     const frame = code === undefined ? bytes : encodeFrame(code, bytes.subarray(7, -2));
+    const length = frame[ZEROS_SENT] as number;
+    if (quirks.idleThrottleLength3 && reply.name === 'GETLOWRPM') frame[ZEROS_SENT] = MIN_LENGTH;
+    if (quirks.lengthInSum?.includes(reply.name)) frame[ZEROS_SENT + length - 1] = (frame.at(-2) as number) + length;
     return frame.subarray(5 - (quirks.zeros ?? 5));
   }
 

@@ -111,8 +111,9 @@ describe('giving up', () => {
 
   it('a write whose time is up is still read back', async () => {
     let bad = false;
-    const { client, run, timer, clock } = bench({ fromTimer: { fault: (byte) => [bad && byte === 0x45 ? 0 : byte] } });
     let sets = 0;
+    const fault = (byte: number): number[] => [bad && byte === 0x45 ? sets % 60 : byte];
+    const { client, run, timer, clock } = bench({ fromTimer: { fault } });
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETSERVO') sets++;
       bad = name === 'SETSERVO' && sets % 15 !== 0;
@@ -129,11 +130,12 @@ describe('giving up', () => {
 
   it('a write whose time is up before its first value reports the damage, and is read back', async () => {
     let hurt = false;
-    const fault = (byte: number): number[] => [hurt && byte === 0x45 ? 0x44 : byte];
-    const { client, run, timer, line } = bench({ fromTimer: { fault } });
-    const baseline = await run(client.readProgram());
     // Only each twentieth reply that says which memory is current comes through, and the first of them says another.
     let asked = 0;
+    const fault = (byte: number): number[] => [hurt && byte === 0x45 ? asked % 60 : byte];
+    const { client, run, timer, line } = bench({ fromTimer: { fault } });
+    const baseline = await run(client.readProgram());
+    asked = 0;
     timer.core.onAnswer = ({ name }) => {
       if (name === 'GETMEMORY') asked++;
       hurt = name === 'GETMEMORY' && asked < 80 && asked % 20 !== 0;

@@ -68,6 +68,62 @@ describe('a timer that differs from the usual one', () => {
     expect(asked()).toBe(3);
   });
 
+  it('a GETLOWRPM reply of length 3 that carries its byte all the same hides nothing but that byte', async () => {
+    const { client, timer, run, clock } = bench({
+      identity: { timerClass: 'Q' },
+      quirks: { idleThrottleLength3: true },
+      baudRate: 9600,
+    });
+    const begin = clock.now();
+    const baseline = await run(client.readProgram());
+    expect(clock.now() - begin).toBeLessThan(8000);
+    expect(baseline).toEqual({ ...contentOf(timer), idleThrottle: null });
+    expect([...client.quirksFound]).toEqual([['replies-alike', { GETLOWRPM: 0x76 }]]);
+    const goal = edited(baseline, [[10, 30000]], [[1, 4, 9]]);
+    expect(await run(client.writeProgram(goal, { baseline }))).toMatchObject({ result: 'verified', stopped: null });
+    expect({ ...contentOf(timer), idleThrottle: null }).toEqual(goal);
+  });
+
+  it('the length in the sum of one reply: what can be read is read, and the error names that reply', async () => {
+    const { client, timer, run } = bench({ quirks: { lengthInSum: ['GETSERVOPOS'] }, baudRate: 9600 });
+    const { identity, memory, times } = contentOf(timer);
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'bad-reply',
+      details: { request: 'GETSERVOPOS', alike: true, part: { identity, memory, times } },
+    });
+    expect([...client.quirksFound]).toEqual([['replies-alike', { GETSERVOPOS: 0x68 }]]);
+  });
+
+  it('the same for times: then the positions are read', async () => {
+    const { client, timer, run } = bench({ quirks: { lengthInSum: ['GETTIMERS'] }, baudRate: 9600 });
+    const { identity, memory, positions } = contentOf(timer);
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'bad-reply',
+      details: { request: 'GETTIMERS', part: { identity, memory, positions } },
+    });
+  });
+
+  it('the length in the sum of SETTIMERS and GETMEMORY: read without its memory, written by what is read back', async () => {
+    const { client, timer, run } = bench({ quirks: { lengthInSum: ['SETTIMERS', 'GETMEMORY'] }, baudRate: 9600 });
+    const baseline = await run(client.readProgram());
+    expect(baseline).toEqual({ ...contentOf(timer), memory: null });
+    const both = edited(baseline, [[10, 30000]], [[1, 4, 9]]);
+    const report = await run(client.writeProgram(both, { baseline }));
+    expect(report).toMatchObject({ result: 'verified', stopped: null });
+    expect({ ...contentOf(timer), memory: null }).toEqual(both);
+    const found = { GETMEMORY: 0x72, SETTIMERS: 0x66 };
+    expect(Object.fromEntries(client.quirksFound)).toEqual({ 'memory-unknown': {}, 'replies-alike': found });
+  });
+
+  it('a right reply shows that earlier ones were damaged on their way', async () => {
+    const quirks = { lengthInSum: ['GETSERVOPOS'] as CommandName[] };
+    const { client, run } = bench({ quirks });
+    await expect(run(client.readProgram())).rejects.toMatchObject({ code: 'bad-reply' });
+    quirks.lengthInSum = [];
+    await run(client.readProgram());
+    expect(found(client)).toEqual([]);
+  });
+
   it('a reply without a memory means unknown, never memory 0; reading and writing go on', async () => {
     const { client, timer, run } = bench({ quirks: { memoryReplyEmpty: true } });
     const baseline = await run(client.readProgram());

@@ -40,13 +40,13 @@ interface AtHandProps {
 
 /** What the timer is, how it is connected, and how it differs from others. */
 function AtHand({ session, connection }: AtHandProps) {
-  const { aboutTimer: about, header } = messages.value;
+  const { aboutTimer: about, alike, header } = messages.value;
   // Findings of a job or a write are shown when it ends.
   const busy = session.runner.busy.value;
   const { client, identity, settings, portKey } = connection;
   const { functions, memories, servos } = identity;
   const errors = [...client.lineErrors].map(([kind, count]) => about.count(about.lineErrorNames[kind], count));
-  const found = [...client.quirksFound.keys()];
+  const found = [...client.quirksFound];
   const facts: [string, string][] = [
     [about.kind, `${timerName(identity)}, ${header.firmware(identity.firmware)}`],
     [about.layout, about.layoutOf(functions, memories, servos)],
@@ -74,8 +74,10 @@ function AtHand({ session, connection }: AtHandProps) {
         <p class="hint">{about.nothingFound}</p>
       ) : (
         <ul class="quirks">
-          {found.map((code) => (
-            <li key={code}>{about.quirkNames[code]}</li>
+          {found.map(([code, params]) => (
+            <li key={code}>
+              {code === 'replies-alike' ? alike.title(Object.keys(params).join(', ')) : about.quirkNames[code]}
+            </li>
           ))}
         </ul>
       )}

@@ -133,6 +133,7 @@ const quirkNames: Record<QuirkCode, string> = {
   echo: 'The adapter sends back what it is sent.',
   'idle-throttle-unanswered': 'It did not answer when asked for its idle throttle.',
   'idle-throttle-malformed': 'Its reply about the idle throttle has no value.',
+  'replies-alike': 'Its replies to some requests are damaged, each in the same way.',
 };
 
 /** What is known about the connected timer. */

@@ -123,6 +123,15 @@ export const timer: Record<TimerErrorCode, Said> = {
   closed: { title: 'Disconnected.', advice: 'Press Connect to go on. What you typed is kept.' },
 };
 
+/** Replies that are no noise, which is random. */
+export const alike = {
+  title: (request: string) => `Each reply to ${request} is damaged in the same way.`,
+  advice:
+    'That is not noise: the timer or its adapter forms these replies in a way that is not known. With Expert on in the settings, open Line and press “Copy report”. Send the report to the maintainers (github.com/sidus-timer/sidus-timer/issues).',
+  /** What could be read although the rest could not. */
+  part: (values: string) => `For looking only, all else is not known: ${values}.`,
+};
+
 /** Messages that are not about errors. */
 export const notes = {
   'edits-restored': {

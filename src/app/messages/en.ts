@@ -7,7 +7,7 @@ import { knowledge } from './en-knowledge.js';
 import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
 import { look, memories, nextFlight, overview } from './en-memories.js';
-import { connection, notes, timer } from './en-notices.js';
+import { alike, connection, notes, timer } from './en-notices.js';
 import { preview } from './en-preview.js';
 import { memoryNames, recognition } from './en-recognition.js';
 import { backups, recovery } from './en-recovery.js';
@@ -169,6 +169,7 @@ export const en = {
   dismiss: 'Dismiss',
   connection,
   timer,
+  alike,
   notes,
   findings,
   unreadable,

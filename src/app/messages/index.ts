@@ -1,5 +1,14 @@
 import { signal } from '@preact/signals';
-import { type Change, type Finding, fieldKey, fieldsOf, type ProgramField, slotKind } from '../../program/index.js';
+import type { TimerError, TimerErrorDetails } from '../../client/index.js';
+import {
+  type Change,
+  type Finding,
+  fieldKey,
+  fieldsOf,
+  type ProgramField,
+  slotKind,
+  valueAt,
+} from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { type KnownPort, portKind } from '../../serial/index.js';
 import { figureOfTime, formatValue } from '../editing/content.js';
@@ -18,11 +27,12 @@ import {
   spokenParts,
 } from '../editing/units.js';
 import { formatDate } from './date-format.js';
-import { whole } from './dotted.js';
+import { dotted, whole } from './dotted.js';
 import { en } from './en.js';
+import type { Said } from './en-notices.js';
 import { isToday } from './today.js';
 
-export type { Said } from './en-notices.js';
+export type { Said };
 
 /** What the parts of the page that are loaded first may say. A missing sentence does not compile. */
 export type Messages = typeof en;
@@ -133,6 +143,27 @@ function withUnit(text: string): string {
 function inUnit({ text, unit }: Figure): string {
   const { figure, units } = messages.value.times;
   return figure(text, units[unit]);
+}
+
+/** What ended a job with the timer, with the facts that the error gives. */
+export function timerSaid({ code, details }: Pick<TimerError, 'code' | 'details'>): Said {
+  const { timer, alike } = messages.value;
+  if (!details.alike || !details.request) return timer[code];
+  return { title: alike.title(details.request), advice: alike.advice };
+}
+
+/** What could be read of a program, in one line; null when nothing could. */
+export function partText({ part }: TimerErrorDetails): string | null {
+  if (!part) return null;
+  const { identity, times = [], positions = [] } = part;
+  const program = { ...part, times, positions, idleThrottle: null };
+  const fields = fieldsOf(identity).filter(({ kind }) => (kind === 'time' ? times : positions).length > 0);
+  return dotted(
+    fields.flatMap((field) => {
+      const value = field.kind === 'idleThrottle' ? null : valueAt(program, field);
+      return value === null ? [] : [`${fieldName(identity, field)} ${figureText(identity, field, value)}`];
+    }),
+  );
 }
 
 /** The sentence for a finding of the check, with times as a pilot writes them. */

@@ -1,5 +1,5 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import { TimerError, type TimerErrorCode } from '../../client/index.js';
+import { TimerError, type TimerErrorCode, type TimerErrorDetails } from '../../client/index.js';
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 
 /** Messages that are not about errors. */
@@ -32,7 +32,12 @@ export type Notice =
       /** The bytes that came in place of an answer, where they tell something. */
       readonly bytes: Uint8Array | null;
     }
-  | { readonly kind: 'timer'; readonly code: TimerErrorCode }
+  | {
+      readonly kind: 'timer';
+      readonly code: TimerErrorCode;
+      /** The facts, where they say more than the code. */
+      readonly details?: TimerErrorDetails;
+    }
   | { readonly kind: 'note'; readonly code: NoteCode };
 
 /** The message to the pilot: one at a time, the latest. */
@@ -64,6 +69,7 @@ export class Notices {
     if (!(error instanceof TimerError)) this.say('unexpected');
     else if (isRefusedSelection(error)) this.say('select-unanswered');
     else if (error.code === 'no-answer') this.#onSilence();
+    else if (error.details.alike) this.show({ kind: 'timer', code: error.code, details: error.details });
     else if (error.code !== 'aborted' && error.code !== 'closed') this.show({ kind: 'timer', code: error.code });
   }
 

@@ -4,7 +4,7 @@ import { ConnectionHelp, connectionSaid } from '../connect/connection-help-view.
 import { InstallHint } from '../connect/install-hint.js';
 import type { Installation } from '../connect/installation.js';
 import { hexOf } from '../messages/frame-text.js';
-import { messages, readable, type Said } from '../messages/index.js';
+import { messages, partText, readable, type Said, timerSaid } from '../messages/index.js';
 import type { Keeping } from '../session/keeping.js';
 import { isRateSet } from '../session/link.js';
 import type { Notice } from '../session/notices.js';
@@ -43,8 +43,9 @@ export interface NoticeBarProps {
 /** What the pilot should know now: shown until it is dismissed, or another message comes. */
 export function NoticeBar({ session, keeping, aside, update, platform, ...rest }: NoticeBarProps) {
   const { fileNotice, onExport, installation } = rest;
-  const { dismiss, link } = messages.value;
+  const { alike, dismiss, link } = messages.value;
   const notice = session.notices.current.value;
+  const part = notice?.kind === 'timer' && notice.details ? partText(notice.details) : null;
   // While a timer is connected, nothing that can wait moves the table.
   const isCalm = notice === null && session.link.state.value.status === 'off';
   return (
@@ -63,6 +64,7 @@ export function NoticeBar({ session, keeping, aside, update, platform, ...rest }
           {notice.kind === 'connection' && notice.bytes && (
             <p class="hint">{link.itSaid(hexOf(notice.bytes), readable(notice.bytes))}</p>
           )}
+          {part && <p>{alike.part(part)}</p>}
           {notice.code === 'select-unanswered' && (
             <button
               type="button"
@@ -112,9 +114,9 @@ function ByteOrderChoice({ session }: { readonly session: Session }) {
 
 /** @param uncertain whether the content of the memory on the screen is uncertain. */
 function said(notice: Notice, platform: Platform, uncertain: boolean): Said {
-  const { timer, notes } = messages.value;
+  const { notes } = messages.value;
   if (notice.kind === 'connection') return connectionSaid(notice.code, platform);
-  if (notice.kind === 'timer') return timer[notice.code];
+  if (notice.kind === 'timer') return timerSaid({ details: {}, ...notice });
   // The result of an interrupted write is not known before a reading.
   return notes[uncertain && notice.code === 'edits-restored' ? 'edits-uncertain' : notice.code];
 }

@@ -4,7 +4,7 @@ import { fieldKey, type Model, type ProgramField, type TimerProgram, valueAt } f
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 import { modelMessages } from '../messages/en-which-model.js';
-import { clockText, fieldName, figureText, findingText, messages } from '../messages/index.js';
+import { clockText, fieldName, figureText, findingText, messages, timerSaid } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
@@ -179,7 +179,7 @@ interface ResultProps {
 
 function Result({ session, write, identity, done, children }: ResultProps) {
   const { report, notHeld } = done;
-  const { write: words, timer } = messages.value;
+  const { write: words } = messages.value;
   const canWrite = session.runner.ready.value && !session.editor.blocked.value;
   const other = strayed([report]);
   const shown = report.values.filter(({ status, asked }) => status !== 'verified' || !asked);
@@ -188,7 +188,7 @@ function Result({ session, write, identity, done, children }: ResultProps) {
       <div class={`notice ${report.result === 'verified' ? 'good' : 'bad'}`} role="alert">
         <NoticeText said={words[report.result]} />
         {report.result === 'verified' && report.held && <Verdict session={session} done={done} held={report.held} />}
-        {report.stopped && <NoticeText said={timer[report.stopped.code]} />}
+        {report.stopped && <NoticeText said={timerSaid(report.stopped)} />}
         {other !== null && <NoticeText said={words.strayed(memoryText(session, other))} />}
         {notHeld && <NoticeText said={words.move.notHeld} />}
         {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
@@ -248,14 +248,14 @@ interface RefusedProps {
 }
 
 function Refused({ write, error }: RefusedProps) {
-  const { write: words, timer } = messages.value;
+  const { write: words } = messages.value;
   return (
     <>
       <div class="notice bad" role="alert">
         <p>
           <strong>{words.refused}</strong>
         </p>
-        <NoticeText said={timer[error.code]} />
+        <NoticeText said={timerSaid(error)} />
       </div>
       <ClosingButtons onClose={() => write.dismiss()} />
     </>

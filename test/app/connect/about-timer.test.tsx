@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { messages } from '../../../src/app/messages/index.js';
 import type { PortRecord } from '../../../src/app/storage/index.js';
 import { encodeFrame } from '../../../src/protocol/index.js';
 import { DEFAULT_SETTINGS } from '../../../src/serial/index.js';
@@ -98,6 +99,24 @@ describe('what the line says of the timer', () => {
       .map(({ textContent }) => textContent);
     expect(facts).toContain('after 0.9 s: slow');
     expect(screen.queryByText(/noisy/)).toBeNull();
+  });
+
+  it('replies about the idle throttle that are damaged in one way are named, and hide nothing else', async () => {
+    const { editor, timer } = await connected({ quirks: { idleThrottleLength3: true } });
+    expect(editor.baseline.value).toMatchObject({ times: timer.core.content.times, idleThrottle: null });
+    expect(within(await about()).getByText(messages.value.alike.title('GETLOWRPM'))).toBeTruthy();
+    expect(screen.queryByText(messages.value.timer.unstable.title)).toBeNull();
+  });
+
+  it('positions that are damaged in one way: says so in place of noise, and shows the times', async () => {
+    const { session, timer } = await opened({ info: FTDI, quirks: { lengthInSum: ['GETSERVOPOS'] } });
+    await press('Connect');
+    expect(screen.getByText(messages.value.alike.title('GETSERVOPOS'))).toBeTruthy();
+    const said = screen.getByText(/^For looking only/).textContent.replaceAll('\u00a0', ' ');
+    expect(said).toMatch(/Motor stop 10\.0 s.*Function 1 time .*DT 3:00 min\.$/);
+    expect(session.editor.baseline.value).toBeNull();
+    expect(timer.core.content.times[10]).toBe(18_000);
+    expect(screen.queryByText(messages.value.timer.unstable.title)).toBeNull();
   });
 
   it('answers that nobody asked for are counted and shown', async () => {
