@@ -1,6 +1,7 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { HELP_PAGES } from '../../src/app/help/help.js';
+import { en } from '../../src/app/messages/en.js';
 import { write } from '../../src/app/messages/en-write.js';
 import { AppPage } from './app-page.js';
 import { IN_SUN, PHONE } from './page.js';
@@ -234,27 +235,31 @@ test('the dot of a timer stands before its name in the strip of a tablet', async
 test.each([
   ['a desktop', { viewport: { width: 1280, height: 800 } }],
   ['a small phone', { ...PHONE, viewport: { width: 360, height: 740 } }],
-] as const)('each of 16 memories is in sight on %s', async (device, options) => {
-  const app = await AppPage.open({ bench: { granted: true, identity: { memories: 16 } }, ...options });
+] as const)('255 memories, 20 functions and 8 servos leave everything in reach on %s', async (device, options) => {
+  const identity = { memories: 255, functions: 20, servos: 8 };
+  const app = await AppPage.open({ bench: { granted: true, identity }, ...options });
   await app.connect();
+  const isSeen = (place: Locator) =>
+    place.evaluate((element) => {
+      const { left, top, width, height } = element.getBoundingClientRect();
+      return element.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+    });
+  await expect.poll(() => isSeen(app.field('Function 1, S1'))).toBe(true);
+  await expect.poll(() => isSeen(app.button(/^Write/))).toBe(true);
   if (device === 'a small phone') await app.page.locator('.strip-figures').click();
-  const choices = app.page.locator('.memories label');
-  await expect.poll(() => choices.count()).toBe(16);
-  const cut = await choices.evaluateAll(
-    (all) =>
-      all.filter((each) => {
-        const { left, top, width, height } = each.getBoundingClientRect();
-        return !each.contains(document.elementFromPoint(left + width - 4, top + height / 2));
-      }).length,
-  );
-  expect(cut).toBe(0);
-  if (device === 'a small phone') await app.page.keyboard.press('Escape');
+  const list = app.page.getByRole('combobox', { name: en.program.memory, exact: true });
+  await expect.poll(() => isSeen(list)).toBe(true);
+  await list.selectOption('254');
+  await app.text('M255 has not been read').waitFor();
+  await app.expectNoSidewaysScrolling();
   await app.goTo('Memories');
   await app.button('Copy to…: M1').click();
-  const button = (memory: string) => app.page.locator('.picks').getByText(memory, { exact: true });
-  await button('M16').waitFor();
-  const ends = await Promise.all(['M2', 'M16'].map((memory) => button(memory).boundingBox()));
-  expect(ends[1]?.y, 'M16 stands below M2, in the page').toBeGreaterThan(ends[0]?.y ?? 0);
+  const pick = app.button('Copy M1 to M255…');
+  await pick.scrollIntoViewIfNeeded();
+  await expect.poll(() => isSeen(pick)).toBe(true);
+  await app.expectNoSidewaysScrolling();
+  await app.goTo('Bench');
+  await app.page.locator('.bench-table').waitFor();
   await app.expectNoSidewaysScrolling();
 });
 

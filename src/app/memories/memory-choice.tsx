@@ -7,6 +7,9 @@ import { PlaneIcon } from '../ui/plane-icon.js';
 import type { Memories } from './memories.js';
 import './memory-choice.css';
 
+/** With more memories, a list of one line takes the place of the row of buttons. */
+const MOST_BUTTONS = 8;
+
 /** Which memory flies next, in words, and which one is shown. Choosing one only shows it: nothing is sent. */
 export function MemoryChoice({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { program, memoryName, nextFlight } = messages.value;
@@ -20,23 +23,45 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
   const job = runner.job.value;
   const current = next.open.value ? null : memory;
   const shown = memories.looking.value ?? (job?.kind === 'select' ? job.memory : current);
+  const nameOf = (index: number): string => {
+    const text = memoryText(session, index);
+    return isConnected && index === current ? nextFlight.named(text) : text;
+  };
+  const all = Array.from({ length: identity.memories }, (_, index) => index);
+  if (all.length > MOST_BUTTONS) {
+    return (
+      <select
+        class="memories-list"
+        aria-label={program.memory}
+        disabled={!isConnected}
+        value={String(shown ?? '')}
+        onChange={({ currentTarget }) => memories.show(Number(currentTarget.value))}
+      >
+        {shown === null && <option value="">{program.memory}</option>}
+        {all.map((index) => (
+          <option key={index} value={String(index)}>
+            {nameOf(index)}
+          </option>
+        ))}
+      </select>
+    );
+  }
   return (
     <fieldset class="memories">
       <legend class="visually-hidden">{program.memory}</legend>
       <div class="segments">
-        {Array.from({ length: identity.memories }, (_, index) => {
+        {all.map((index) => {
           const flies = isConnected && index === current;
           const given = givenName(session.modelAtHand.value, index);
           // The sign alone tells it where the pilot's name has the room.
           const below = given === '' && flies ? nextFlight.badge : given;
-          const text = memoryText(session, index);
           return (
             <label key={index}>
               <input
                 type="radio"
                 class="visually-hidden"
                 name={name}
-                aria-label={flies ? nextFlight.named(text) : text}
+                aria-label={nameOf(index)}
                 checked={index === shown}
                 disabled={!isConnected}
                 onChange={() => memories.show(index)}

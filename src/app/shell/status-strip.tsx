@@ -75,7 +75,12 @@ export function StatusStrip(props: StatusStripProps) {
   useEffect(() => {
     if (before.current === shown) return;
     before.current = shown;
-    if (!isTight || !open.peek() || box.current?.querySelector('.memories input:focus-visible')) return;
+    if (
+      !isTight ||
+      !open.peek() ||
+      box.current?.querySelector('.memories input:focus-visible, .memories-list:focus-visible')
+    )
+      return;
     if (box.current?.querySelector('.strip-panel')?.contains(document.activeElement)) close();
     else open.value = false;
   }, [shown, isTight, open, close]);

@@ -1,5 +1,6 @@
-import { screen, within } from '@testing-library/preact';
+import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { nextFlight as words } from '../../../src/app/messages/en-memories.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { idle, run, selected } from '../bench/bench.js';
@@ -15,6 +16,23 @@ const said = () => screen.getAllByRole('alert').map(({ textContent }) => textCon
 const dialog = () => within(screen.getByRole('dialog', { name: 'Before you disconnect' }));
 
 describe('the memories', () => {
+  it.each([8, 9, 255])('of a timer that has %i are in one line, by a tap or in a list', async (memories) => {
+    const { timer } = await connected({ identity: { timerClass: 'Q', memories } });
+    const list = screen.queryByRole<HTMLSelectElement>('combobox', { name: en.program.memory });
+    expect(screen.queryAllByRole('radio')).toHaveLength(memories === 8 ? 8 : 0);
+    if (memories === 8) return;
+    expect([...(list?.options ?? [])].slice(0, 2).map(({ text }) => text)).toEqual([
+      en.nextFlight.named(en.memoryName(0)),
+      en.memoryName(1),
+    ]);
+    expect([list?.options.length, list?.value]).toEqual([memories, '0']);
+    timer.core.answered.length = 0;
+    fireEvent.change(list as HTMLSelectElement, { target: { value: '8' } });
+    await idle();
+    expect(screen.getByRole('heading', { name: /^M9 has not been read/ })).toBeTruthy();
+    expect([list?.value, timer.core.answered], 'it is only shown').toEqual(['8', []]);
+  });
+
   it('are only shown by a tap: the one that flies next is marked, and nothing is sent', async () => {
     const { timer } = await connected();
     const asked = timer.core.answered.length;
