@@ -12,8 +12,8 @@ const TOKENS = 'ui/tokens.css';
 const COLOUR =
   /#[0-9a-f]{3,8}\b|\b(?:rgb|hsl|hwb|lab|lch|oklab|oklch|color|color-mix)a?\(|:[^;]*\b(?:black|white|red|green|blue|gr[ae]y)\b/i;
 
-/** A size of type as it is, or smaller where the window is narrow. */
-const TYPE = /^(?:inherit|var\(--type-\w+\)|min\(var\(--type-\w+\), [\d.]+vw\))$/;
+/** A size of type as it is, or smaller where there is less room. */
+const TYPE = /^(?:inherit|var\(--type-\w+\)|min\(var\(--type-\w+\), .*(?:cqw|vw|-column).*\))$/;
 
 /** The properties with the scale of space. A pixel or two are an optical correction. */
 const SPACED = /^(?:padding|margin|gap|row-gap|column-gap)\b/;
