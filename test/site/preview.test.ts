@@ -50,7 +50,7 @@ test('the flight can be played with keys alone, and the timeline shows the time'
   await app.trySimulated('F1Q');
   const cursor = app.page.locator('.crosshair');
   await expect.poll(() => cursor.count(), { message: 'there is no time mark before the flight is played' }).toBe(0);
-  await preview(app).getByRole('combobox', { name: 'Speed' }).selectOption('60×');
+  await preview(app).getByRole('combobox', { name: 'Speed' }).selectOption('20×');
   await preview(app).getByRole('button', { name: 'Play' }).press('Enter');
   await preview(app).getByText('3:03 min', { exact: true }).waitFor();
   await cursor.first().waitFor();

@@ -19,7 +19,7 @@ const screenFrames: Frames = {
 };
 
 /** How many times faster than real time. */
-export const SPEEDS = [1, 2, 5, 10, 60] as const;
+export const SPEEDS = [1, 5, 20] as const;
 export type Speed = (typeof SPEEDS)[number];
 
 /** The most milliseconds that count between two frames: a page that was hidden goes on where it was. */
