@@ -19,7 +19,7 @@ export const timeline = {
   compareBefore: 'before following',
   picture: 'Servo positions over time',
   description: ({ servos, functions, dt, motorStop }: TimelineFacts) =>
-    `${plural(servos, 'servo', 'servos')} and ${plural(functions, 'function', 'functions')} over time, DT at ${dt}${motorStop === null ? '' : `, motor stop at ${motorStop}`}.`,
+    `${plural(servos, 'servo', 'servos')} and ${plural(functions, 'function', 'functions')} over time, DT at ${dt}${motorStop === null ? '' : `, motor stop at ${motorStop}`}. The table has all values.`,
   keys: 'Left and right go from mark to mark, up and down from servo to servo. Plus and minus zoom, 0 shows all, Shift with an arrow moves the view.',
   keysToEdit:
     'Left and right go from mark to mark, up and down from servo to servo. Plus and minus zoom, 0 shows all, Shift with an arrow moves the view. Enter goes to the handles: the arrows move them, Escape comes back.',
@@ -35,16 +35,9 @@ export const timeline = {
   notKnown: 'Not known: the times fall',
   zero: '0 s',
   tools: 'View',
-  trueScale: 'True time scale',
   zoomIn: 'Zoom in',
   zoomOut: 'Zoom out',
   fit: 'Show all',
-  asTable: 'As a table',
-  tableCaption: 'When each function begins and ends, and where the servos stand',
-  from: 'From',
-  until: 'Until',
-  motorRuns: 'Motor runs',
-  passing: { passed: 'skipped', back: 'not known' },
   passedOver: (slot: string, next: string) => `${slot} is skipped: ${next} comes at the same time.`,
   goesBack: (next: string, slot: string) =>
     `${next} comes before ${slot}. It is not known what the timer does in the shaded part.`,

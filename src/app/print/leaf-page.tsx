@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { print } from '../messages/en-print.js';
-import { TimelineNotes } from '../timeline/timeline-table.js';
+import { TimelineNotes } from '../timeline/timeline-notes.js';
 import { type Copy, type Piece, type SetLeaf, setSheet } from './galley.js';
 import { LeafFlights } from './leaf-flights.js';
 import type { Leaf } from './paper.js';

@@ -46,7 +46,7 @@ export function SheetTimeline({ program, servos, names, leaf }: SheetTimelinePro
   const each = pixelsOf(Math.max(leaf.lane.least, leaf.lane.most - servos.length));
   const box = { left, right: width - RIGHT, top: TOP, bottom: TOP + each * servos.length };
   const height = box.bottom + (stop === null ? 0 : MOTOR) + TIMES;
-  const scale = scaleOf(program, null, false, box.right - box.left);
+  const scale = scaleOf(program, null, box.right - box.left);
   const layout = new Layout(
     scale,
     { start: 0, span: 1 },

@@ -1,8 +1,8 @@
 import { type ProgramField, slotKind, type TimerProgram } from '../../program/index.js';
-import { flightEnd, marksOf, motorStopOf, type Stage, stagesOf } from './flight.js';
+import { marksOf, motorStopOf, type Stage, stagesOf } from './flight.js';
 import { lanesOf, leastHeight } from './lanes.js';
 import { Layout, spread, type TimeView } from './layout.js';
-import { evenScale, RUN_OUT, type Scale, stretchedScale } from './scale.js';
+import { type Scale, stretchedScale } from './scale.js';
 import { ticks } from './ticks.js';
 
 /** The measures of a picture in pixels, without its width. */
@@ -48,8 +48,7 @@ const MARK_GAP = 28;
 const RUN_OUT_ROOM = 16;
 
 /** The axis for a program and the one behind it. @param width of the plot, in pixels. */
-export function scaleOf(program: TimerProgram, overlay: TimerProgram | null, even: boolean, width: number): Scale {
-  if (even) return evenScale(Math.max(flightEnd(program), overlay ? flightEnd(overlay) : 0) - RUN_OUT);
+export function scaleOf(program: TimerProgram, overlay: TimerProgram | null, width: number): Scale {
   return stretchedScale(marksOf(program), {
     minGap: MARK_GAP / width,
     runOut: RUN_OUT_ROOM / width,
@@ -149,15 +148,12 @@ export function layoutOf({ scale, view, plot, measures, servos, front, highest }
 /** The least distance of two times on the axis, in pixels. */
 const TICK_GAP = 52;
 
-/**
- * @param even whether every second has the same length: then the axis has round times, else those of the marks.
- * @param chosen a time that goes before all others but DT.
- */
-export function marksIn(program: TimerProgram, layout: Layout, even: boolean, chosen: number | null): Marks {
+/** @param chosen a time that goes before all others but DT. */
+export function marksIn(program: TimerProgram, layout: Layout, chosen: number | null): Marks {
   const { scale, view, width } = layout;
   const stages = stagesOf(program);
   const dt = stages.at(-1)?.from ?? 0;
-  const wished = even ? [] : [...(chosen === null ? [] : [chosen]), 0, ...marksOf(program)];
+  const wished = [...(chosen === null ? [] : [chosen]), 0, ...marksOf(program)];
   const room = { from: view.start, to: view.start + view.span, gap: (TICK_GAP / width) * view.span };
   return {
     stages,

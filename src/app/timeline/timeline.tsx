@@ -15,8 +15,8 @@ import { highestOf } from './layout.js';
 import type { Target } from './pointer/gesture.js';
 import { PointerControl } from './pointer/pointer-control.js';
 import { descriptionOf, Moment, Spoken } from './readout.js';
-import { TimelineNotes, TimelineTable } from './timeline-table.js';
-import { Tools, TrueScale } from './tools.js';
+import { TimelineNotes } from './timeline-notes.js';
+import { Tools } from './tools.js';
 import { TimelineModel } from './view-model.js';
 import './timeline.css';
 
@@ -91,7 +91,6 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
   const behind = overlay?.program ?? null;
   const measures = useMemo(() => measuresOf(program, size.height), [program.identity, size.height]);
   const plot = Math.max(LEAST_WIDTH, size.width - measures.left - measures.right);
-  const even = model.even.value;
   const held = model.moving.value?.scale;
   const view = model.view.value;
   const front = Math.min(model.front.value, servos - 1);
@@ -99,12 +98,12 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
   const chosen = selected?.kind === 'time' ? (program.times[selected.slot] ?? null) : null;
   // A moved handle changes little; everything else stays as it is.
   const times = program.times.join();
-  const scale = useMemo(() => held ?? scaleOf(program, behind, even, plot), [held, times, behind, even, plot]);
+  const scale = useMemo(() => held ?? scaleOf(program, behind, plot), [held, times, behind, plot]);
   const layout = useMemo(
     () => layoutOf({ scale, view, plot, measures, servos, front, highest }),
     [scale, view, plot, measures, servos, front, highest],
   );
-  const marks = useMemo(() => marksIn(program, layout, even, chosen), [program.identity, times, layout, even, chosen]);
+  const marks = useMemo(() => marksIn(program, layout, chosen), [program.identity, times, layout, chosen]);
   const geometry = useMemo(() => ({ program, layout, measures, ...marks }), [program, marks]);
   const glides = useGlides(geometry, [view, plot, measures], held !== undefined);
   const anchor = (): number | undefined => {
@@ -200,11 +199,7 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
       </p>
       <Spoken program={program} model={model} />
       <TimelineNotes program={program} />
-      <div class="timeline-foot">
-        {calls.foot ?? (overlay && <Behind name={overlay.name} />)}
-        <TrueScale model={model} />
-        <TimelineTable program={program} />
-      </div>
+      <div class="timeline-foot">{calls.foot ?? (overlay && <Behind name={overlay.name} />)}</div>
     </section>
   );
 }

@@ -20,7 +20,6 @@ export type SpokenPlace = { readonly time: number } | { readonly servo: number }
 
 /** What a pilot looks at in a timeline, and the handle that is held. It belongs to the screen, not to the program. */
 export class TimelineModel {
-  readonly #even = signal(false);
   readonly #asked = signal<number | null>(null);
   readonly #spoken = signal<SpokenPlace | null>(null);
   readonly #front = signal(0);
@@ -30,8 +29,6 @@ export class TimelineModel {
   readonly #entered = signal(false);
   readonly #wanted = signal<ProgramField | null>(null);
   readonly #view = signal<TimeView>(ALL);
-  /** Whether every second has the same length. */
-  readonly even: ReadonlySignal<boolean> = this.#even;
   /** The time that a pointer or a key asks about, in hundredths of a second. */
   readonly asked: ReadonlySignal<number | null> = this.#asked;
   /** What a key has asked about or selected, for screen readers. */
@@ -60,12 +57,6 @@ export class TimelineModel {
     this.pointAt(null);
     this.#entered.value = false;
     this.#wanted.value = null;
-  }
-
-  /** Gives every second the same length, or more room to where much happens. Then everything is in view. */
-  setEven(even: boolean): void {
-    this.#even.value = even;
-    this.fit();
   }
 
   /** @param time in hundredths of a second; null for no time. */

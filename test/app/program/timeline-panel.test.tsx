@@ -173,19 +173,14 @@ describe('the timeline', () => {
     await idle();
     fireEvent.change(screen.getByRole('combobox', { name: 'Compare with' }), { target: { value: 'nothing' } });
     fireEvent.click(screen.getByRole('button', { name: 'S3' }));
-    fireEvent.click(screen.getByRole('checkbox', { name: 'True time scale' }));
     await idle();
     act(() => app.models.views.show('settings'));
     await idle();
     expect(document.querySelector('.timeline-panel')).toBeNull();
     act(() => app.models.views.show('program'));
     await idle();
-    const seen = [
-      behind(),
-      screen.getByRole('button', { name: 'S3' }).getAttribute('aria-pressed'),
-      screen.getByRole<HTMLInputElement>('checkbox', { name: 'True time scale' }).checked,
-    ];
-    expect(seen).toEqual([undefined, 'true', true]);
+    const seen = [behind(), screen.getByRole('button', { name: 'S3' }).getAttribute('aria-pressed')];
+    expect(seen).toEqual([undefined, 'true']);
   });
 
   it('can show a backup behind it, or nothing', async () => {

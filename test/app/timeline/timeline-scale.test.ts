@@ -382,10 +382,10 @@ describe('the marks above the lanes', () => {
     const program = programOf('Q', times, [times.map(() => 15)]);
     const measures = measuresOf(program, 320);
     for (let plot = 240; plot <= 1000; plot += 7) {
-      const scale = scaleOf(program, null, false, plot);
+      const scale = scaleOf(program, null, plot);
       const view = { start: 0, span: 1 };
       const layout = layoutOf({ scale, view, plot, measures, servos: 1, front: 0, highest: 130 });
-      const { flags } = marksIn(program, layout, false, null);
+      const { flags } = marksIn(program, layout, null);
       for (const { x, radius, isDt, slot } of flags) {
         // DT stands in a box, which is wider than the circle of a function.
         const half = isDt ? radius + 2 : radius;

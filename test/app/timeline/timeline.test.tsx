@@ -1,6 +1,7 @@
 import { signal } from '@preact/signals';
-import { act, fireEvent, render, screen, within } from '@testing-library/preact';
+import { act, fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import type { OnEdit } from '../../../src/app/timeline/drag.js';
 import { Timeline, type TimelineProps } from '../../../src/app/timeline/timeline.js';
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
@@ -598,24 +599,6 @@ describe('reading', () => {
     expect(read()).toBe('10.0 s Motor stop');
   });
 
-  it('has the same values as a table', async () => {
-    shown(programOf('Q', [1000, 200, 400, 400, 18000]));
-    const details = screen.getByText('As a table').closest('details') as HTMLDetailsElement;
-    details.open = true;
-    await act(() => void fireEvent(details, new Event('toggle')));
-    const table = within(screen.getByRole('table'));
-    const rows = table.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
-    expect(rows).toEqual([
-      ['Function', 'From', 'Until', 'S1', 'S2', 'S3'],
-      ['Start', '0.00 s', '2.00 s', '10', '20', '30'],
-      ['Function 1', '2.00 s', '4.00 s', '11', '21', '31'],
-      ['Function 2', '4.00 s', 'skipped', '12', '22', '32'],
-      ['Function 3', '4.00 s', '3:00', '13', '23', '33'],
-      ['DT', '3:00', '', '14', '24', '34'],
-      ['Motor runs', '0.00 s', '10.00 s', ''],
-    ]);
-  });
-
   it('draws the motor stop of a second program only where it is another one', () => {
     const marks = (stop: number): number => {
       const { unmount } = shown(PROGRAM, {
@@ -632,6 +615,20 @@ describe('reading', () => {
     shown(PROGRAM, { overlay: { program: programOf('Q', [900, 100, 400, 600, 36000]), name: 'Timer holds' } });
     expect(screen.getByText('Timer holds')).toBeTruthy();
     expect(document.querySelectorAll('.overlay path:not(.mark)').length).toBeGreaterThanOrEqual(3);
+  });
+
+  it('has buttons to go back only once it was zoomed, and then the focus has a place', async () => {
+    shown();
+    const tools = () => screen.getAllByRole('button').map((each) => each.getAttribute('aria-label'));
+    const { zoomIn, zoomOut, fit } = en.timeline;
+    const before = tools();
+    expect(before).not.toContain(fit);
+    await act(() => void fireEvent.click(screen.getByRole('button', { name: zoomIn })));
+    expect(tools()).toEqual([zoomOut, zoomIn, fit, ...before.slice(1)]);
+    const back = screen.getByRole('button', { name: fit });
+    back.focus();
+    await act(() => void fireEvent.click(back));
+    expect([tools(), document.activeElement?.getAttribute('aria-label')]).toEqual([before, zoomIn]);
   });
 
   it('is described in one sentence', () => {
