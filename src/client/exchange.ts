@@ -130,8 +130,8 @@ export class Exchange {
   }
 
   /**
-   * Asks until an answer can be believed. One answer is enough if nothing was known before, there was no damage on the
-   * line and no frame came that nobody asked for. Otherwise two in a row must agree.
+   * Asks until an answer can be believed. One answer is enough if nothing was known before, it has the usual form,
+   * there was no damage on the line and no frame came that nobody asked for. Otherwise two in a row must agree.
    * @throws TimerError `unstable`, `crowded`, or as {@link ask}.
    */
   async read<R extends Request>(
@@ -145,7 +145,7 @@ export class Exchange {
       const reply = await this.ask(request, signal, policy);
       const text = JSON.stringify(reply);
       if (text === previous) return reply;
-      if (!twice && !this.damaged) return reply;
+      if (!twice && !this.damaged && !this.#wire.isFormNew(request.name)) return reply;
       previous = text;
     }
     throw this.unbelievable(`no two of ${READS} replies agreed`, request.name, seen());

@@ -21,5 +21,6 @@ export type {
 export type { BytePort, ByteReader, ByteSink, ByteSource, ByteWriter } from './port.js';
 export type { Progress } from './progress.js';
 export type { AssumedQuirks, QuirkCode, QuirkParams } from './quirks.js';
+export type { ProgramRead } from './read-program.js';
 export { TimerClient } from './timer-client.js';
 export type { ValueReport, WriteReport } from './write-report.js';

@@ -5,7 +5,7 @@ import { TimerError } from './errors.js';
 import type { ClientJob } from './job.js';
 import { MemoryRoundTrip, requireIndex, SELECT } from './memory-round-trip.js';
 import type { ReadMemoriesOptions, WriteMemoriesOptions } from './options.js';
-import { readingPlan } from './read-program.js';
+import { type ProgramRead, readingPlan } from './read-program.js';
 import type { JobPart } from './schedule.js';
 import { longestWrite, planWrite } from './write-plan.js';
 import { writeContent } from './write-program.js';
@@ -30,7 +30,7 @@ export interface MemoriesRead {
   /** The memory that was current before and is current again, counted from 0. */
   readonly original: number;
   /** In the order in which the caller named the memories. */
-  readonly programs: TimerProgram[];
+  readonly programs: ProgramRead[];
 }
 
 /** What became of one memory of several. */
@@ -70,7 +70,7 @@ export async function readMemories(
   const names = [...SELECT, ...readingPlan(identity, { idleThrottle })];
   const parts = memories.map((memory): JobPart => ({ stage: 'read', memory, names }));
   const trip = await MemoryRoundTrip.begin(job, { parts, onProgress }, chosen !== undefined, onOriginal);
-  const programs: TimerProgram[] = [];
+  const programs: ProgramRead[] = [];
   const readOnce: number[] = [];
   await trip.run(async () => {
     for (const [index, memory] of memories.entries()) {

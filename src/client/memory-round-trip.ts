@@ -1,9 +1,8 @@
-import type { TimerProgram } from '../program/index.js';
 import { type CommandName, encodeRequest, type Identity } from '../protocol/index.js';
 import { askMemory } from './current-memory.js';
 import { TimerError, type TimerErrorCode, throwIfAborted } from './errors.js';
 import type { ClientJob } from './job.js';
-import { readContent } from './read-program.js';
+import { type ProgramRead, readContent } from './read-program.js';
 import type { PlannedJob } from './schedule.js';
 
 /** The exchanges of {@link select}. */
@@ -102,7 +101,7 @@ export class MemoryRoundTrip {
    * Makes a memory current, unless it is current already, and reads it.
    * @throws TimerError `memory-unknown`, `other-memory`; as Exchange.
    */
-  async read(memory: number, idleThrottle: boolean): Promise<TimerProgram> {
+  async read(memory: number, idleThrottle: boolean): Promise<ProgramRead> {
     const { schedule } = this.#job.exchange;
     schedule.memory = memory;
     schedule.enter('read');

@@ -7,6 +7,7 @@ import {
   type Frame,
   frameSize,
   type Identity,
+  isUsualVersion,
   MIN_LENGTH,
   type Reply,
   type Request,
@@ -67,8 +68,9 @@ export function asReply(
   } catch (error) {
     return { kind: 'bad', error };
   }
+  if (reply.name === 'GETSWVER') quirks.noteForm('GETSWVER', isUsualVersion(frame.data) ? 'exact' : 'misprint');
   // With the value 0 the bare command byte is the right checksum anyway, so it shows nothing.
-  if (reply.name !== 'GETLOWRPM' || reply.idleThrottle !== 0) quirks.noteForm(request.name, match);
+  else if (reply.name !== 'GETLOWRPM' || reply.idleThrottle !== 0) quirks.noteForm(request.name, match);
   return { kind: 'answer', answer: reply };
 }
 

@@ -19,13 +19,14 @@ import { COMMANDS, type CommandName, type LayoutQuirks, type Request } from '../
  * - `positions-unchanged`: SETSERVO was acknowledged and nothing changed (row 15).
  * - `echo`: the adapter returns the bytes that are sent (row 16).
  * - `idle-throttle-unanswered`: GETLOWRPM got no answer (row 19).
+ * - `identity-unusual`: the firmware is not three digits, or a separator of the identity no space (row 22).
  * - `idle-throttle-malformed`: the reply to GETLOWRPM does not have one byte of data (row 6).
  * - `replies-alike` (a letter for each request, under its name): each reply to these requests comes damaged in the
  *   same way (rows 6 and 21). What they ask for stays unknown.
  *
  * These change how values are read or where they go. They are found only when two replies agree, and dropped again when
  * the timer contradicts them: `timers-reply-66`, `bare-checksum`, `times-big-endian`, `memories-from-one`,
- * `positions-unchanged`.
+ * `positions-unchanged`, `identity-unusual`.
  */
 export type QuirkCode =
   | 'timers-reply-66'
@@ -42,7 +43,8 @@ export type QuirkCode =
   | 'echo'
   | 'idle-throttle-unanswered'
   | 'idle-throttle-malformed'
-  | 'replies-alike';
+  | 'replies-alike'
+  | 'identity-unusual';
 
 /** The facts of a quirk by name, as {@link QuirkCode} lists them. Times in hundredths of a second. */
 export type QuirkParams = Readonly<Record<string, number>>;
@@ -59,16 +61,19 @@ export interface AssumedQuirks extends LayoutQuirks {
    * `positions-unchanged` was found. This alone moves nothing: each write must allow it, see `moveServos`.
    */
   readonly positionsNeedMove?: boolean;
+  /** Each request goes out with four zeros in front, as the examples of the source print it (row 1). */
+  readonly fourZeros?: boolean;
 }
 
 /**
- * The requests whose reply the source prints, in one place,
- * with another letter or with its letter in place of the checksum.
+ * The requests whose reply the source prints, in one place, with another letter or with its letter in place of the
+ * checksum; and the identity, in which five bytes are as in the source's example on all timers that are known.
  */
 const MISPRINTS: Partial<Record<CommandName, QuirkCode>> = {
   GETTIMERS: 'timers-reply-66',
   UNLOCK: 'unlock-reply-6a',
   GETLOWRPM: 'bare-checksum',
+  GETSWVER: 'identity-unusual',
 };
 
 /** What one timer does differently: found on the line, or assumed. */

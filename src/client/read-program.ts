@@ -34,6 +34,15 @@ export function readingPlan(identity: Identity, { idleThrottle, strict, known }:
   return ['GETSWVER', 'GETMEMORY', ...content, ...(known ? [] : content), ...ends];
 }
 
+/** What the current memory holds. */
+export interface ProgramRead extends TimerProgram {
+  /**
+   * The times may be wrong: they would rise if the two bytes of each were swapped (quirk `times-big-endian`). Ask the
+   * pilot, then `assume({ bigEndianTimes })` and read again. Left out where nothing speaks for that.
+   */
+  readonly byteOrderOpen?: true;
+}
+
 export type MemoryValues = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>;
 
 /**
@@ -44,11 +53,7 @@ export type MemoryValues = Pick<TimerProgram, 'times' | 'positions' | 'idleThrot
  * @throws TimerError `other-timer`; `other-memory` or `memory-unknown` when the wrong memory is current; `unstable` or
  * `crowded` when no two readings agree or the memory changes all the time; as Exchange.
  */
-export async function readContent(
-  job: ClientJob,
-  stage: Progress['stage'],
-  how: ReadingOptions,
-): Promise<TimerProgram> {
+export async function readContent(job: ClientJob, stage: Progress['stage'], how: ReadingOptions): Promise<ProgramRead> {
   const { exchange, identity, signal } = job;
   const { strict = false, known } = how;
   exchange.schedule.enter(stage);
@@ -68,7 +73,8 @@ export async function readContent(
     await exchange.requireIdentity(signal);
     const isBelieved = strict ? seenNow().strays === 0 : content.agreed || !exchange.damaged;
     if (isSameMemory && isBelieved) {
-      return { identity, memory: current.memory, ...content.content };
+      const doubt = job.quirks.byteOrderOpen ? { byteOrderOpen: true as const } : {};
+      return { identity, memory: current.memory, ...content.content, ...doubt };
     }
     previous = strict || !isSameMemory ? known : content.content;
   }

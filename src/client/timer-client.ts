@@ -29,7 +29,7 @@ import type {
 } from './options.js';
 import { type BytePort, requirePort } from './port.js';
 import { type AssumedQuirks, type QuirkCode, type QuirkParams, Quirks } from './quirks.js';
-import { readContent, readingPlan } from './read-program.js';
+import { type ProgramRead, readContent, readingPlan } from './read-program.js';
 import type { RetryPolicy } from './retry-policy.js';
 import type { JobPart } from './schedule.js';
 import { Wire } from './wire.js';
@@ -229,9 +229,10 @@ export class TimerClient {
    * Reads what the current memory holds: GETMEMORY, GETTIMERS, GETSERVOPOS, on class Q GETLOWRPM, then GETMEMORY again
    * and GETSWVER, to notice another memory or another timer. When anything speaks against one reading, it reads until
    * two agree.
+   * @returns the program; `byteOrderOpen` says that its times may be wrong.
    * @throws TimerError `other-timer` when another timer answers than the one that was identified.
    */
-  readProgram(options: ReadOptions = {}): Promise<TimerProgram> {
+  readProgram(options: ReadOptions = {}): Promise<ProgramRead> {
     const { idleThrottle = false } = options;
     return this.#inTurn(async () => {
       const job = await this.#job(options, (identity) => ({ names: readingPlan(identity, { idleThrottle }) }));

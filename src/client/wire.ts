@@ -122,6 +122,11 @@ export class Wire {
     return this.#strays;
   }
 
+  /** Whether the last reply to this request has a form that is not known of this timer: one reply proves nothing. */
+  isFormNew(name: CommandName): boolean {
+    return this.#quirks.isMisprintNew(name);
+  }
+
   /** An accepted reply turned out to be wrong. As after damage, a single reply is no longer believed. */
   doubt(): void {
     this.#noteDamage();
@@ -278,8 +283,9 @@ export class Wire {
     try {
       const frame = { code: bytes[ZEROS_SENT + 1] as number, data: bytes.slice(ZEROS_SENT + 2, -2) };
       this.#lastSent = frame;
-      this.#log({ direction: 'out', bytes, frame });
-      await writer.write(bytes);
+      const sent = this.#quirks.assumed.fourZeros ? bytes.subarray(1) : bytes;
+      this.#log({ direction: 'out', bytes: sent, frame });
+      await writer.write(sent);
     } catch (error) {
       this.#lose(new TimerError('port-lost', 'the port takes no more bytes', {}, error));
     } finally {

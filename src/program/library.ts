@@ -273,7 +273,7 @@ export function identityOf(value: unknown, path: string): Identity {
   const place = `${path}.identity`;
   const { timerClass, firmware, functions, memories, servos } = record<Identity>(value, place);
   const identity = { timerClass, firmware, functions, memories, servos } as Identity;
-  for (const name of ['timerClass', 'firmware'] as const) text(identity[name], `${place}.${name}`, 3);
+  for (const name of ['timerClass', 'firmware'] as const) text(identity[name], `${place}.${name}`, 6);
   for (const name of ['functions', 'memories', 'servos'] as const) {
     if (typeof identity[name] !== 'number') refuse('wrong-type', `${place}.${name}`, 'a number', identity[name]);
   }

@@ -76,12 +76,26 @@ export function decodeLink(link: string): SharedSetting {
   }
 }
 
+/** In place of the number of a firmware that is none. Its text follows. */
+const NO_NUMBER = 0xffff;
+const NUMBER = /^\d{3}$/;
+
+function firmwareFrom(from: PackedReader): string {
+  const number = from.pair();
+  if (number !== NO_NUMBER) return String(number).padStart(3, '0');
+  const text = from.text();
+  if (NUMBER.test(text)) throw new BytesError('a number stands as a text');
+  return text;
+}
+
 function pack({ name, note, tags, at, program, modelName }: SharedSetting): string {
   const { identity, memory, times, positions, idleThrottle } = program;
   const to = new PackedWriter();
   to.byte(VERSION);
   to.byte(identity.timerClass.charCodeAt(0));
-  to.pair(Number(identity.firmware));
+  const isNumber = NUMBER.test(identity.firmware);
+  to.pair(isNumber ? Number(identity.firmware) : NO_NUMBER);
+  if (!isNumber) to.text(identity.firmware);
   to.byte(identity.functions);
   to.byte(identity.memories);
   to.byte(identity.servos);
@@ -131,7 +145,7 @@ function unpack(bytes: Uint8Array): unknown {
   if (version !== VERSION) throw new BytesError(`there is no version ${version}`);
   const identity: Identity = {
     timerClass: String.fromCharCode(from.byte()),
-    firmware: String(from.pair()).padStart(3, '0'),
+    firmware: firmwareFrom(from),
     functions: from.byte(),
     memories: from.byte(),
     servos: from.byte(),

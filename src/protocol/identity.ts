@@ -11,7 +11,10 @@ export type TimerClass = 'B' | 'Q' | 'E' | (string & {});
 export interface Identity {
   /** One printable ASCII letter. */
   readonly timerClass: TimerClass;
-  /** Three ASCII digits, such as `536`. */
+  /**
+   * Three characters, digits on all that are known: `536`. Bytes that are no letters, digits, spaces, dots or dashes
+   * are given as six hexadecimal digits: `050306`.
+   */
   readonly firmware: string;
   /** NF, 1 or more. Functions are 1 .. NF-1; DT is number NF. Start (number 0) comes before them. */
   readonly functions: number;
@@ -28,6 +31,7 @@ export function slotCount(identity: Identity): number {
 
 const VERSION_LENGTH = 9;
 const SPACE = 0x20;
+const FIRMWARE = /^[0-9A-Za-z. -]{3}$/;
 
 /**
  * Makes sure that an identity can be real and that its messages fit into frames.
@@ -42,7 +46,8 @@ export function requireIdentity(identity: Identity, bytes?: Uint8Array): void {
     throw new CodecError('wrong-type', 'identity', 'an identity must be an object', { value: identity });
   }
   if (!isText(identity.timerClass, /^[!-~]$/)) refuse('timerClass', 'the class must be one printable character');
-  if (!isText(identity.firmware, /^[0-9]{3}$/)) refuse('firmware', 'the firmware must be three digits');
+  if (!isText(identity.firmware, FIRMWARE) && !isText(identity.firmware, /^[0-9a-f]{6}$/))
+    refuse('firmware', 'the firmware must be three characters');
   for (const field of ['functions', 'memories', 'servos'] as const) {
     const value = identity[field];
     if (!Number.isInteger(value) || value < 1 || value > 255) refuse(field, `${field} must be 1 to 255`);
@@ -53,32 +58,42 @@ export function requireIdentity(identity: Identity, bytes?: Uint8Array): void {
   }
 }
 
-/** The nine bytes of a version reply: class, three digits, a space, NF, NM, NS, a space. */
+/** The nine bytes of a version reply: class, firmware, a space, NF, NM, NS, a space. */
 export function encodeIdentity(identity: Identity): number[] {
   requireIdentity(identity);
   const { timerClass, firmware, functions, memories, servos } = identity;
-  return [...`${timerClass}${firmware}`].map((c) => c.charCodeAt(0)).concat(SPACE, functions, memories, servos, SPACE);
+  const version = FIRMWARE.test(firmware)
+    ? [...firmware].map((c) => c.charCodeAt(0))
+    : [0, 2, 4].map((at) => Number.parseInt(firmware.slice(at, at + 2), 16));
+  return [timerClass.charCodeAt(0), ...version, SPACE, functions, memories, servos, SPACE];
 }
 
-/** @throws CodecError `wrong-length` or `bad-identity`, both with the raw bytes. */
+/**
+ * Reads the two separators as any bytes: nobody knows what they are for (row 22 of docs/protocol.md).
+ * @throws CodecError `wrong-length` or `bad-identity`, both with the raw bytes.
+ */
 export function decodeIdentity(data: Uint8Array): Identity {
   if (data.length !== VERSION_LENGTH) {
     throw new CodecError('wrong-length', 'data', `a version is ${VERSION_LENGTH} bytes, not ${data.length}`, {
       bytes: data,
     });
   }
-  const [letter, d1, d2, d3, space1, functions, memories, servos, space2] = data as unknown as number[];
+  const [letter, , , , , functions, memories, servos] = data as unknown as number[];
+  const version = [...data.subarray(1, 4)];
+  const text = String.fromCharCode(...version);
   const identity: Identity = {
     timerClass: String.fromCharCode(letter as number),
-    firmware: String.fromCharCode(d1 as number, d2 as number, d3 as number),
+    firmware: FIRMWARE.test(text) ? text : version.map((byte) => byte.toString(16).padStart(2, '0')).join(''),
     functions: functions as number,
     memories: memories as number,
     servos: servos as number,
   };
   requireIdentity(identity, data);
-  if (space1 !== SPACE || space2 !== SPACE) {
-    throw new CodecError('bad-identity', 'identity', 'the two separators of a version must be 20', { bytes: data });
-  }
   // Every caller gets this object itself, and the layout of every message rests on it.
   return Object.freeze(identity);
+}
+
+/** Whether a version reply looks like those that are known: three digits of firmware, spaces as separators. */
+export function isUsualVersion(data: Uint8Array): boolean {
+  return data[4] === SPACE && data[8] === SPACE && data.subarray(1, 4).every((byte) => byte >= 0x30 && byte <= 0x39);
 }

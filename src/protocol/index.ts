@@ -38,7 +38,7 @@ export {
   ZEROS_SENT,
 } from './frame.js';
 export { frames } from './frames.js';
-export { type Identity, requireIdentity, slotCount, type TimerClass } from './identity.js';
+export { type Identity, isUsualVersion, requireIdentity, slotCount, type TimerClass } from './identity.js';
 export {
   answers,
   type CodecOptions,

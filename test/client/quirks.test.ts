@@ -7,6 +7,7 @@ import {
   type CommandName,
   commandOf,
   encodeReply,
+  FrameDecoder,
   type Identity,
   type Reply,
 } from '../../src/protocol/index.js';
@@ -292,12 +293,45 @@ describe('an answer that makes no sense', () => {
   });
 });
 
+describe('an identity with bytes that nobody knows', () => {
+  it('is believed when two replies agree, and noted', async () => {
+    const { client, timer, run } = bench();
+    answering(timer, 'GETSWVER', () => [0x42, 0x35, 0x41, 0x36, 0x21, 10, 4, 3, 0]);
+    expect(await run(client.identify())).toMatchObject({ timerClass: 'B', firmware: '5A6', functions: 10 });
+    expect(names(timer.core.answered)).toEqual(['GETSWVER', 'GETSWVER']);
+    expect(found(client)).toEqual(['identity-unusual']);
+    const baseline = await run(client.readProgram());
+    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect(report.result).toBe('verified');
+  });
+
+  it('is damage when the next reply is a usual one', async () => {
+    const { client, timer, run } = bench();
+    answering(timer, 'GETSWVER', (count) => (count === 0 ? [0x42, 0x35, 0x41, 0x36, 0x20, 10, 4, 3, 0x20] : undefined));
+    expect(await run(client.identify())).toEqual(timer.core.identity);
+    expect(found(client)).toEqual([]);
+  });
+});
+
+describe('a timer that wants four zeros', () => {
+  it('gets them in front of each request', async () => {
+    const { client, timer, line, run } = bench({}, { quirks: { fourZeros: true } });
+    const baseline = await run(client.readProgram());
+    await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect(contentOf(timer).times[10]).toBe(30000);
+    const sent = line.filter(({ direction }) => direction === 'out').map(({ bytes }) => bytes);
+    expect(sent.map((bytes) => bytes.findIndex((byte) => byte !== 0))).toEqual(sent.map(() => 4));
+    expect(sent.map((bytes) => new FrameDecoder().push(bytes).length)).toEqual(sent.map(() => 1));
+  });
+});
+
 describe('times with their high byte first', () => {
   it('are suspected when they fall and would rise, and are not written before the pilot has chosen', async () => {
     const { client, timer, run } = bench({ quirks: { bigEndianTimes: true } });
     expect(client.byteOrderOpen).toBe(false);
     const read = await run(client.readProgram());
-    expect([found(client), client.byteOrderOpen]).toEqual([['times-big-endian'], true]);
+    expect([found(client), client.byteOrderOpen, read.byteOrderOpen]).toEqual([['times-big-endian'], true, true]);
+    expect((await run(client.readMemories())).programs.every(({ byteOrderOpen }) => byteOrderOpen)).toBe(true);
     for (const wrong of [edited(read, [[10, 30000]]), edited(read, [[10, 30000]], [[0, 0, 1]])]) {
       await expect(run(client.writeProgram(wrong, { baseline: read }))).rejects.toMatchObject({
         code: 'undecided',
@@ -339,7 +373,7 @@ describe('times with their high byte first', () => {
     client.assume({ bigEndianTimes: false });
     const goal = edited(baseline, [[10, 30000]]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
-    expect(contentOf(timer)).toEqual(goal);
+    expect(goal).toMatchObject(contentOf(timer));
   });
 
   it('are not suspected when they rise as they were read', async () => {

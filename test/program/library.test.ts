@@ -127,7 +127,7 @@ describe('a program', () => {
     [{ positions: program.positions.map((row) => row.map(() => 256)) }, 'out-of-range program.positions[0][0]'],
     [{ idleThrottle: 256 }, 'out-of-range program.idleThrottle'],
     [{ identity: { ...program.identity, functions: 0 } }, 'bad-identity program.identity.functions'],
-    [{ identity: { ...program.identity, firmware: '5x6' } }, 'bad-identity program.identity.firmware'],
+    [{ identity: { ...program.identity, firmware: '5/6' } }, 'bad-identity program.identity.firmware'],
     [{ identity: { ...program.identity, firmware: 536 } }, 'wrong-type program.identity.firmware'],
     // What has no words for itself, and breaks whatever wants to show it.
     [{ identity: { ...program.identity, servos: Object.create(null) } }, 'wrong-type program.identity.servos'],

@@ -31,6 +31,13 @@ const refusal = (link: string): string => {
   return 'taken';
 };
 
+describe('a firmware that is no number', () => {
+  it.each(['5A6', '050306', ' 5.'])('comes back: %s', (firmware) => {
+    const program = { ...SHARED.program, identity: { ...SHARED.program.identity, firmware } };
+    expect(decodeLink(encodeLink({ ...SHARED, program })).program).toEqual(program);
+  });
+});
+
 describe('a link', () => {
   it('has the bytes that docs/file-format.md shows', () => {
     const small: SharedSetting = {
@@ -145,7 +152,7 @@ describe('a link', () => {
     ['only the sum of no bytes', [], 'bad-link link'],
     ['a class that is no letter', other(1, 0x20), 'bad-identity setting.program.identity.timerClass'],
     ['more servos than bytes', other(6, 255), 'bad-link link'],
-    ['a firmware of four digits', other(3, 255), 'out-of-range setting.program.identity.firmware'],
+    ['a firmware of four digits', other(3, 254), 'bad-identity setting.program.identity.firmware'],
     ['a memory that the timer has not', other(8, 4), 'out-of-range setting.program.memory'],
   ])('with %s and the right sum is refused', (_, body, expected) => {
     expect(refusal(summed(body))).toBe(expected);

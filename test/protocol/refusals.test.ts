@@ -131,9 +131,9 @@ describe('an impossible identity', () => {
   it.each<[string, object, string, string]>([
     ['a class of two letters', { timerClass: 'BQ' }, 'timerClass', 'the class must be one printable character'],
     ['a class that is a number', { timerClass: 7 }, 'timerClass', 'the class must be one printable character'],
-    ['firmware of four digits', { firmware: '5367' }, 'firmware', 'the firmware must be three digits'],
-    ['firmware after a letter', { firmware: 'v536' }, 'firmware', 'the firmware must be three digits'],
-    ['firmware that is a number', { firmware: 536 }, 'firmware', 'the firmware must be three digits'],
+    ['firmware of four digits', { firmware: '5367' }, 'firmware', 'the firmware must be three characters'],
+    ['firmware after a letter', { firmware: 'v536' }, 'firmware', 'the firmware must be three characters'],
+    ['firmware that is a number', { firmware: 536 }, 'firmware', 'the firmware must be three characters'],
     ['more memories than a byte counts', { memories: 256 }, 'memories', 'memories must be 1 to 255'],
     ['no servo', { servos: 0 }, 'servos', 'servos must be 1 to 255'],
   ])('%s is refused', (_, other, field, message) => {
@@ -147,16 +147,5 @@ describe('an impossible identity', () => {
   it.each<unknown>([undefined, null, 'Q536', 5])('%s is not an identity', (value) => {
     const message = 'an identity must be an object';
     expect(refusalOf(() => requireIdentity(value as Identity))).toEqual(['wrong-type', 'identity', message, { value }]);
-  });
-
-  it('without its separators is refused with its bytes', () => {
-    const data = bytes(0x51, 0x35, 0x33, 0x36, 0x20, 2, 4, 1, 0x21);
-    const message = 'the two separators of a version must be 20';
-    expect(refusalOf(() => decodeReply({ code: 0x6c, data }))).toEqual([
-      'bad-identity',
-      'identity',
-      message,
-      { bytes: data },
-    ]);
   });
 });

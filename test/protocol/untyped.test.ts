@@ -14,6 +14,7 @@ import {
   type ReplyOf,
 } from '../../src/protocol/index.js';
 
+const SIZES = { functions: 10, memories: 4, servos: 3 };
 const identity: Identity = { timerClass: 'Q', firmware: '536', functions: 4, memories: 4, servos: 2 };
 const loose = (work: (...values: never[]) => unknown) => work as (...values: unknown[]) => unknown;
 
@@ -161,6 +162,28 @@ describe('a request without an identity', () => {
     const least = (value: unknown): unknown => (typeof value === 'number' && value > 0 ? value - 1 : value);
     const fits = Object.fromEntries(Object.entries(request).map(([name, value]) => [name, least(value)]));
     expect(loose(encodeRequest)(fits)).toBeInstanceOf(Uint8Array);
+  });
+});
+
+describe('the bytes of an identity that no document explains', () => {
+  const version = (...other: [at: number, byte: number][]) => {
+    const data = Uint8Array.from([0x42, 0x35, 0x33, 0x36, 0x20, 10, 4, 3, 0x20]);
+    for (const [at, byte] of other) data[at] = byte;
+    return { code: COMMANDS.GETSWVER.reply, data };
+  };
+  const read = (frame: { code: number; data: Uint8Array }) => decodeReply(frame, { pending: 'GETSWVER' }).identity;
+
+  it('may be any: the timer can be read all the same', () => {
+    for (let byte = 0; byte < 256; byte++) {
+      expect(read(version([4, byte], [8, 255 - byte]))).toEqual({ ...identity, timerClass: 'B', ...SIZES });
+      const odd = read(version([2, byte]));
+      expect(odd.firmware).toMatch(/^(5[0-9A-Za-z. -]6|35[0-9a-f]{2}36)$/);
+      expect([...(new FrameDecoder().push(encodeReply({ name: 'GETSWVER', identity: odd }))[0]?.data ?? [])]).toEqual([
+        ...version([2, byte]).data,
+      ]);
+    }
+    expect(read(version([1, 5], [2, 3], [3, 6])).firmware).toBe('050306');
+    expect(read(version([2, 0x2e])).firmware).toBe('5.6');
   });
 });
 

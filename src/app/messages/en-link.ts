@@ -132,6 +132,7 @@ const quirkNames: Record<QuirkCode, string> = {
   'positions-unchanged': 'It acknowledged positions but did not keep them.',
   echo: 'The adapter sends back what it is sent.',
   'idle-throttle-unanswered': 'It did not answer when asked for its idle throttle.',
+  'identity-unusual': 'What it says of itself has bytes that are not known.',
   'idle-throttle-malformed': 'Its reply about the idle throttle has no value.',
   'replies-alike': 'Its replies to some requests are damaged, each in the same way.',
 };
