@@ -1,5 +1,7 @@
 import { expect, test } from 'vitest';
 import { parseTime } from '../../src/app/editing/units.js';
+import { edits } from '../../src/app/messages/en-edits.js';
+import { sheets } from '../app/editing/sheets.js';
 import { AppPage } from './app-page.js';
 
 /**
@@ -9,7 +11,7 @@ import { AppPage } from './app-page.js';
 const HOSTILE: readonly { what: string; text: string; takes: [number, number] }[] = [
   {
     what: 'text in the place of numbers',
-    text: 'Guten Flug\tich\tbin\tkein\tTimer\n12.5\tsoon\t?\t20\t-\n\t\tNaN\tInfinity\t\n',
+    text: '?\tich\tbin\tkein\tTimer\n12.5\tsoon\t?\t20\t-\n\t\tNaN\tInfinity\t\n',
     takes: [2, 0],
   },
   { what: 'gaps, ragged rows and empty lines', text: '\t\t70\n\n\n12,7\n\t71\t\t72\n\n', takes: [4, 0] },
@@ -31,7 +33,7 @@ const HOSTILE: readonly { what: string; text: string; takes: [number, number] }[
   {
     what: 'a sheet with decimal commas, headings and names',
     text: 'Function\tTime\tS1\tS2\tS3\nF1\t11,25\t20\t21\t22\nF2\t12,5\t23\t24\t25',
-    takes: [8, 2],
+    takes: [8, 8],
   },
   {
     what: 'more cells than are read',
@@ -68,15 +70,26 @@ const changed = (before: Readonly<Record<string, string>>, after: Readonly<Recor
     }),
   );
 
-/** The same values from the lines of the dialog, which calls these two times by their names alone. */
-const read = (lines: readonly string[]): Changed =>
-  Object.fromEntries(
-    lines.map((line) => {
-      const [place = '', change = ''] = line.split(': ');
-      const name = ['Motor stop', 'DT'].includes(place) ? `${place} time` : place;
-      return [name, values(name, change.split(' → '))];
+/** What the table of the dialog says that changes. */
+async function promised(app: AppPage): Promise<Changed> {
+  const cells = await app.page.getByRole('dialog', { name: 'Paste' }).evaluate((dialog) => {
+    const heads = Array.from(dialog.querySelectorAll('thead th'), ({ textContent }) => textContent ?? '');
+    return Array.from(dialog.querySelectorAll('tbody tr')).flatMap((row) => {
+      const [name, ...texts] = Array.from(row.children);
+      return texts.flatMap((cell, at) => {
+        const from = cell.querySelector('small')?.textContent ?? '';
+        const to = cell.firstChild?.textContent?.trim() ?? '';
+        return from === '' ? [] : [{ row: name?.textContent ?? '', head: heads[at + 1] ?? '', from, to }];
+      });
+    });
+  });
+  return Object.fromEntries(
+    cells.flatMap(({ row, head, from, to }) => {
+      const name = head === 'Time' ? `${row} time` : `${row}, ${head}`;
+      return head === 'After' ? [] : [[name, values(name, [from, to])]];
     }),
   );
+}
 
 /** Pastes twice at a field and cancels the first time. @returns how many changes were shown, and made. */
 async function tried(app: AppPage, field: string, text: string): Promise<number> {
@@ -91,17 +104,18 @@ async function tried(app: AppPage, field: string, text: string): Promise<number>
 
   await paste(app, field, text);
   await dialog.getByText(/^(This|The rest) changes/).waitFor();
-  const promised = await dialog.getByRole('listitem').filter({ hasText: ' → ' }).allInnerTexts();
+  const shown = await promised(app);
   const take = dialog.getByRole('button', { name: /^Paste/ });
   if (await take.isDisabled()) await app.page.keyboard.press('Escape');
   else await take.click();
   await gone();
-  await expect.poll(async () => changed(before, await app.entries())).toEqual(read(promised));
-  if (promised.length === 0) return 0;
+  await expect.poll(async () => changed(before, await app.entries())).toEqual(shown);
+  const count = Object.keys(shown).length;
+  if (count === 0) return 0;
   await app.undo.click();
   await expect.poll(() => app.entries()).toEqual(before);
   await expect.poll(() => app.undo.isDisabled(), { message: 'the whole paste is one step of undo' }).toBe(true);
-  return promised.length;
+  return count;
 }
 
 test('a paste changes nothing when cancelled, and exactly what was shown when confirmed', async () => {
@@ -136,4 +150,66 @@ test('a range is copied in the form of a spreadsheet, and a paste at the same pl
   await dialog.waitFor({ state: 'hidden' });
   await expect.poll(() => app.entries()).toEqual(before);
   await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
+});
+
+/** The row of the program with this name, without its intervals. */
+const rowOf = async (app: AppPage, row: string): Promise<string[]> => {
+  const entries = await app.entries();
+  return [`${row} time`, `${row}, S1`, `${row}, S2`, `${row}, S3`].map((name) => entries[name] ?? '');
+};
+
+test('a sheet goes where its rows and columns say, wherever the cursor is', async () => {
+  const app = await opened();
+  const dialog = app.page.getByRole('dialog', { name: edits.pasting.title });
+  const take = async (): Promise<void> => {
+    await dialog.getByRole('button', { name: edits.pasting.apply, exact: true }).click();
+    await dialog.waitFor({ state: 'hidden' });
+  };
+  await paste(app, 'Function 4, S2', sheets.withMotorRow);
+  await expect
+    .poll(() => dialog.getByRole('rowheader').allInnerTexts())
+    .toEqual(['Motor stop', ...Array.from({ length: 9 }, (_, at) => `Function ${at + 1}`), 'DT']);
+  await take();
+  await expect.poll(() => rowOf(app, 'Function 9')).toEqual(['2:00', '63', '56', '88']);
+  expect(await rowOf(app, 'DT')).toEqual(['3:00', '63', '95', '88']);
+  expect((await app.entries())['Motor stop time']).toBe('10.0');
+
+  await paste(app, 'DT time', sheets.transposed);
+  await take();
+  await expect.poll(() => rowOf(app, 'Function 4')).toEqual(['12.00', '71', '41', '56']);
+  expect((await rowOf(app, 'Start')).slice(1)).toEqual(['60', '15', '40']);
+
+  await paste(app, 'Function 2, S3', 'Zeit\tS1\n1,5\t20');
+  const asked = dialog.getByLabel('“Zeit”');
+  await asked.waitFor();
+  expect(await dialog.getByRole('button', { name: edits.pasting.apply, exact: true }).isDisabled()).toBe(true);
+  await asked.selectOption('time');
+  await take();
+  await expect.poll(() => rowOf(app, 'Function 2')).toEqual(['1.50', '20', '20', '42']);
+});
+
+test('a sheet as the page shows it for printing is copied and pasted back', async () => {
+  const app = await opened();
+  const before = await app.entries();
+  await app.page.evaluate(() => {
+    location.hash = '#print';
+  });
+  const table = app.page.locator('.leaf-table').first();
+  await table.waitFor();
+  await table.evaluate((element) => {
+    getSelection()?.selectAllChildren(element.closest('.leaf-body') ?? element);
+  });
+  await app.page.keyboard.press('Control+c');
+  const copied = await app.page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toContain('Motor stop\t');
+  await app.page.goBack();
+  for (const field of ['Function 2, S1', 'Function 9, S2', 'DT time', 'Motor stop time']) {
+    await app.type(field, field.endsWith('time') ? '40 s' : '0');
+  }
+  await paste(app, 'Function 5, S3', copied);
+  const dialog = app.page.getByRole('dialog', { name: edits.pasting.title });
+  await dialog.getByText(edits.pasting.lead(4, false)).waitFor();
+  await dialog.getByRole('button', { name: edits.pasting.apply, exact: true }).click();
+  await dialog.waitFor({ state: 'hidden' });
+  await expect.poll(() => app.entries()).toEqual(before);
 });

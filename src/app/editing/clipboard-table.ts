@@ -1,5 +1,6 @@
 import { type TimerProgram, valueAt } from '../../program/index.js';
 import { columnsIn, type GridField, type GridRange, gridField, intervalAt, rowsIn } from './grid.js';
+import { areWords, isUnit } from './paste-names.js';
 import { plainDigits } from './units.js';
 
 /** How many cells of a text are read: ten times what the largest timer has. */
@@ -100,6 +101,15 @@ function separatorOf(text: string): string {
   if (text.includes('\t')) return '\t';
   if (text.includes(';')) return ';';
   if (!text.includes(',')) return '';
+  if (hasHeadings(text)) return ',';
   // As the cells are read: with all that nobody sees, and with the digits of any keyboard.
   return text.split(/[\r\n]/).some((line) => DECIMAL_COMMA.test(plainDigits(line))) ? '' : ',';
+}
+
+/** Whether its first line is several headings, and each line below has as many cells: `10,60` under `Time,S1`. */
+function hasHeadings(text: string): boolean {
+  const [first = '', ...below] = text.split(/[\r\n]+/).filter((line) => line.trim() !== '');
+  const heads = first.split(',').map((head) => head.trim());
+  const isHeads = heads.length > 1 && areWords(heads) && !heads.some(isUnit);
+  return isHeads && below.length > 0 && below.every((line) => line.split(',').length === heads.length);
 }

@@ -10,17 +10,10 @@ import type { Identity } from '../../protocol/index.js';
 import { MAX_CELLS, MAX_CHARACTERS, readTable } from './clipboard-table.js';
 import { type Edit, type FieldValue, MAX_VALUE, refusalOf, setValues, type TextOption, withValues } from './edit.js';
 import { retime, startOf } from './edits.js';
-import {
-  columnsIn,
-  fieldsIn,
-  type GridField,
-  type GridRange,
-  gridColumns,
-  gridField,
-  intervalAt,
-  TIME_COLUMN,
-} from './grid.js';
+import { fieldsIn, type GridField, type GridRange, intervalAt } from './grid.js';
 import type { StepName } from './history.js';
+import { type MisplacedCode, type Pasted, place } from './paste-place.js';
+import type { PasteAnswers, PasteQuestion } from './paste-questions.js';
 import {
   type Parsed,
   parseInterval,
@@ -40,6 +33,7 @@ import {
  * - `later-unreadable`: its interval would move a later function whose text is not a value.
  * - `interval-disagrees`: the row also has a time, and this interval does not follow from the times.
  * - `reserved`: slot 0 of a class other than Q can be edited only on its own.
+ * - `no-place`, `twice`, `start-time`: see {@link MisplacedCode}.
  * - `too-large` (cells, characters): the text was not read from this row on.
  */
 export type PasteProblemCode =
@@ -50,6 +44,7 @@ export type PasteProblemCode =
   | 'later-unreadable'
   | 'interval-disagrees'
   | 'reserved'
+  | MisplacedCode
   | 'too-large';
 
 export interface PasteProblem {
@@ -85,157 +80,66 @@ export interface PastePreview {
   readonly problems: readonly PasteProblem[];
   /** How texts were read that would be ambiguous where a pilot types them. In the order of the rows. */
   readonly readings: readonly PasteReading[];
-  /** How many filled cells have no place: past the edge of the grid, or under an unknown heading. */
+  /** The cells that have a place, in the order of the text. */
+  readonly cells: readonly Pasted[];
+  /** The names that are not known. While one is open, nothing is pasted. */
+  readonly questions: readonly PasteQuestion[];
+  /** How many filled cells lie past the edge of the grid. */
   readonly ignored: number;
-  /** Whether the first row was taken for headings. */
-  readonly headings: boolean;
-  /** Whether the first column was taken for names of rows. */
-  readonly names: boolean;
 }
 
 export interface PasteOptions extends TextOption {
-  /**
-   * The names of the grid's columns, time first. A table with such headings that is pasted at the time column goes
-   * where they say.
-   */
-  readonly headings?: readonly string[];
-}
-
-/** A filled cell, and where it goes. */
-interface Pasted {
-  readonly row: number;
-  readonly column: number;
-  readonly text: string;
-  readonly field: GridField;
+  /** What the pilot has said about names that are not known. Default: nothing. */
+  readonly answers?: PasteAnswers;
 }
 
 const LONGEST_TEXT = 60;
 
 /**
- * What pasting a text at a range would do. The text begins at the first cell of the range and may go beyond the range;
- * a single cell fills the whole range. Empty cells change nothing. A table pasted at the time column has no intervals,
- * unless it is as wide as the grid. In a row with both, the time counts and the interval must agree with it. Intervals
- * without times are set from top to bottom; functions without a cell keep their distance to the one above.
+ * What pasting a text at a range would do. Rows and columns with names go where they say: see {@link place}. Any other
+ * text begins at the first cell of the range and may go beyond the range; a single cell fills the whole range. Empty
+ * cells change nothing. A table pasted at the time column has no intervals, unless it is as wide as the grid. In a row
+ * with both, the time counts and the interval must agree with it. Intervals without times are set from top to bottom;
+ * functions without a cell keep their distance to the one above.
  */
 export function previewPaste(
   program: TimerProgram,
   range: GridRange,
   text: string,
-  { headings = [], unreadable }: PasteOptions = {},
+  { answers = new Map(), unreadable }: PasteOptions = {},
 ): PastePreview {
+  const { identity } = program;
   const { rows, cut } = readTable(text);
   const isSingle = !cut && rows.length === 1 && rows[0]?.length === 1;
-  const { cells, ...read } = isSingle
-    ? fill(program.identity, range, rows[0]?.[0] ?? '')
-    : place(program.identity, range, rows, headings);
+  const { cells, misplaced, questions, ignored } = isSingle
+    ? fill(identity, range, rows[0]?.[0] ?? '')
+    : place(identity, range, rows, answers);
   const { values, problems } = resolve(program, cells, { unreadable });
+  for (const each of misplaced) problems.push({ ...each, params: {}, text: each.text.slice(0, LONGEST_TEXT) });
+  problems.sort((a, b) => a.row - b.row || a.column - b.column);
   if (cut) {
     const params = { cells: MAX_CELLS, characters: MAX_CHARACTERS };
     problems.push({ code: 'too-large', params, row: rows.length, column: 0, text: '', field: null });
   }
-  const readings = cells.flatMap((cell) => readingOf(program.identity, cell));
-  return { changes: differences(program, withValues(program, values)), values, problems, readings, ...read };
+  const readings = cells.flatMap((cell) => readingOf(identity, cell));
+  const changes = differences(program, withValues(program, values));
+  return { changes, values, problems, readings, cells, questions, ignored };
 }
 
 /**
  * The edit that a paste makes.
  * @param takeRest the pilot has seen the problems, and wants everything that can be read.
  */
-export function pasted({ changes, values, problems }: PastePreview, takeRest = false): Edit {
+export function pasted({ changes, values, problems, questions }: PastePreview, takeRest = false): Edit {
   const name: StepName = { code: 'paste', params: { count: changes.length } };
-  return setValues(name, problems.length === 0 || takeRest ? values : []);
+  const isOpen = questions.some(({ answer }) => answer === null);
+  return setValues(name, !isOpen && (problems.length === 0 || takeRest) ? values : []);
 }
 
-interface Placed extends Pick<PastePreview, 'ignored' | 'headings' | 'names'> {
-  readonly cells: readonly Pasted[];
-}
-
-function fill(identity: Identity, range: GridRange, text: string): Placed {
+function fill(identity: Identity, range: GridRange, text: string): ReturnType<typeof place> {
   const fields = text === '' ? [] : fieldsIn(identity, range);
   const cells = fields.map((field) => ({ row: 0, column: 0, text, field }));
-  return { cells, ignored: text !== '' && fields.length === 0 ? 1 : 0, headings: false, names: false };
-}
-
-function place(
-  identity: Identity,
-  { top, left }: GridRange,
-  rows: readonly (readonly string[])[],
-  known: readonly string[],
-): Placed {
-  const headings = rows.length > 1 && areWords(rows[0] ?? []);
-  // A row of units below them is a part of them.
-  const units = headings && rows.length > 2 && areUnits(rows[1] ?? []) ? (rows[1] ?? []) : null;
-  const heads = units ? 2 : headings ? 1 : 0;
-  const body = rows.slice(heads);
-  const width = Math.max(0, ...rows.map(lengthOf));
-  const names = width > 1 && areWords(body.map(([first = '']) => first));
-  const first = names ? 1 : 0;
-  const across = acrossFrom(identity, left, width - first);
-  const byName = headings && left === TIME_COLUMN ? columnsByName(rows[0] ?? [], known) : null;
-  const cells: Pasted[] = [];
-  let ignored = 0;
-  for (const [at, texts] of body.entries()) {
-    for (const [column, text] of texts.entries()) {
-      if (text === '' || column < first) continue;
-      const target = (byName ? byName[column] : across[column - first]) ?? -1;
-      const field = gridField(identity, { row: top + at, column: target });
-      if (!field) ignored++;
-      else {
-        const inMinutes = field.kind !== 'position' && IN_MINUTES.test(units?.[column] ?? '');
-        cells.push({ row: heads + at, column, text: inMinutes ? `${text} min` : text, field });
-      }
-    }
-  }
-  return { cells, ignored, headings, names };
-}
-
-/** The length of a row without the empty cells at its end. */
-function lengthOf(texts: readonly string[]): number {
-  return texts.reduce((length, text, at) => (text === '' ? length : at + 1), 0);
-}
-
-/** The columns of the grid for a table of this width. */
-function acrossFrom(identity: Identity, left: number, width: number): number[] {
-  const right = gridColumns(identity) - 1;
-  const all = width === gridColumns(identity) && left === TIME_COLUMN;
-  return all
-    ? Array.from({ length: width }, (_, column) => column)
-    : columnsIn(identity, { top: 0, bottom: 0, left, right });
-}
-
-/** The grid columns of these headings, -1 for an unknown one; null where none is known or one comes twice. */
-function columnsByName(texts: readonly string[], known: readonly string[]): number[] | null {
-  const plain = (text: string): string => text.trim().toLowerCase();
-  const names = known.map(plain);
-  // “Time (s)” as pilots head it, “Time s” as the table of the page does.
-  const bare = (text: string): string => text.replace(/(?:\ss|\s*\(s\)|\s*\[s\])$/, '');
-  const columns = texts.map(plain).map((text) => {
-    if (text === '') return -1;
-    return names.includes(text) ? names.indexOf(text) : names.indexOf(bare(text));
-  });
-  const found = columns.filter((column) => column >= 0);
-  return found.length > 0 && new Set(found).size === found.length ? columns : null;
-}
-
-const WORD = /^(?!(?:nan|inf|infinity|err\s?:\d+)$)\p{L}/iu;
-
-/**
- * Whether these are headings or names: there are some, and each begins with a letter.
- * The error texts of spreadsheets do not count.
- */
-function areWords(texts: readonly string[]): boolean {
-  const some = texts.filter((text) => text !== '');
-  return some.length > 0 && some.every((text) => WORD.test(text));
-}
-
-const UNIT = /^[([]?(?:s|sec|secs|seconds?|min|m:ss?|mm:ss|steps?|units?)\.?[)\]]?$/i;
-/** Such a unit. Times below it are in minutes. */
-const IN_MINUTES = /^[([]?min/i;
-
-/** Whether these are the units of columns, and nothing else. */
-function areUnits(texts: readonly string[]): boolean {
-  const some = texts.filter((text) => text !== '');
-  return some.length > 0 && some.every((text) => UNIT.test(text));
+  return { cells, misplaced: [], questions: [], ignored: text !== '' && fields.length === 0 ? 1 : 0 };
 }
 
 /** What the cells set, and which of them are refused. */
@@ -292,7 +196,6 @@ function resolve(
     if (from && texts.unreadable?.has(fieldKey(from))) refuse(cell, 'before-unreadable');
     else if (intervalAt(after, slot) !== value) refuse(cell, 'interval-disagrees');
   }
-  problems.sort((a, b) => a.row - b.row || a.column - b.column);
   return { values: [...retimed.values, ...positions], problems };
 }
 

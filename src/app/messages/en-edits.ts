@@ -37,6 +37,9 @@ const refused: Record<
   'before-unreadable': () => 'It counts from a time that cannot be read. Correct that time first.',
   'later-unreadable': () => 'It would move a later time that cannot be read. Correct that time first.',
   'interval-disagrees': () => 'This interval does not fit the times of the two rows.',
+  'no-place': () => 'The program has no such place.',
+  twice: () => 'This place comes twice, with different values.',
+  'start-time': () => 'The start is at 0. The motor stop has a row of its own.',
   'too-large': ({ cells }) => `The table is too large: at most ${cells} cells are read. The rest was left out.`,
 };
 
@@ -127,12 +130,18 @@ export const edits = {
   },
   pasting: {
     title: 'Paste',
+    /** Above names of rows and columns in the copied text, each with a choice beside it. */
+    asks: 'These names are not known. Say what they mean:',
+    choose: 'Choose',
+    leaveOut: 'Leave out',
+    table: 'What goes where',
     /** @param rest what is left besides that which cannot be pasted. */
     lead: (count: number, rest: boolean) =>
       `${rest ? 'The rest' : 'This'} changes ${count === 0 ? 'nothing' : cells(count)}.`,
     /** In a table, an ambiguous text is read in one way only, so the page says which. */
     reading: (field: string, text: string, time: string) => `${field}: “${text}” is read as ${time}.`,
-    ignored: (count: number) => `${cells(count)} ${count === 1 ? 'has' : 'have'} no place here and will be left out.`,
+    ignored: (count: number) =>
+      `${cells(count)} ${count === 1 ? 'has' : 'have'} no place here and will be left out: the table ends before.`,
     problems: (all: boolean) => (all ? 'This cannot be pasted' : 'Part of this cannot be pasted'),
     /** Where a problem is that belongs to no field: in the text that was copied. */
     place: (row: number, column: number) => `Row ${row}, column ${column} of the copied text`,

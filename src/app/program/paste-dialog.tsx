@@ -1,15 +1,17 @@
-import type { ReadonlySignal } from '@preact/signals';
-import { type Change, fieldKey } from '../../program/index.js';
-import type { Identity } from '../../protocol/index.js';
+import { type ReadonlySignal, useSignal } from '@preact/signals';
+import { type Identity, slotCount } from '../../protocol/index.js';
+import { withValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
-import { cellFor, type GridRange } from '../editing/grid.js';
+import type { GridRange } from '../editing/grid.js';
 import { type PasteProblem, pasted, previewPaste } from '../editing/paste.js';
-import { changeText, gridLabel, messages, pasteProblemText, spokenTime } from '../messages/index.js';
+import type { PasteAnswer, PasteQuestion } from '../editing/paste-questions.js';
+import { gridLabel, messages, pasteProblemText, slotLabel, spokenTime } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { Choice } from '../ui/choice.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { UncertainNote } from '../write/uncertain-band.js';
-import './paste-dialog.css';
+import { PasteTable } from './paste-table.js';
 
 /** A text to paste, and where. */
 export interface Pasting {
@@ -37,12 +39,6 @@ export function PasteDialog({ session, pasting: { value }, onClose }: PasteDialo
   );
 }
 
-/** The changes in the order in which the table shows them. */
-function byFunction(changes: readonly Change[]): readonly Change[] {
-  const rowOf = ({ field }: Change): number => cellFor(field)?.row ?? Number.POSITIVE_INFINITY;
-  return [...changes].sort((a, b) => rowOf(a) - rowOf(b));
-}
-
 /** Where a problem is: in the program, or, for what has no place there, in the pasted text. */
 function placeOf(identity: Identity, { field, row, column }: PasteProblem): string {
   if (field) return gridLabel(identity, field);
@@ -56,23 +52,38 @@ interface PreviewProps {
 }
 
 function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
-  const { program, edits, servoName } = messages.value;
-  const { pasting: words } = edits;
+  const { pasting: words } = messages.value.edits;
+  const answers = useSignal<ReadonlyMap<string, PasteAnswer>>(new Map());
   const working = editor.working.value;
   if (!working) return null;
   const { identity } = working;
-  const servos = Array.from({ length: identity.servos }, (_, servo) => servoName(servo));
-  const headings = [program.time, edits.table.interval, ...servos];
   // The program may change while the dialog is open, as when a timer comes back. What is shown is what will be done.
-  const preview = previewPaste(working, range, text, { headings, unreadable: editor.unreadable.value });
-  const { changes, problems, readings, ignored } = preview;
-  const isNone = preview.values.length === 0;
+  const preview = previewPaste(working, range, text, { answers: answers.value, unreadable: editor.unreadable.value });
+  const { changes, values, problems, readings, questions, ignored } = preview;
+  const isOpen = questions.some(({ answer }) => answer === null);
+  const isNone = values.length === 0;
   const apply = (): void => {
     editor.apply(pasted(preview, true));
     close();
   };
   return (
     <>
+      {questions.length > 0 && (
+        <div class="notice">
+          <p>
+            <strong>{words.asks}</strong>
+          </p>
+          {questions.map((question) => (
+            <Question
+              key={question.key}
+              {...{ identity, question }}
+              onAnswer={(answer) => {
+                answers.value = new Map(answers.value).set(question.key, answer);
+              }}
+            />
+          ))}
+        </div>
+      )}
       {problems.length > 0 && (
         <div class="notice bad">
           <p>
@@ -89,13 +100,7 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
         </div>
       )}
       <p>{words.lead(changes.length, problems.length > 0 && !isNone)}</p>
-      {changes.length > 0 && (
-        <ul class="paste-changes">
-          {byFunction(changes).map((change) => (
-            <li key={fieldKey(change.field)}>{changeText(identity, change)}</li>
-          ))}
-        </ul>
-      )}
+      <PasteTable before={working} after={withValues(working, values)} preview={preview} />
       {readings.length > 0 && (
         <div class="notice">
           <ul>
@@ -108,13 +113,58 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
           {readings.length > TOLD && <p>{words.more(readings.length - TOLD)}</p>}
         </div>
       )}
-      {ignored > 0 && <p class="hint">{words.ignored(ignored)}</p>}
+      {ignored > 0 && <p class="notice">{words.ignored(ignored)}</p>}
       <div class="buttons">
         <CancelButton onClick={close} />
-        <button type="button" class="primary" disabled={isNone} onClick={apply}>
+        <button type="button" class="primary" disabled={isNone || isOpen} onClick={apply}>
           {problems.length > 0 ? words.applyRest : words.apply}
         </button>
       </div>
     </>
   );
+}
+
+interface QuestionProps {
+  readonly identity: Identity;
+  readonly question: PasteQuestion;
+  readonly onAnswer: (answer: PasteAnswer) => void;
+}
+
+/** Asks what a name means that is not known. */
+function Question({ identity, question, onAnswer }: QuestionProps) {
+  const { pasting: words } = messages.value.edits;
+  const names = question.of === 'row' ? rowChoices(identity) : columnChoices(identity);
+  const choices = question.answer === null ? [null, ...names.keys()] : [...names.keys()];
+  return (
+    <Choice<PasteAnswer | null>
+      label={question.text === '' ? words.place(question.row + 1, question.column + 1) : `“${question.text}”`}
+      choices={choices}
+      nameOf={(choice) => (choice === null ? words.choose : (names.get(choice) ?? ''))}
+      chosen={question.answer}
+      onChoose={(answer) => answer !== null && onAnswer(answer)}
+    />
+  );
+}
+
+function rowChoices(identity: Identity): ReadonlyMap<PasteAnswer, string> {
+  const { program, edits } = messages.value;
+  const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
+  return new Map<PasteAnswer, string>([
+    ...slots.map((slot) => [`slot:${slot}`, slotLabel(identity, slot)] as const),
+    ...(identity.timerClass === 'Q' ? [['motor', program.motorStop] as const] : []),
+    ['none', edits.pasting.leaveOut],
+  ]);
+}
+
+function columnChoices(identity: Identity): ReadonlyMap<PasteAnswer, string> {
+  const { program, edits, servoName, times } = messages.value;
+  const servos = Array.from({ length: identity.servos }, (_, servo) => servo);
+  return new Map<PasteAnswer, string>([
+    ['time', `${program.time}, ${times.units.s}`],
+    ['minutes', `${program.time}, ${times.units.min}`],
+    ['interval', `${edits.table.interval}, ${times.units.s}`],
+    ...servos.map((servo) => [`servo:${servo}`, servoName(servo)] as const),
+    ['names', program.slot],
+    ['none', edits.pasting.leaveOut],
+  ]);
 }

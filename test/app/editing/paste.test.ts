@@ -6,12 +6,10 @@ import { setInterval } from '../../../src/app/editing/edits.js';
 import { fieldsIn, type GridRange, intervalAt, programField } from '../../../src/app/editing/grid.js';
 import { type PasteOptions, type PastePreview, pasted, previewPaste } from '../../../src/app/editing/paste.js';
 import { differences, fieldKey, type TimerProgram } from '../../../src/program/index.js';
-import { slotCount } from '../../../src/protocol/index.js';
 import { anyProgram, programAndRange, programOf, Q4, valuesOf } from './grid-programs.js';
 
 const program = programOf();
 const B4 = { ...Q4, timerClass: 'B' };
-const HEADINGS = ['Time', 'Interval', 'S1', 'S2'];
 
 /** The range of one cell. */
 const at = (row: number, column: number): GridRange => ({ top: row, left: column, bottom: row, right: column });
@@ -34,7 +32,7 @@ describe('a pasted table', () => {
       'position:0:4': '50 -> 40',
       'time:4': '1500 -> 12550',
     });
-    expect(preview).toMatchObject({ problems: [], ignored: 0, headings: false, names: false });
+    expect(preview).toMatchObject({ problems: [], ignored: 0, questions: [] });
     expect(withValues(program, setBy(preview)).times).toEqual([1000, 50, 1000, 1250, 12550, 18000]);
   });
 
@@ -98,26 +96,14 @@ describe('a pasted table', () => {
 });
 
 describe('headings and names', () => {
-  it('are skipped and counted', () => {
-    const preview = paste('Function\tTime\tS1\nStart\t11\t1\nFunction 1\t0.6\t2');
-    expect(preview).toMatchObject({ headings: true, names: true, ignored: 0, problems: [] });
+  it('are skipped', () => {
+    const preview = paste('Function\tTime\tS1\nStart\t0\t1\nFunction 1\t0.6\t2');
+    expect(preview).toMatchObject({ questions: [], ignored: 0, problems: [] });
     expect(changesIn(preview)).toEqual({
-      'time:0': '1000 -> 1100',
       'time:1': '50 -> 60',
       'position:0:0': '10 -> 1',
       'position:0:1': '20 -> 2',
     });
-  });
-
-  it.each([
-    ['headings alone', 'Time\n11', true, false],
-    ['names alone', 'Start\t11\nFn 1\t0.6', false, true],
-    ['names with gaps', '\t11\nDT\t0.6', false, true],
-    ['headings over an empty corner', '\tt [s]\nDT\t6', true, true],
-    ['headings in other letters', 'Zeit\tΔ\n1\t1', true, false],
-    ['neither', '11\t1\n0.6\t2', false, false],
-  ])('%s', (_, text, headings, names) => {
-    expect(paste(text)).toMatchObject({ headings, names, problems: [] });
   });
 
   it.each([
@@ -132,49 +118,32 @@ describe('headings and names', () => {
       '1:0 Err\u00a0:508 not-a-time',
     ],
     ['a formula', '=A1\n11', '0:0 =A1 not-a-time'],
-    ['a row of texts alone', 'Start\tTime\tS1', '0:1 Time not-a-time', '0:2 S1 not-a-whole-number'],
+    ['a row of texts alone', 'Start\tTime\tS1', '0:1 Time start-time', '0:2 S1 not-a-whole-number'],
     ['a column of texts', 'Time\nStart\nDT', '1:0 Start not-a-time', '2:0 DT not-a-time'],
     ['a name among numbers', 'x\t1\n11\t2', '0:0 x not-a-time'],
   ])('%s is not a heading', (_, text, ...problems) => {
     expect(problemsIn(paste(text))).toEqual(problems);
   });
 
-  it('decide where the columns go when they are known', () => {
-    const text = 'No\ts2\tNote\tTIME\n1\t7\tcalm\t11\n2\t8\t\t0.6';
-    const preview = paste(text, at(0, 0), { headings: HEADINGS });
-    expect(changesIn(preview)).toEqual({
-      'time:0': '1000 -> 1100',
-      'time:1': '50 -> 60',
-      'position:1:0': '15 -> 7',
-      'position:1:1': '25 -> 8',
-    });
-    expect(preview).toMatchObject({ ignored: 3, problems: [] });
-    expect(changesIn(paste('Function\tS1\nStart\t7', at(0, 0), { headings: HEADINGS }))).toEqual({
-      'position:0:0': '10 -> 7',
-    });
-  });
-
   it.each(['Time s', 'Time (s)', 'time[s]', 'Time\u00a0s'])('may name the unit: “%s”', (heading) => {
-    const preview = paste(`S1\t${heading}\n7\t11`, at(0, 0), { headings: HEADINGS });
+    const preview = paste(`S1\t${heading}\n7\t11`, at(0, 0));
     expect(changesIn(preview)).toEqual({ 'time:0': '1000 -> 1100', 'position:0:0': '10 -> 7' });
     expect(preview).toMatchObject({ ignored: 0, problems: [] });
   });
 
   it.each(['s\tsteps', '(s)\t', '\t[steps]', 'sec.\tUnits'])('may have a row of units below them: “%s”', (units) => {
-    const preview = paste(`Time\tS1\n${units}\n11\t7\nx\t8`, at(0, 0), { headings: HEADINGS });
+    const preview = paste(`Time\tS1\n${units}\n11\t7\nx\t8`, at(0, 0));
     expect(changesIn(preview)).toEqual({
       'time:0': '1000 -> 1100',
       'position:0:0': '10 -> 7',
       'position:0:1': '20 -> 8',
     });
-    expect(preview).toMatchObject({ headings: true, ignored: 0 });
+    expect(preview).toMatchObject({ questions: [], ignored: 0 });
     expect(preview.problems.map(({ code, row }) => [code, row])).toEqual([['not-a-time', 3]]);
   });
 
   it.each(['min', '(min.)', '[Min]'])('may have minutes in that row: “%s”', (unit) => {
-    const preview = paste(`S1\tTime\nsteps\t${unit}\n7\t0.5\n8\t0:40\n9\tx\n\t2.30\n\t3 s`, at(1, 0), {
-      headings: HEADINGS,
-    });
+    const preview = paste(`S1\tTime\nsteps\t${unit}\n7\t0.5\n8\t0:40\n9\tx\n\t2.30\n\t3 s`, at(1, 0));
     expect(changesIn(preview)).toMatchObject({
       'time:1': '50 -> 3000',
       'time:2': '1000 -> 4000',
@@ -186,33 +155,15 @@ describe('headings and names', () => {
   });
 
   it('have no row of units below them that holds anything else', () => {
-    const preview = paste('Function\tTime\tS1\nStart\ts\tsteps\nDT\t11\t7', at(0, 0), { headings: HEADINGS });
+    const preview = paste('Function\tTime\tS1\nStart\ts\tsteps\nDT\t11\t7', at(0, 0));
     expect(preview.problems.map(({ row, column }) => [row, column])).toEqual([
       [1, 1],
       [1, 2],
     ]);
   });
 
-  it('are not shortened when a servo has that very name', () => {
-    const headings = ['Time', 'After', 'Wing', 'Wing s'];
-    expect(changesIn(paste('Wing s\n7', at(0, 0), { headings }))).toEqual({ 'position:1:0': '15 -> 7' });
-  });
-
-  it('do not decide away from the time column, or when one comes twice', () => {
-    const options = { headings: HEADINGS };
-    expect(changesIn(paste('S1\n7', at(0, 3), options))).toEqual({ 'position:1:0': '15 -> 7' });
-    expect(changesIn(paste('S1\tS1\n7\t8', at(0, 0), options))).toEqual({
-      'time:0': '1000 -> 700',
-      'position:0:0': '10 -> 8',
-    });
-    expect(changesIn(paste('a\tb\n7\t8', at(0, 0), options))).toEqual({
-      'time:0': '1000 -> 700',
-      'position:0:0': '10 -> 8',
-    });
-  });
-
   it('do not change how places in the text are counted', () => {
-    expect(problemsIn(paste('Function\tTime\nStart\tx\nFn\t1\nFn\t-1'))).toEqual([
+    expect(problemsIn(paste('Function\tTime\nF1\tx\nF2\t1\nF3\t-1'))).toEqual([
       '1:1 x not-a-time',
       '3:1 -1 not-a-time',
     ]);
@@ -369,7 +320,7 @@ describe('copied and pasted', () => {
     fc.assert(
       fc.property(programAndRange, decimal, ([before, range], mark) => {
         const preview = previewPaste(before, range, formatTable(before, range).replaceAll('.', mark));
-        expect(preview).toMatchObject({ changes: [], problems: [], headings: false, names: false, ignored: 0 });
+        expect(preview).toMatchObject({ changes: [], problems: [], questions: [], ignored: 0 });
         const fields = new Set(fieldsIn(before.identity, range).map((field) => fieldKey(programField(field))));
         expect(new Set(preview.values.map(({ field }) => fieldKey(field)))).toEqual(fields);
       }),
@@ -454,11 +405,12 @@ describe('whatever is pasted', () => {
     fc.assert(
       fc.property(programAndRange, anyText, fc.boolean(), ([before, range], text, takeRest) => {
         const copy = structuredClone(before);
-        const preview = previewPaste(before, range, text, { headings: ['Time', 'Interval', 'S1', 'S2', 'S3'] });
+        const preview = previewPaste(before, range, text);
         const values = setBy(preview, takeRest);
         const after = withValues(before, values);
         expect(before).toEqual(copy);
-        expect(differences(before, after)).toEqual(preview.problems.length > 0 && !takeRest ? [] : preview.changes);
+        const isDone = preview.questions.length === 0 && (preview.problems.length === 0 || takeRest);
+        expect(differences(before, after)).toEqual(isDone ? preview.changes : []);
         expect(new Set(values.map(({ field }) => fieldKey(field))).size).toBe(values.length);
         for (const { field, to } of preview.changes) {
           if (field.kind === 'idleThrottle') expect.fail('the idle throttle is not in the grid');
@@ -466,7 +418,8 @@ describe('whatever is pasted', () => {
         }
         const { timerClass } = before.identity;
         if (timerClass !== 'Q') expect(after.times[0]).toBe(before.times[0]);
-        expect(preview.problems.every(({ row }) => row < slotCount(before.identity) + 2)).toBe(true);
+        expect(preview.problems.every(({ row }) => row < text.split(/[\r\n]/).length)).toBe(true);
+        if (preview.questions.length > 0) expect(values).toEqual([]);
         if (preview.changes.length > 0) changed++;
       }),
       { numRuns: 3000 },

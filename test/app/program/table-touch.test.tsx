@@ -85,9 +85,10 @@ describe('a range without a Shift key', () => {
     await pick('Function 2, S1', 'Function 3, S1');
     await press('Paste…');
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
-    expect(dialog.getAllByRole('listitem').map(({ textContent }) => textContent)).toEqual([
-      'Function 2, S1: 35 → 7',
-      'Function 3, S1: 45 → 7',
+    expect(dialog.getAllByRole('row').map(({ textContent }) => textContent)).toEqual([
+      'FunctionS1',
+      'Function 27 35',
+      'Function 37 45',
     ]);
   });
 
