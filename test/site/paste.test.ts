@@ -208,7 +208,8 @@ test('a sheet as the page shows it for printing is copied and pasted back', asyn
   }
   await paste(app, 'Function 5, S3', copied);
   const dialog = app.page.getByRole('dialog', { name: edits.pasting.title });
-  await dialog.getByText(edits.pasting.lead(4, false)).waitFor();
+  console.log(JSON.stringify(copied), JSON.stringify(await dialog.innerText()));
+  await expect.poll(() => dialog.innerText()).toContain(edits.pasting.lead(4, false));
   await dialog.getByRole('button', { name: edits.pasting.apply, exact: true }).click();
   await dialog.waitFor({ state: 'hidden' });
   await expect.poll(() => app.entries()).toEqual(before);

@@ -1,4 +1,5 @@
 import type { Flight } from '../../program/index.js';
+import { foldedText, searchFor } from '../messages/search.js';
 import { askCalendar } from '../messages/today.js';
 import type { FlightRecord } from '../storage/index.js';
 import type { FlightFilter } from './flight-filter.js';
@@ -32,14 +33,14 @@ export interface FlightDay {
 export function filtered(records: readonly FlightRecord[], filter: FlightFilter, now: number): readonly FlightRecord[] {
   const { model, setting, place } = filter;
   const { from, before } = rangeOf(filter, now);
-  const words = plain(filter.text).split(/\s+/).filter(Boolean);
+  const isFound = searchFor(filter.text);
   return records.filter((record) => {
     const { flight } = record;
     if (model !== 'all' && flight.model !== (model === 'none' ? null : model.id)) return false;
     if (setting !== null && flight.setting !== setting) return false;
     if (place !== null && flight.place !== place) return false;
     if ((from !== null && flight.at < from) || (before !== null && flight.at >= before)) return false;
-    return words.length === 0 || words.every((word) => textOf(record).includes(word));
+    return filter.text === '' || isFound(textOf(record));
   });
 }
 
@@ -141,12 +142,7 @@ function textOf(record: FlightRecord): string {
   const known = texts.get(record);
   if (known !== undefined) return known;
   const { place, modelName, settingName, round, note } = record.flight;
-  const text = plain([place, modelName, settingName, round, note].join('\n'));
+  const text = foldedText([place, modelName, settingName, round, note].join('\n'));
   texts.set(record, text);
   return text;
-}
-
-/** Small letters without marks, so that “Gyula” finds “GYŰLA”. */
-function plain(text: string): string {
-  return text.normalize('NFD').replaceAll(/\p{M}/gu, '').toLowerCase();
 }

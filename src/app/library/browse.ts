@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { foldedText, searchFor } from '../messages/search.js';
 import type { Library } from '../session/library.js';
 import type { ModelRecord, SettingRecord } from '../storage/index.js';
-import { foldedText, hasAll, searchWords } from './search.js';
 
 /** How many rows are drawn at first, and how many more each time the end of the list comes near. */
 const FIRST = 60;
@@ -54,11 +54,11 @@ export class Browse {
         .slice(0, LATEST),
     );
     this.found = computed(() => {
-      const words = searchWords(this.#text.value);
-      if (words.length === 0) return null;
+      if (this.#text.value.trim() === '') return null;
+      const isFound = searchFor(this.#text.value);
       const names = new Map(models.list.value.map(({ key, model }) => [key, foldedText(model.name)]));
       return settings.list.value.filter((record) =>
-        hasAll(`${this.#textOf(record)}\n${names.get(record.setting.model ?? '') ?? ''}`, words),
+        isFound(`${this.#textOf(record)}\n${names.get(record.setting.model ?? '') ?? ''}`),
       );
     });
   }

@@ -1,4 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { searchFor } from '../messages/search.js';
 import type { LineLog } from '../session/line-log.js';
 import type { LineRecord } from '../session/line-record.js';
 import { type Recording, RecordingError, readRecording } from './recording.js';
@@ -150,9 +151,10 @@ export class LineView {
 }
 
 function test(filter: LineFilter, search: string): (record: LineRecord) => boolean {
-  const words = search.trim().toLowerCase();
-  const hex = hexIn(words);
-  return (record) => isOfKind(record, filter) && (words === '' || says(record, words, hex));
+  const isFound = searchFor(search);
+  const hex = hexIn(search.trim().toLowerCase());
+  const isAll = search.trim() === '';
+  return (record) => isOfKind(record, filter) && (isAll || says(record, isFound, hex));
 }
 
 function isOfKind({ direction, rejected, error }: LineRecord, filter: LineFilter): boolean {
@@ -160,9 +162,9 @@ function isOfKind({ direction, rejected, error }: LineRecord, filter: LineFilter
   return filter === 'damaged' ? rejected !== null || error !== null : direction === filter;
 }
 
-function says(record: LineRecord, words: string, hex: string | null): boolean {
+function says(record: LineRecord, isFound: (folded: string) => boolean, hex: string | null): boolean {
   const text = rowText(record);
-  return text.words.includes(words) || (hex !== null && text.bytes.includes(hex));
+  return isFound(text.words) || (hex !== null && text.bytes.includes(hex));
 }
 
 /** Whole bytes in hex, with any spacing; null for any other text. */

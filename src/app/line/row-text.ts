@@ -1,6 +1,7 @@
 import { computed } from '@preact/signals';
 import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
+import { foldedText } from '../messages/search.js';
 import type { LineRecord } from '../session/line-record.js';
 
 /** What an entry of the line means, in words and in hex. */
@@ -24,7 +25,7 @@ export function rowText(record: LineRecord): RowText {
   const known = texts.get(record);
   if (known) return known;
   const [name, meaning] = [frameName(record), describeFrame(record, record.layout)];
-  const text = { name, meaning, bytes: hexOf(record.bytes), words: `${name} ${meaning}`.toLowerCase() };
+  const text = { name, meaning, bytes: hexOf(record.bytes), words: foldedText(`${name} ${meaning}`) };
   texts.set(record, text);
   return text;
 }

@@ -5,6 +5,7 @@ import { tried } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { print as words } from '../messages/en-print.js';
 import { dateText, messages, timerName } from '../messages/index.js';
+import { foldedText, searchFor } from '../messages/search.js';
 import type { Session } from '../session/session.js';
 import { qrLinkOf, sharedOf } from '../session/setting-link.js';
 import type { SettingRecord } from '../storage/index.js';
@@ -78,13 +79,11 @@ export class Print {
       return readMemories(session).map(({ key, memory }) => ({ key, name: memoryText(memory, names?.[memory] ?? '') }));
     });
     this.found = computed(() => {
-      const wanted = this.#search.value.toLowerCase().split(/\s+/).filter(Boolean);
-      const named = library.settings.list.value.map((record) => ({ record, name: this.nameOf(record).toLowerCase() }));
+      const isFound = searchFor(this.#search.value);
       const places = new Map(library.models.list.value.map(({ key }, at) => [key, at]));
       const place = ({ setting }: SettingRecord): number => places.get(setting.model ?? '') ?? places.size;
-      return named
-        .filter(({ record, name }) => !record.setting.archived && wanted.every((word) => name.includes(word)))
-        .map(({ record }) => record)
+      return library.settings.list.value
+        .filter((record) => !record.setting.archived && isFound(foldedText(this.nameOf(record))))
         .sort((a, b) => place(a) - place(b));
     });
   }

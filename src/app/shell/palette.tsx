@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import { useEffect, useId } from 'preact/hooks';
 import { takePageKey } from '../browser/page-keys.js';
 import { messages } from '../messages/index.js';
+import { foldedText, searchFor } from '../messages/search.js';
 import { Modal } from '../ui/modal.js';
 import './palette.css';
 
@@ -47,7 +48,8 @@ function Choice({ commands, onClose }: PaletteProps & { readonly onClose: () => 
   const text = useSignal('');
   const at = useSignal(0);
   const list = useId();
-  const found = commands().filter(({ name }) => matches(name, text.value));
+  const isFound = searchFor(text.value);
+  const found = commands().filter(({ name }) => isFound(foldedText(name)));
   const last = found.length - 1;
   const chosen = Math.min(at.value, last);
   const run = (command: PaletteCommand | undefined): void => {
@@ -111,13 +113,4 @@ function Choice({ commands, onClose }: PaletteProps & { readonly onClose: () => 
       )}
     </div>
   );
-}
-
-/** Whether each word of a search begins a word of the name. */
-function matches(name: string, search: string): boolean {
-  const words = name.toLowerCase().split(/[\s,()]+/);
-  return search
-    .toLowerCase()
-    .split(/\s+/)
-    .every((part) => words.some((word) => word.startsWith(part)));
 }
