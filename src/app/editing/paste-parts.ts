@@ -31,11 +31,12 @@ function isHeading(texts: readonly string[]): boolean {
 
 /** Lines of text above the first headings, as on a printed sheet, are no part of the table. */
 export function partsOf(identity: Identity, rows: Rows): Part[] {
-  const found = rows.flatMap((texts, row) => (isHeading(texts) ? [row] : []));
-  const [first = 0] = found;
-  const isText = (texts: readonly string[]): boolean =>
-    filled(texts).length < 2 && !/^[\d.,:-]/.test(filled(texts)[0] ?? '');
-  const heads = rows.slice(0, first).every(isText) ? found : [];
+  const first = Math.max(0, rows.findIndex(isHeading));
+  // Words alone begin another table, such as that of the flights on a printed sheet.
+  const isOther = (texts: readonly string[]): boolean =>
+    filled(texts).length > 1 && areWords(texts) && !isNamedRow(identity, filled(texts)[0] ?? '');
+  const found = rows.flatMap((texts, row) => (isHeading(texts) || (row > first && isOther(texts)) ? [row] : []));
+  const heads = rows.slice(0, first).every((texts) => filled(texts).length < 2) ? found : [];
   const [top = []] = rows;
   // Headings in words that are not known are headings, too.
   const isAtTop = rows.length > 1 && areWords(top) && !filled(top).every((text) => isNamedRow(identity, text));
@@ -54,7 +55,7 @@ export function isSideways(identity: Identity, rows: Rows): boolean {
   const [top = []] = rows;
   const width = Math.max(0, ...rows.map(lengthOf));
   if (width < 2 || width * rows.length > MAX_CELLS || top.slice(1).some(isColumnName)) return false;
-  const below = rows.slice(1).filter(([first = '']) => isColumnName(first)).length;
+  const below = rows.slice(1).filter((texts) => filled(texts).length > 1 && isColumnName(texts[0] ?? '')).length;
   const slots = top.slice(1).filter((text) => isNamedRow(identity, text)).length;
   return below > 0 || slots > 1 || (rows.length === 1 && isColumnName(top[0] ?? '') && !areWords(top));
 }

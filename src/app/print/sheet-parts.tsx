@@ -87,8 +87,8 @@ export function SheetTable({ sheet, group, rows }: SheetTableProps) {
             </th>
             {group.map((servo) => (
               <th scope="col" key={servo}>
-                {servoName(servo)}
-                {group.length <= NAMED_IN_HEAD && <small>{sheet.servos[servo]}</small>}
+                {servoName(servo)}{' '}
+                {group.length <= NAMED_IN_HEAD && sheet.servos[servo] && <small>{sheet.servos[servo]}</small>}
               </th>
             ))}
           </tr>

@@ -73,6 +73,12 @@ describe('a table with names', () => {
     ]);
   });
 
+  it.each(ANYWHERE)('as the page prints it goes where it says, with all that stands around it, from %j', (range) => {
+    const { times, positions } = result(sheets.printed, range);
+    expect(times).toEqual([1000, 1050, 1100, 1150, 1200, 1250, 1300, 1350, 1400, 1450, 18000]);
+    expect(positions).toEqual([1, 2, 3].map(() => [15, 25, 35, 45, 55, 65, 75, 85, 95, 105, 115]));
+  });
+
   it('of columns alone, with commas between them, begins at the row of the cell', () => {
     const { times, positions } = result(sheets.twoColumns, at(3, 4));
     expect(times.slice(2, 7)).toEqual([2, 1000, 1300, 1800, 6]);
