@@ -3,6 +3,7 @@ import { useId } from 'preact/hooks';
 import { LIMITS, type Model } from '../../program/index.js';
 import { modelMessages } from '../messages/en-which-model.js';
 import { dayText } from '../messages/index.js';
+import { foldedText, searchFor } from '../messages/search.js';
 import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
@@ -44,8 +45,8 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
     ...possible.flatMap(({ model }) => choices.filter(({ id }) => id === model.id)),
     ...choices.filter(({ id }) => !near.has(id)),
   ];
-  const wanted = searched.value.trim().toLocaleLowerCase();
-  const shown = inOrder.filter(({ name }) => name.toLocaleLowerCase().includes(wanted));
+  const isFound = searchFor(searched.value);
+  const shown = inOrder.filter(({ name }) => isFound(foldedText(name)));
   return (
     <>
       <p class="hint">{found?.kind === 'said' ? dialog.said(found.model.name) : dialog.lead}</p>
