@@ -25,16 +25,25 @@ it.each(TURNS)('%j in a name does not reverse a sentence', (turn) => {
   requireFlight(withPlainNames(flight));
 });
 
-it.each(['Lancer 07', 'שחף 3', 'شاهين ٧', '👩‍👩‍👧 🛩️', 'a\u200db', 'Ła̷n̴c̵e̶r', '<b>', '\uf8ff', '\u{1fbff}'])(
-  '%j stays as it is',
-  (name) => {
-    expect(withPlainNames({ ...MODEL, name })).toEqual({ ...MODEL, name });
-    expect(withPlainNames({ ...SETTING, name, tags: [name] })).toEqual({ ...SETTING, name, tags: [name] });
-    expect(withPlainNames({ ...FLIGHT, place: name })).toEqual({ ...FLIGHT, place: name });
-  },
-);
-
 it.each([
+  'Lancer 07',
+  'שחף 3',
+  'شاهين ٧',
+  '👩‍👩‍👧 🛩️',
+  'می\u200cخواهم',
+  'क्\u200dष',
+  '🏴\u{e0067}\u{e0062}\u{e007f}',
+  'Ła̷n̴c̵e̶r',
+  '<b>',
+  '\uf8ff',
+  '\u{1fbff}',
+])('%j stays as it is', (name) => {
+  expect(withPlainNames({ ...MODEL, name })).toEqual({ ...MODEL, name });
+  expect(withPlainNames({ ...SETTING, name, tags: [name] })).toEqual({ ...SETTING, name, tags: [name] });
+  expect(withPlainNames({ ...FLIGHT, place: name })).toEqual({ ...FLIGHT, place: name });
+});
+
+it.each<readonly [given: string, plain: string]>([
   ['Lancer\r\n07', 'Lancer 07'],
   ['calm\tmorning', 'calm morning'],
   ['\u001b[31mcalm', '[31mcalm'],
@@ -43,6 +52,10 @@ it.each([
   ['calm\ud83d', 'calm\ufffd'],
   ['\udfffcalm', '\ufffdcalm'],
   ['\u200b\u00ad\ufeff', ''],
+  ...['\u200b', '\u200c', '\u200d', '\u200e', '\u00ad', '\u034f', '\u061c', '\u2060', '\u2064', '\ufeff', '\ufe0f'].map(
+    (hidden) => [`ca${hidden}lm`, 'calm'] as const,
+  ),
+  ['a\ufe0f\u200d🛩\ufe0f\ufe0f', 'a🛩\ufe0f'],
   [' \u3000\u2003', ''],
   ['\u0000', ''],
 ])('%j becomes %j: a name stands on one line, and can be seen', (given, plain) => {
