@@ -2,13 +2,13 @@ import { useComputed, useSignal } from '@preact/signals';
 import type { TargetedFocusEvent } from 'preact';
 import { useMemo, useRef } from 'preact/hooks';
 import type { Editor } from '../editing/editor.js';
+import { TimeQuestion } from '../ui/time-question.js';
 import { useLateComputed } from '../ui/use-late.js';
 import { type OnStep, stepByKey, useWheel } from './field-tools.js';
 import type { Hand } from './hand.js';
 import { IntervalModel } from './interval-model.js';
 import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
-import { TimeQuestion } from './time-question.js';
 import { useWhole } from './use-whole.js';
 import './value-field.css';
 

@@ -7,9 +7,9 @@ import { type Ambiguous, readTime } from '../editing/units.js';
 import { dtText, messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import { Icon } from '../ui/icon.js';
+import { TimeQuestion } from '../ui/time-question.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
 import { useLateComputed } from '../ui/use-late.js';
-import { TimeQuestion } from './time-question.js';
 import './presets.css';
 
 interface DtPresetsProps {
