@@ -19,8 +19,11 @@ import { flag, list, record, text, whole } from './require.js';
 export const FILE_FORMAT = 'sidus-timer library';
 /** The version that is written. Files of a newer version are refused. */
 export const FILE_VERSION = 1;
-/** The longest file that is read or written, in characters. 2,000 settings and 10,000 flights take under 20 million. */
-export const MAX_FILE = 50_000_000;
+/**
+ * The longest file that is read or written, in characters. 2,000 settings and 10,000 flights take 17 million, and
+ * a hostile file of this size is refused within seconds.
+ */
+export const MAX_FILE = 20_000_000;
 
 /** What one memory of a timer held when it was last verified. */
 export interface VerifiedMemory {

@@ -1,7 +1,7 @@
 import { answerOf } from './services.js';
 
-/** A file of more bytes is not even read: no text here is that long. */
-const LARGEST = 100_000_000;
+/** A file of more bytes is not even read: a library of 20 million characters has at most three bytes for each. */
+const LARGEST = 60_000_000;
 /** How long a disk, or a network drive, may take to give a file, or for a step of taking one, in milliseconds. */
 export const PATIENCE = 60_000;
 
