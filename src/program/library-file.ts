@@ -162,7 +162,7 @@ const SERVO = ['duty', 'name', 'low', 'high', 'reversed'] as const;
 const SETTING = ['id', 'model', 'name', 'note', 'tags', 'at', 'program', 'from', 'archived', 'changedAt'] as const;
 const FLIGHT = [
   ...['id', 'at', 'place', 'model', 'modelName', 'setting', 'settingName', 'program', 'wind', 'temperature', 'round'],
-  ...['result', 'note', 'changedAt'],
+  ...['result', 'note', 'utcOffset', 'changedAt'],
 ] as const;
 const VERIFIED = ['at', 'program', 'simulated'] as const;
 const PROGRAM = ['identity', 'memory', 'idleThrottle', 'slots'] as const;

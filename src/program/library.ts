@@ -103,6 +103,11 @@ export interface Flight {
   readonly id: string;
   /** When it was flown, in milliseconds since 1970. */
   readonly at: number;
+  /**
+   * How far the clock of the field was ahead of UTC when the flight was logged, in minutes, -840 to 840. Missing where it
+   * is not known.
+   */
+  readonly utcOffset?: number;
   /** Up to 100 characters. */
   readonly place: string;
   /** The id of the model; null when it was not in the library. */
@@ -201,6 +206,7 @@ export function requireFlight(value: unknown, path = 'flight'): Flight {
   return {
     id: id(of.id, `${path}.id`),
     at: date(of.at, `${path}.at`),
+    ...offset(of.utcOffset, `${path}.utcOffset`),
     place: text(of.place, `${path}.place`, LIMITS.place),
     model: optional(of.model, (given) => id(given, `${path}.model`)),
     modelName: text(of.modelName, `${path}.modelName`, LIMITS.name),
@@ -213,6 +219,13 @@ export function requireFlight(value: unknown, path = 'flight'): Flight {
     result: measured(of.result, `${path}.result`, 0, 36_000),
     note: text(of.note, `${path}.note`, LIMITS.note),
   };
+}
+
+/** The farthest that a clock is from UTC, in minutes: 14 hours, on the Line Islands. */
+const FARTHEST = 840;
+
+function offset(value: unknown, path: string): Pick<Flight, 'utcOffset'> {
+  return value === undefined || value === null ? {} : { utcOffset: whole(value, path, -FARTHEST, FARTHEST) };
 }
 
 /**

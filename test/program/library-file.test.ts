@@ -210,6 +210,16 @@ describe('a library file', () => {
     expect(parseLibraryFile(formatLibraryFile({ ...LIBRARY, models }, HEAD)).library.models[0]?.name).toBe(name);
   });
 
+  it('keeps the clock of a flight, which may be missing', () => {
+    for (const utcOffset of [-840, 0, 345, 840]) {
+      const flights = [{ ...FLIGHT, utcOffset }];
+      const text = formatLibraryFile({ ...LIBRARY, flights }, HEAD);
+      expect(parseLibraryFile(text)).toMatchObject({ library: { flights }, ignored: [] });
+      expect(breach(schema, JSON.parse(text))).toBeUndefined();
+    }
+    expect(Object.keys(parseLibraryFile(TEXT).library.flights[0] ?? {})).not.toContain('utcOffset');
+  });
+
   it('must not have an id twice', () => {
     const twice = { ...LIBRARY, settings: [SETTING, { ...SETTING, name: 'the same' }] };
     expect(() => formatLibraryFile(twice, HEAD)).toThrowError(

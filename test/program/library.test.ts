@@ -74,6 +74,10 @@ describe.each([
   [requireFlight, FLIGHT, { wind: 51 }, 'out-of-range flight.wind'],
   [requireFlight, FLIGHT, { temperature: -51 }, 'out-of-range flight.temperature'],
   [requireFlight, FLIGHT, { result: '180' }, 'wrong-type flight.result'],
+  [requireFlight, FLIGHT, { utcOffset: 841 }, 'out-of-range flight.utcOffset'],
+  [requireFlight, FLIGHT, { utcOffset: -841 }, 'out-of-range flight.utcOffset'],
+  [requireFlight, FLIGHT, { utcOffset: 60.5 }, 'not-an-integer flight.utcOffset'],
+  [requireFlight, FLIGHT, { utcOffset: '+01:00' }, 'not-an-integer flight.utcOffset'],
 ] as const)('%o', (require, example, change, refused) => {
   test(`with ${JSON.stringify(change).slice(0, 60)} is refused: ${refused}`, () => {
     expect(codeOf(() => (require as (value: unknown) => unknown)({ ...example, ...change }))).toBe(refused);

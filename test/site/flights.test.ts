@@ -61,7 +61,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   expect([...bytes.subarray(0, 3)], 'the file begins with the mark by which Excel knows UTF-8').toEqual([
     0xef, 0xbb, 0xbf,
   ]);
-  const [head = [], row = [], ...more] = readCsv(bytes.toString('utf8').slice(1), ';');
+  const [head = [], row = [], ...more] = readCsv(bytes.toString('utf8').slice(1), ',');
   expect(more).toEqual([]);
   const cells = Object.fromEntries(head.map((name, at) => [name, row[at]]));
   expect(cells).toMatchObject({

@@ -9,10 +9,11 @@ import { Select } from '../ui/choice.js';
 import { Modal } from '../ui/modal.js';
 import { Problem } from '../ui/problem.js';
 import { TimesTable } from '../ui/slot-table.js';
+import { TimeQuestion } from '../ui/time-question.js';
 import { FlightForm } from './flight-form.js';
-import { placesOf, ROUND_MAXIMUM, timeOfDay } from './flight-list.js';
+import { placesOf, ROUND_MAXIMUM } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
-import { dayHeading, heldText, resultText } from './flight-text.js';
+import { clockOf, dayHeading, heldText, resultText } from './flight-text.js';
 import { measureText } from './measures.js';
 import { MeasureField, MeasureProblem, Stepper } from './stepper.js';
 import './flight-dialog.css';
@@ -51,7 +52,8 @@ function Form({ id, session, log }: FormProps) {
     const list = flights.list.peek();
     const at = list.findIndex(({ key }) => key === id);
     const opened = list[at];
-    return opened ? new FlightForm(log, opened.flight, list[at + 1]?.flight ?? null) : null;
+    const before = list.slice(at + 1).map(({ flight }) => flight);
+    return opened ? new FlightForm(log, opened.flight, before) : null;
   }, [id, log, flights]);
   const box = useRef<HTMLFormElement>(null);
   useEffect(() => {
@@ -73,9 +75,10 @@ function Form({ id, session, log }: FormProps) {
       <p class="flight-of">
         <strong>{dotted([flight.modelName || row.noModel, flight.settingName])}</strong>
         <span>{heldText(flight.program)}</span>
-        <span class="hint">{dotted([dayHeading(flight.at), timeOfDay(flight.at), flight.place])}</span>
+        <span class="hint">{dotted([dayHeading(flight), clockOf(flight), flight.place])}</span>
       </p>
       <Result form={form} />
+      <Proposed form={form} />
       <Round form={form} />
       <ShortDtNote {...{ session, log, form, id }} />
       <div class="flight-steppers">
@@ -134,11 +137,36 @@ function Result({ form }: { readonly form: FlightForm }) {
           {words.fullShort}
         </button>
       </span>
+      {form.either.value && (
+        <TimeQuestion
+          label={words.result}
+          either={form.either.value}
+          onAnswer={(value, byKey) => {
+            form.answer(value);
+            if (byKey) document.getElementById(id)?.focus();
+          }}
+          onEscape={() => form.answer(null)}
+        />
+      )}
       <MeasureProblem form={form} measure="result" unit={words.resultUnit} note={note} />
       <span class="hint" id={hint}>
         {result === null ? words.resultHint : understood(result)}
       </span>
     </div>
+  );
+}
+
+/** The next round and the last wind of the day, to note with one tap. */
+function Proposed({ form }: { readonly form: FlightForm }) {
+  const { form: words, row } = flightMessages;
+  const proposed = form.proposed.value;
+  if (!proposed) return null;
+  const { round, wind } = proposed;
+  const facts = [round && row.round(round), wind !== null && row.wind(measureText(wind))];
+  return (
+    <button type="button" class="chip" onClick={() => form.takeProposed()}>
+      {words.propose(dotted(facts))}
+    </button>
   );
 }
 
@@ -243,6 +271,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
           />
         </label>
         <Problem text={form.problems.value.has('at') && words.unreadable['not-a-date']} />
+        {flight.utcOffset === undefined && <p class="hint">{words.noOffset}</p>}
         <label class="flight-field">
           {words.place}
           <input

@@ -1,6 +1,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { Flight, Model } from '../../program/index.js';
-import { dayOf, timeOfDay } from './flight-list.js';
+import type { Ambiguous } from '../editing/units.js';
+import { dayOf, momentOf, nextRound, timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { type Measure, measureText, RANGES, type ReadMeasure, readMeasure, steppedMeasure } from './measures.js';
 
@@ -17,21 +18,27 @@ export class FlightForm {
   /** Whether anything has changed since the form was opened. */
   readonly changed: ReadonlySignal<boolean>;
   readonly problems: ReadonlySignal<ReadonlyMap<Field, Problem>>;
+  /** What the result may mean; null where its text is clear. */
+  readonly either: ReadonlySignal<Ambiguous['either'] | null>;
+  /** The round after the last one of the day, and the last wind, while neither is noted; null for none. */
+  readonly proposed: ReadonlySignal<Pick<Flight, 'round' | 'wind'> | null>;
   readonly #changes = signal<Partial<Flight>>({}, { name: 'flightChanges' });
   /** The texts of the fields, where they differ from what the flight would show. */
   readonly #texts = signal<ReadonlyMap<Field, string>>(new Map(), { name: 'flightTexts' });
   readonly #log: FlightLog;
   readonly #opened: Flight;
-  /** The flight before on the same day: wind and temperature change slowly. */
-  readonly #before: Flight | null;
+  /** What was noted last on the same day: wind and temperature change slowly. */
+  readonly #before: Pick<Flight, Measure | 'round'>;
+  /** The value of the field that is being typed in, from before that. */
+  #resting: number | null = null;
   #waits = false;
   #keeping = false;
 
-  /** @param before the flight before this one. */
-  constructor(log: FlightLog, opened: Flight, before: Flight | null) {
+  /** @param before the flights before this one, the latest first. */
+  constructor(log: FlightLog, opened: Flight, before: readonly Flight[]) {
     this.#log = log;
     this.#opened = opened;
-    this.#before = before && dayOf(before.at) === dayOf(opened.at) ? before : null;
+    this.#before = lastNoted(before.filter((flight) => dayOf(flight) === dayOf(opened)));
     this.flight = computed(() => ({ ...opened, ...this.#changes.value }));
     this.changed = computed(
       () =>
@@ -48,6 +55,27 @@ export class FlightForm {
           }),
         ),
     );
+    this.either = computed(() => {
+      const read = readMeasure('result', this.#texts.value.get('result') ?? '');
+      return 'either' in read ? read.either : null;
+    });
+    this.proposed = computed(() => {
+      const { round, wind } = this.flight.value;
+      const next = { round: nextRound(this.#before.round), wind: this.#before.wind };
+      return round !== '' || wind !== null || (next.round === '' && next.wind === null) ? null : next;
+    });
+  }
+
+  /** Notes what was proposed. */
+  takeProposed(): void {
+    const { proposed } = this;
+    if (proposed.peek()) this.#change(proposed.peek() ?? {});
+  }
+
+  /** Says what the text of the result means, in hundredths of a second; null takes the text back. */
+  answer(hundredths: number | null): void {
+    this.#text('result', null);
+    if (hundredths !== null) this.#change({ result: hundredths / 100 });
   }
 
   /** The text in the field of a number. */
@@ -57,14 +85,17 @@ export class FlightForm {
 
   /** The text in the field of the date: `2026-11-22T14:05`. */
   get when(): string {
-    const { at } = this.flight.value;
-    return this.#texts.value.get('at') ?? `${dayOf(at)}T${timeOfDay(at)}`;
+    const flight = this.flight.value;
+    return this.#texts.value.get('at') ?? `${dayOf(flight)}T${timeOfDay(flight)}`;
   }
 
   type(measure: Measure, text: string): void {
     const read = readMeasure(measure, text);
+    if (!this.#texts.peek().has(measure)) this.#resting = this.flight.peek()[measure];
     this.#text(measure, text);
     if ('value' in read) this.#change({ [measure]: read.value });
+    // Before `2.58` the text was `2` for a moment.
+    if ('either' in read) this.#change({ [measure]: this.#resting });
   }
 
   /** The field was left: its value gets the usual form. */
@@ -76,14 +107,14 @@ export class FlightForm {
   step(measure: Measure, direction: 1 | -1): void {
     const value = this.flight.peek()[measure];
     const next =
-      value === null ? (this.#before?.[measure] ?? RANGES[measure].first) : steppedMeasure(measure, value, direction);
+      value === null ? (this.#before[measure] ?? RANGES[measure].first) : steppedMeasure(measure, value, direction);
     this.#text(measure, null);
     this.#change({ [measure]: next });
   }
 
   /** Sets date and time of day from the text of a browser's field. */
   setWhen(text: string): void {
-    const at = text === '' ? Number.NaN : new Date(text).getTime();
+    const at = momentOf(text, this.flight.peek());
     const isDate = at >= 0;
     this.#text('at', isDate ? null : text);
     if (isDate) this.#change({ at });
@@ -147,4 +178,14 @@ export class FlightForm {
     }
     this.#keeping = false;
   }
+}
+
+/** The last that was noted of each, in flights with the latest first. */
+function lastNoted(flights: readonly Flight[]): Pick<Flight, Measure | 'round'> {
+  const last = (measure: Measure): number | null =>
+    flights.find((flight) => flight[measure] !== null)?.[measure] ?? null;
+  return {
+    ...{ wind: last('wind'), temperature: last('temperature'), result: last('result') },
+    round: flights.find(({ round }) => round !== '')?.round ?? '',
+  };
 }

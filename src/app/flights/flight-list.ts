@@ -17,12 +17,14 @@ export interface Totals {
   readonly maxima: number;
 }
 
+/** When a flight was: a moment, and the clock of its field. */
+export type When = Pick<Flight, 'at' | 'utcOffset'>;
+
 /** The flights of one day at one place. */
 export interface FlightDay {
   readonly key: string;
   readonly place: string;
-  /** The time of the latest flight, in milliseconds since 1970. */
-  readonly at: number;
+  readonly latest: When;
   readonly records: readonly FlightRecord[];
 }
 
@@ -46,13 +48,13 @@ export function filtered(records: readonly FlightRecord[], filter: FlightFilter,
 
 /** The same flights by day and place, in the given order (newest first). Each place of a day comes once. */
 export function grouped(records: readonly FlightRecord[]): readonly FlightDay[] {
-  const days = new Map<string, { place: string; at: number; records: FlightRecord[] }>();
+  const days = new Map<string, { place: string; latest: When; records: FlightRecord[] }>();
   for (const record of records) {
-    const { at, place } = record.flight;
-    const key = `${dayOf(at)} ${place}`;
+    const { place } = record.flight;
+    const key = `${dayOf(record.flight)} ${place}`;
     const day = days.get(key);
     if (day) day.records.push(record);
-    else days.set(key, { place, at, records: [record] });
+    else days.set(key, { place, latest: record.flight, records: [record] });
   }
   return [...days].map(([key, day]) => ({ key, ...day }));
 }
@@ -76,6 +78,12 @@ export function totalsOf(records: readonly FlightRecord[]): Totals {
 /** Whether it was a numbered round. A fly-off goes on past the maximum. */
 export function isRound({ round }: Pick<Flight, 'round'>): boolean {
   return /^\d/.test(round.trim());
+}
+
+/** The round after one: “4” after “3”, “fly-off 2” after “fly-off 1”. Empty after one without a number. */
+export function nextRound(round: string): string {
+  const [, name, number] = /^(.*?)(\d{1,3})$/.exec(round.trim()) ?? [];
+  return number === undefined ? '' : `${name}${Number(number) + 1}`;
 }
 
 /** The places in the log, the latest first. */
@@ -121,18 +129,42 @@ function beginOf(day: string, after = 0): number | null {
   return Number.isFinite(begin) ? begin : null;
 }
 
-/** A calendar day in the form of files and fields: `2026-11-22`. */
-export function dayOf(at: number): string {
-  askCalendar();
-  const date = new Date(at);
-  const two = (part: number): string => String(part).padStart(2, '0');
-  return `${String(date.getFullYear()).padStart(4, '0')}-${two(date.getMonth() + 1)}-${two(date.getDate())}`;
+const two = (part: number): string => String(part).padStart(2, '0');
+
+/** A calendar day on the clock of the field, in the form of files and fields: `2026-11-22`. */
+export function dayOf(when: When): string {
+  const date = onClock(when);
+  return `${String(date.getUTCFullYear()).padStart(4, '0')}-${two(date.getUTCMonth() + 1)}-${two(date.getUTCDate())}`;
 }
 
-/** A time of day: `14:05`. */
-export function timeOfDay(at: number): string {
-  const date = new Date(at);
-  return `${String(date.getHours()).padStart(2, '0')}:${String(date.getMinutes()).padStart(2, '0')}`;
+/** A time of day on the clock of the field: `14:05`. */
+export function timeOfDay(when: When): string {
+  const date = onClock(when);
+  return `${two(date.getUTCHours())}:${two(date.getUTCMinutes())}`;
+}
+
+/** What the clock of the field showed, as the UTC of a date. Where that is not known: what this device would show. */
+export function onClock({ at, utcOffset = deviceOffset(at) }: When): Date {
+  askCalendar();
+  return new Date(at + utcOffset * 60_000);
+}
+
+/** The moment at which the clock of a flight shows a day and a time; NaN when the text is none. */
+export function momentOf(text: string, { utcOffset }: Partial<When>): number {
+  if (utcOffset === undefined) return text === '' ? Number.NaN : new Date(text).getTime();
+  return new Date(`${text}Z`).getTime() - utcOffset * 60_000;
+}
+
+/** How far the clock of this device is ahead of UTC at a moment, in minutes. */
+export function deviceOffset(at: number): number {
+  return 0 - new Date(at).getTimezoneOffset();
+}
+
+/** “UTC+08:00”; empty when it is not known. */
+export function offsetText({ utcOffset }: Partial<When>): string {
+  if (utcOffset === undefined) return '';
+  const size = Math.abs(utcOffset);
+  return `UTC${utcOffset < 0 ? '−' : '+'}${two(Math.floor(size / 60))}:${two(size % 60)}`;
 }
 
 /** Worked out once for each record: a changed record is a new object. */

@@ -7,6 +7,7 @@ import type { Session } from '../session/session.js';
 import { putBackDt } from '../write/put-back.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { type FlightFilter, NO_FILTER } from './flight-filter.js';
+import { deviceOffset } from './flight-list.js';
 
 /** What was flown: the program, the model and the setting. */
 type Flown = Pick<Flight, 'program' | 'model' | 'modelName' | 'setting' | 'settingName'>;
@@ -170,7 +171,8 @@ export class FlightLog {
     const nothingNoted = { wind: null, temperature: null, round: '', result: null, note: '' };
     const { library } = this.#session;
     this.#logged.value = key;
-    void library.keepFlight({ id: key, at: Date.now(), ...nothingNoted, ...flight });
+    const at = Date.now();
+    void library.keepFlight({ id: key, at, utcOffset: deviceOffset(at), ...nothingNoted, ...flight });
     return key;
   }
 

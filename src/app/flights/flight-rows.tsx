@@ -5,8 +5,8 @@ import { flightMessages } from '../messages/en-flights.js';
 import { dtText } from '../messages/index.js';
 import type { ShortDt } from '../session/short-dt.js';
 import type { FlightRecord } from '../storage/index.js';
-import { type FlightDay, isRound, timeOfDay } from './flight-list.js';
-import { dayHeading, isFull, resultText } from './flight-text.js';
+import { type FlightDay, isRound } from './flight-list.js';
+import { clockOf, dayHeading, isFull, resultText } from './flight-text.js';
 import { measureText } from './measures.js';
 import './flight-rows.css';
 
@@ -120,8 +120,8 @@ interface DayProps extends Omit<FlightRowsProps, 'days'> {
 
 function Day({ part, counted, ...props }: DayProps) {
   const words = flightMessages;
-  const { at, place, goesOn, count, records } = part;
-  const title = words.day(dayHeading(at), place);
+  const { latest, place, goesOn, count, records } = part;
+  const title = words.day(dayHeading(latest), place);
   return (
     <section class="flight-day" aria-label={title}>
       {!goesOn && (
@@ -147,7 +147,7 @@ interface RowProps extends Omit<FlightRowsProps, 'days'> {
 export function Row({ record: { key, flight }, shortDt, onOpen, of }: RowProps) {
   const { row: words } = flightMessages;
   const { wind, temperature, round, result, note, program } = flight;
-  const day = of && flightMessages.day(dayHeading(flight.at), flight.place);
+  const day = of && flightMessages.day(dayHeading(flight), flight.place);
   // A name that all rows share stands above them.
   const name = of === 'setting' ? '' : of === 'model' ? flight.settingName : flight.modelName || words.noModel;
   const facts = [
@@ -160,7 +160,7 @@ export function Row({ record: { key, flight }, shortDt, onOpen, of }: RowProps) 
   return (
     <li>
       <button type="button" class="flight-row" onClick={() => onOpen(key)}>
-        <span class="flight-time">{timeOfDay(flight.at)}</span>
+        <span class="flight-time">{clockOf(flight)}</span>
         <span class="flight-what">
           <b>{name || day}</b>
           {!of && flight.settingName && `\u00a0· ${flight.settingName}`}

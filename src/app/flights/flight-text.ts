@@ -4,7 +4,7 @@ import { formatDate } from '../messages/date-format.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { ROUND_MAXIMUM } from './flight-list.js';
+import { deviceOffset, offsetText, onClock, ROUND_MAXIMUM, timeOfDay, type When } from './flight-list.js';
 
 /** A result as a large figure: “2:58 min”, “40.5 s”. */
 export function resultText(seconds: number): string {
@@ -31,7 +31,13 @@ export function heldText(program: TimerProgram): string {
 }
 
 /** A day as the heading of a group: “Sun 22 Nov 2026”. */
-export function dayHeading(at: number): string {
-  const day = { weekday: 'short', day: 'numeric', month: 'short', year: 'numeric' } as const;
-  return formatDate(messages.value.locale, day, at);
+export function dayHeading(when: When): string {
+  const day = { weekday: 'short', day: 'numeric', month: 'short', year: 'numeric', timeZone: 'UTC' } as const;
+  return formatDate(messages.value.locale, day, onClock(when).getTime());
+}
+
+/** A time of day, with its offset where this device has another one: “06:30 UTC+08:00”. */
+export function clockOf(when: When): string {
+  const isOurs = when.utcOffset === undefined || when.utcOffset === deviceOffset(when.at);
+  return isOurs ? timeOfDay(when) : `${timeOfDay(when)} ${offsetText(when)}`;
 }

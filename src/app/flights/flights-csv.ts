@@ -1,14 +1,23 @@
 import { type Flight, valueAt } from '../../program/index.js';
-import { dayOf, timeOfDay } from './flight-list.js';
+import { dayOf, offsetText, timeOfDay } from './flight-list.js';
 
-/** Between the columns. Spreadsheets expect the one that is usual in their country. */
-export const SEPARATORS = [';', ','] as const;
-export type Separator = (typeof SEPARATORS)[number];
+/** How a country writes tables and numbers. Between columns a spreadsheet takes semicolons where numbers have a comma. */
+export interface Marks {
+  readonly separator: ';' | ',';
+  readonly decimal: ',' | '.';
+}
+
+/** What is usual in a language, such as `de-AT`. Default: that of the browser. */
+export function marksOf(language?: string): Marks {
+  const hasComma = new Intl.NumberFormat(language).format(1.5).includes(',');
+  return hasComma ? { separator: ';', decimal: ',' } : { separator: ',', decimal: '.' };
+}
 
 /** The columns of the file, in their order. */
 export const CSV_COLUMNS = [
   'date',
   'time',
+  'zone',
   'place',
   'model',
   'setting',
@@ -29,28 +38,32 @@ const FORMULA = /^(?:'|\s*[=+\-@＝＋－＠]|[\t\r\n])/;
 
 /**
  * The flights as a table for spreadsheets (RFC 4180). UTF-8 with a mark at the start, so that Excel recognises it;
- * dates in ISO 8601; numbers with a point. A text that looks like a formula gets an apostrophe before it, and so does a
- * text that begins with one: a reader removes one apostrophe.
+ * dates in ISO 8601, on the clock of the field. A text that looks like a formula gets an apostrophe before it, and so
+ * does a text that begins with one: a reader removes one apostrophe.
  * @param heads the names of the columns, with their units.
  */
 export function flightsCsv(
   flights: readonly Flight[],
-  { separator, heads }: { readonly separator: Separator; readonly heads: Readonly<Record<CsvColumn, string>> },
+  { marks, heads }: { readonly marks: Marks; readonly heads: Readonly<Record<CsvColumn, string>> },
 ): string {
   const rows = [
     CSV_COLUMNS.map((column) => quoted(heads[column])),
-    ...flights.map((flight) => CSV_COLUMNS.map((column) => cell(flight, column))),
+    ...flights.map((flight) => CSV_COLUMNS.map((column) => cell(flight, column, marks))),
   ];
-  return `\uFEFF${rows.map((row) => `${row.join(separator)}\r\n`).join('')}`;
+  return `\uFEFF${rows.map((row) => `${row.join(marks.separator)}\r\n`).join('')}`;
 }
 
-function cell(flight: Flight, column: CsvColumn): string {
+function cell(flight: Flight, column: CsvColumn, { decimal }: Marks): string {
+  const number = (value: number | null): string => (value === null ? '' : String(value).replace('.', decimal));
+  const seconds = (hundredths: number | null): string => number(hundredths === null ? null : hundredths / 100);
   const { identity, memory } = flight.program;
   switch (column) {
     case 'date':
-      return dayOf(flight.at);
+      return dayOf(flight);
     case 'time':
-      return timeOfDay(flight.at);
+      return timeOfDay(flight);
+    case 'zone':
+      return text(offsetText(flight));
     case 'place':
       return text(flight.place);
     case 'model':
@@ -71,14 +84,6 @@ function cell(flight: Flight, column: CsvColumn): string {
     default:
       return number(flight[column]);
   }
-}
-
-function number(value: number | null): string {
-  return value === null ? '' : String(value);
-}
-
-function seconds(hundredths: number | null): string {
-  return hundredths === null ? '' : String(hundredths / 100);
 }
 
 /** A text is always in quotes: otherwise the other separator would begin a new cell. */

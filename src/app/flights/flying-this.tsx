@@ -36,7 +36,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
     return (
       <div class="flying-this" {...box}>
         <p role="status">
-          <strong>{words.logged(timeOfDay(logged.at), [logged.modelName || row.noModel, logged.place])}</strong>
+          <strong>{words.logged(timeOfDay(logged), [logged.modelName || row.noModel, logged.place])}</strong>
           {log.unkept.value && <span class="bad-text"> {words.unkept}</span>}
         </p>
         <div class="buttons">

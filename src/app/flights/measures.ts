@@ -1,4 +1,4 @@
-import { parseTime, plainDigits } from '../editing/units.js';
+import { type Ambiguous, parseTime, plainDigits, readTime } from '../editing/units.js';
 
 /*
  * Converts between what a pilot types with cold hands and the numbers of a flight: with comma or point, with or without
@@ -16,9 +16,11 @@ export const RANGES = {
   result: { min: 0, max: 36_000, step: 1, first: 180 },
 } as const satisfies Record<Measure, { min: number; max: number; step: number; first: number }>;
 
-/** A number; null for an empty text; or why the text is no number. */
+/** A number; null for an empty text; the two or more that a text may mean; or why it is no number. */
 export type ReadMeasure =
   | { readonly value: number | null }
+  /** In hundredths of a second, as where a DT is typed. */
+  | { readonly unreadable: 'ambiguous'; readonly either: Ambiguous['either'] }
   | { readonly unreadable: 'not-a-number' | 'not-a-time' | 'too-fine' | 'out-of-range' };
 
 const NUMBER = /^([+-])?(\d{0,6})(?:[.,](\d{0,6}))?$/;
@@ -27,7 +29,10 @@ const UNITS: Readonly<Record<Exclude<Measure, 'result'>, RegExp>> = {
   temperature: /\s*(?:°\s*c?|c)$/i,
 };
 
-/** Reads `3`, `3,5`, `-2.5`, `4 m/s`, `12 °C`; a result also as `2:58` and `3 min`. Empty text: nothing noted. */
+/**
+ * Reads `3`, `3,5`, `-2.5`, `4 m/s`, `12 °C`; a result also as `2:58`, `2'58`, `2 58`, `2m58s`
+ * and `3 min`. A result of `2.58` may be minutes and seconds, or seconds. Empty text: nothing noted.
+ */
 export function readMeasure(measure: Measure, text: string): ReadMeasure {
   const trimmed = plainDigits(text);
   if (trimmed === '') return { value: null };
@@ -49,9 +54,16 @@ export function steppedMeasure(measure: Measure, value: number, direction: 1 | -
   return Math.min(max, Math.max(min, next * step));
 }
 
+/** Minutes and seconds as on a score card: `2'58`, `2′58″`, `2 58`, `2m58s`. */
+const CARD = /^(\d{1,3}) ?(?:['’′m]| (?=\d)) ?([0-5]\d(?:[.,]\d{1,2})?) ?(?:["”″s]|'')?$/i;
+
 function readResult(text: string): ReadMeasure {
-  const read = parseTime(text);
+  const [, minutes, seconds] = CARD.exec(text) ?? [];
+  const card = minutes === undefined ? text : `${minutes}:${seconds}`;
+  // Whole seconds are the rule here: `230` is no question.
+  const read = /^\d*[.,]\d*$/.test(card) ? readTime(card, { isDt: true }) : parseTime(card);
   if (!('unreadable' in read)) return { value: read.value / 100 };
+  if ('either' in read) return read;
   return { unreadable: read.unreadable === 'too-fine' ? 'too-fine' : 'not-a-time' };
 }
 

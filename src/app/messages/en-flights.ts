@@ -66,6 +66,8 @@ export const flightMessages = {
     result: 'Result',
     resultHint: 'Seconds, or minutes like 2:58.',
     readAs: (time: string, seconds: string) => `${time}, ${seconds} s`,
+    /** @param facts the next round and the last wind. */
+    propose: (facts: string) => `Note ${facts}`,
     full: 'Full round, 180 s',
     fullShort: '180 s',
     round: 'Round',
@@ -82,6 +84,7 @@ export const flightMessages = {
     note: 'Note',
     when: 'Date, place, model',
     date: 'Date and time',
+    noOffset: 'The time zone of the field is not known: this is the time of this device.',
     place: 'Place',
     model: 'Model',
     flown: 'What was flown',
@@ -90,6 +93,7 @@ export const flightMessages = {
     remove: 'Delete',
     done: 'Done',
     unreadable: {
+      ambiguous: 'Say what it means.',
       'not-a-number': 'Not a number.',
       'not-a-time': 'Not a time: type seconds like 178, or minutes like 2:58.',
       'too-fine': 'Finer than a hundredth of a second.',
@@ -101,11 +105,10 @@ export const flightMessages = {
   },
   csv: {
     save: 'Save as a table (CSV)',
-    separator: 'Between columns',
-    separators: { ';': 'Semicolon', ',': 'Comma' },
     columns: {
       date: 'Date',
       time: 'Time',
+      zone: 'Time zone',
       place: 'Place',
       model: 'Model',
       setting: 'Setting',

@@ -1,17 +1,22 @@
 import fc from 'fast-check';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { type FlightFilter, NO_FILTER, PERIODS } from '../../../src/app/flights/flight-filter.js';
 import {
   dayOf,
+  deviceOffset,
   filtered,
   grouped,
   midnight,
   modelsOf,
+  momentOf,
+  nextRound,
+  offsetText,
   placesOf,
   rangeOf,
   timeOfDay,
   totalsOf,
 } from '../../../src/app/flights/flight-list.js';
+import { clockOf, dayHeading } from '../../../src/app/flights/flight-text.js';
 import { anyLog, recordOf } from './flights.js';
 
 const NOW = new Date(2026, 0, 18, 12).getTime();
@@ -49,8 +54,8 @@ describe('the filter of the log', () => {
         const days = { all: '', today: '2026-01-18', month: '2025-12-19', year: '2026-01-01', own: from };
         for (const { flight } of inTurn) {
           if (filter.place !== null) expect(flight.place).toBe(filter.place);
-          if (/^\d/.test(days[period])) expect(dayOf(flight.at) >= days[period]).toBe(true);
-          if (period === 'own' && /^\d/.test(until)) expect(dayOf(flight.at) <= until).toBe(true);
+          if (/^\d/.test(days[period])) expect(dayOf(flight) >= days[period]).toBe(true);
+          if (period === 'own' && /^\d/.test(until)) expect(dayOf(flight) <= until).toBe(true);
         }
       }),
     );
@@ -94,10 +99,10 @@ describe('the log by days', () => {
         const days = grouped(log);
         expect(days.flatMap(({ records }) => records).length).toBe(log.length);
         expect(new Set(days.map(({ key }) => key)).size).toBe(days.length);
-        for (const { at, place, records } of days) {
-          expect(records[0]?.flight.at).toBe(at);
-          expect(new Set(records.map(({ flight }) => `${dayOf(flight.at)}|${flight.place}`))).toEqual(
-            new Set([`${dayOf(at)}|${place}`]),
+        for (const { latest, place, records } of days) {
+          expect(records[0]?.flight).toBe(latest);
+          expect(new Set(records.map(({ flight }) => `${dayOf(flight)}|${flight.place}`))).toEqual(
+            new Set([`${dayOf(latest)}|${place}`]),
           );
           expect(records.map(({ flight }) => flight.at)).toEqual(
             records.map(({ flight }) => flight.at).sort((a, b) => b - a),
@@ -109,10 +114,52 @@ describe('the log by days', () => {
 
   it('ends at the midnight of the pilot, also where a clock is changed', () => {
     const evening = new Date(2026, 2, 28, 23, 59).getTime();
-    expect([dayOf(evening), timeOfDay(evening)]).toEqual(['2026-03-28', '23:59']);
-    expect(dayOf(midnight(evening, 1))).toBe('2026-03-29');
-    expect(timeOfDay(midnight(evening, 1))).toBe('00:00');
-    expect(timeOfDay(midnight(evening, 2))).toBe('00:00');
+    const shown = (at: number): string[] => [dayOf({ at }), timeOfDay({ at })];
+    expect(shown(evening)).toEqual(['2026-03-28', '23:59']);
+    expect(shown(midnight(evening, 1))).toEqual(['2026-03-29', '00:00']);
+    expect(shown(midnight(evening, 2))).toEqual(['2026-03-30', '00:00']);
+  });
+});
+
+describe('the clock of the field', () => {
+  it.each([
+    ['in Mongolia', 480, '2026-08-14', '06:30', 'UTC+08:00'],
+    ['in California', -420, '2026-08-13', '15:30', 'UTC−07:00'],
+    ['in Nepal', 345, '2026-08-14', '04:15', 'UTC+05:45'],
+    ['in London in winter', 0, '2026-08-13', '22:30', 'UTC+00:00'],
+  ])('stays with a flight, wherever it is read: %s', (_, utcOffset, day, time, text) => {
+    onTestFinished(() => void vi.unstubAllEnvs());
+    for (const zone of ['Asia/Ulaanbaatar', 'America/Los_Angeles', 'UTC']) {
+      vi.stubEnv('TZ', zone);
+      const flight = { at: Date.UTC(2026, 7, 13, 22, 30), utcOffset };
+      expect([dayOf(flight), timeOfDay(flight), offsetText(flight)]).toEqual([day, time, text]);
+      expect(momentOf(`${day}T${time}`, flight)).toBe(flight.at);
+      expect(dayHeading(flight)).toContain(String(Number(day.slice(-2))));
+      const isOurs = deviceOffset(flight.at) === utcOffset;
+      expect(clockOf(flight)).toBe(isOurs ? time : `${time} ${text}`);
+    }
+  });
+
+  it('is that of the device where a flight has none', () => {
+    onTestFinished(() => void vi.unstubAllEnvs());
+    vi.stubEnv('TZ', 'America/Los_Angeles');
+    const flight = { at: Date.UTC(2026, 7, 13, 22, 30) };
+    expect([dayOf(flight), clockOf(flight), offsetText(flight)]).toEqual(['2026-08-13', '15:30', '']);
+    expect(momentOf('2026-08-13T15:30', flight)).toBe(flight.at);
+    expect([momentOf('', flight), momentOf('', { utcOffset: 60 })]).toEqual([Number.NaN, Number.NaN]);
+  });
+});
+
+describe('the next round', () => {
+  it.each([
+    ['3', '4'],
+    ['9', '10'],
+    ['fly-off 1', 'fly-off 2'],
+    ['Round 2', 'Round 3'],
+    ['fly-off', ''],
+    ['', ''],
+  ])('after “%s” is “%s”', (round, next) => {
+    expect(nextRound(round)).toBe(next);
   });
 });
 

@@ -26,7 +26,7 @@ async function write(app: AppBench, dt: string): Promise<void> {
 }
 
 /** A flight in the log, and the form in which it is filled in. */
-async function opened(changes: Partial<Flight> = {}, before: Flight | null = null) {
+async function opened(changes: Partial<Flight> = {}, before: readonly Flight[] = []) {
   const app = await connectedBench();
   await app.session.library.keepFlight({ ...PLAIN, ...changes });
   return { app, form: new FlightForm(app.flights, latest(app), before) };
@@ -43,6 +43,7 @@ describe('one tap', () => {
     await idle();
     expect(latest(app).program).toMatchObject({ memory: 0, times, positions });
     expect(times[10]).toBe(24_000);
+    expect(latest(app).utcOffset).toBe(0 - new Date().getTimezoneOffset());
     const { wind, temperature, round, result, note, place, model, modelName } = latest(app);
     expect([wind, temperature, round, result, note, place, model, modelName]).toEqual([
       null,
@@ -216,14 +217,14 @@ describe('the form of a flight', () => {
 
   it('steps from the value of the earlier flight of that day, else from a usual one', async () => {
     const before = { ...PLAIN, id: 'before', at: PLAIN.at - 60_000, wind: 4.5 };
-    const { form } = await opened({}, before);
+    const { form } = await opened({}, [before]);
     form.step('wind', 1);
     form.step('temperature', -1);
     expect([form.textOf('wind'), form.textOf('temperature')]).toEqual(['4.5', '15']);
     form.step('wind', 1);
     form.step('temperature', -1);
     expect([form.textOf('wind'), form.textOf('temperature')]).toEqual(['5', '14']);
-    const other = await opened({}, { ...before, at: before.at - 86_400_000 });
+    const other = await opened({}, [{ ...before, at: before.at - 86_400_000 }]);
     other.form.step('wind', 1);
     expect(other.form.textOf('wind')).toBe('2');
   });
@@ -265,6 +266,38 @@ describe('the form of a flight', () => {
     for (const note of ['g', 'go', 'goo', 'good']) form.setNote(note);
     await idle(0);
     expect(kept(app).map(({ note }) => note)).toEqual(['good']);
+  });
+
+  it('proposes the next round and the last wind of the day, and notes them with one tap', async () => {
+    const day = { at: PLAIN.at - 3_600_000 };
+    const before = [
+      { ...PLAIN, ...day },
+      { ...PLAIN, ...day, round: '3' },
+      { ...PLAIN, ...day, wind: 4, round: '2' },
+    ];
+    const { app, form } = await opened({}, before);
+    expect(form.proposed.value).toEqual({ round: '4', wind: 4 });
+    form.takeProposed();
+    await idle();
+    expect([latest(app), form.proposed.value]).toMatchObject([{ round: '4', wind: 4 }, null]);
+    form.undo();
+    expect(form.proposed.value).toEqual({ round: '4', wind: 4 });
+    form.setRound('1');
+    expect(form.proposed.value, 'it never replaces what is noted').toBeNull();
+    const { form: next } = await opened({}, [{ ...PLAIN, at: PLAIN.at - 86_400_000, round: '3', wind: 4 }]);
+    expect(next.proposed.value, 'yesterday says nothing').toBeNull();
+  });
+
+  it('asks what a result with decimals means, and has the value from before until that is said', async () => {
+    const { app, form } = await opened({ result: 170 });
+    for (const text of ['2', '2.', '2.5', '2.58']) form.type('result', text);
+    expect([form.either.value, form.flight.value.result]).toEqual([[17_800, 258], 170]);
+    form.answer(null);
+    expect([form.either.value, form.textOf('result'), form.flight.value.result]).toEqual([null, '170', 170]);
+    for (const text of ['2', '2,', '2,5', '2,58']) form.type('result', text);
+    form.answer(17_800);
+    await idle();
+    expect([latest(app).result, form.textOf('result'), form.problems.value.size]).toEqual([178, '178', 0]);
   });
 });
 

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { CSV_COLUMNS, type CsvColumn, flightsCsv, SEPARATORS } from '../../../src/app/flights/flights-csv.js';
+import { CSV_COLUMNS, type CsvColumn, flightsCsv, marksOf } from '../../../src/app/flights/flights-csv.js';
 import { flightMessages } from '../../../src/app/messages/en-flights.js';
 import { meant, readCsv } from './csv-reader.js';
 import { anyFlight, PLAIN, recordOf } from './flights.js';
@@ -12,17 +12,18 @@ const { columns: heads } = flightMessages.csv;
 describe('the table of flights', () => {
   it('is read back by an independent reader, for every flight and with both separators', () => {
     fc.assert(
-      fc.property(fc.array(anyFlight, { maxLength: 8 }), fc.constantFrom(...SEPARATORS), (flights, separator) => {
-        const csv = flightsCsv(flights, { separator, heads });
+      fc.property(fc.array(anyFlight, { maxLength: 8 }), fc.constantFrom('de', 'en'), (flights, language) => {
+        const marks = marksOf(language);
+        const csv = flightsCsv(flights, { marks, heads });
         expect(csv.startsWith('\uFEFF')).toBe(true);
-        const [head, ...rows] = readCsv(csv.slice(1), separator);
+        const [head, ...rows] = readCsv(csv.slice(1), marks.separator);
         expect(head).toEqual(CSV_COLUMNS.map((column) => heads[column]));
         expect(rows.length).toBe(flights.length);
         flights.forEach((flight, at) => {
           const cells = Object.fromEntries(
             CSV_COLUMNS.map((column, index) => [column, rows[at]?.[index] ?? '']),
           ) as Record<CsvColumn, string>;
-          const number = (text = ''): number | null => (text === '' ? null : Number(text));
+          const number = (text = ''): number | null => (text === '' ? null : Number(text.replace(marks.decimal, '.')));
           const [year = 0, month = 0, day = 0, hour = 0, minute = 0] = `${cells.date}-${cells.time}`
             .split(/[-:]/)
             .map(Number);
@@ -49,13 +50,21 @@ describe('the table of flights', () => {
     );
   });
 
-  it('has units in its head, numbers with a point, and a minus that stays part of a number', () => {
-    const flight = { ...PLAIN, temperature: -2.5, wind: 3.5, result: 178.25, note: '=HYPERLINK("x")' };
-    const [head, row] = flightsCsv([flight], { separator: ';', heads }).split('\r\n');
+  it('has units in its head, numbers with a comma, and a minus that stays part of a number', () => {
+    const flight = {
+      ...PLAIN,
+      at: Date.UTC(2026, 10, 22, 13, 5),
+      utcOffset: 60,
+      temperature: -2.5,
+      wind: 3.5,
+      result: 178.25,
+      note: '=HYPERLINK("x")',
+    };
+    const [head, row] = flightsCsv([flight], { marks: marksOf('de'), heads }).split('\r\n');
     expect(head).toBe(
-      '\uFEFF"Date";"Time";"Place";"Model";"Setting";"Timer class";"Memory";"DT (s)";"Motor stop (s)";"Wind (m/s)";"Temperature (°C)";"Round";"Result (s)";"Note"',
+      '\uFEFF"Date";"Time";"Time zone";"Place";"Model";"Setting";"Timer class";"Memory";"DT (s)";"Motor stop (s)";"Wind (m/s)";"Temperature (°C)";"Round";"Result (s)";"Note"',
     );
-    expect(row).toBe(`2026-11-22;14:05;;;;"Q";1;180;10;3.5;-2.5;;178.25;"'=HYPERLINK(""x"")"`);
+    expect(row).toBe(`2026-11-22;14:05;"UTC+01:00";;;;"Q";1;180;10;3,5;-2,5;;178,25;"'=HYPERLINK(""x"")"`);
   });
 
   it('has no motor stop for a class without a motor, and no memory where none is known', () => {
@@ -64,7 +73,20 @@ describe('the table of flights', () => {
       ...PLAIN,
       program: { ...program, memory: null, identity: { ...program.identity, timerClass: 'B' } },
     };
-    const [, row] = flightsCsv([recordOf(flight).flight], { separator: ',', heads }).split('\r\n');
-    expect(row).toBe('2026-11-22,14:05,,,,"B",,180,,,,,,');
+    const [, row] = flightsCsv([recordOf(flight).flight], { marks: marksOf('en'), heads }).split('\r\n');
+    expect(row).toBe('2026-11-22,14:05,,,,,"B",,180,,,,,,');
+  });
+
+  it.each([
+    ['en-GB', ',', '.'],
+    ['en-US', ',', '.'],
+    ['ja', ',', '.'],
+    ['de-CH', ',', '.'],
+    ['de-AT', ';', ','],
+    ['hu', ';', ','],
+    ['fr', ';', ','],
+    ['sr-Latn', ';', ','],
+  ])('in %s has “%s” between columns and “%s” in numbers', (language, separator, decimal) => {
+    expect(marksOf(language)).toEqual({ separator, decimal });
   });
 });

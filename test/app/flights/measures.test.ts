@@ -36,6 +36,21 @@ describe('a number of a flight', () => {
     ['result', '2:58', 178],
     ['result', '2:58,5', 178.5],
     ['result', '2.58.5', 178.5],
+    ['result', '2.58', '17800 or 258'],
+    ['result', '2,58', '17800 or 258'],
+    ['result', '2.5', '15000 or 17000 or 250'],
+    ['result', '2.', '12000 or 200'],
+    ['result', '20.30', 20.3],
+    ['result', '45.5', 45.5],
+    ['result', "2'30", 150],
+    ['result', '2’30”', 150],
+    ['result', '2′30″', 150],
+    ['result', "2'30.5", 150.5],
+    ['result', '2 30', 150],
+    ['result', '2m30s', 150],
+    ['result', '2 m 30', 150],
+    ['result', '2 3', 'not-a-time'],
+    ['result', "2'75", 'not-a-time'],
     ['result', '3 min', 180],
     ['result', '2 min 30 s', 150],
     ['result', '178,25 s', 178.25],
@@ -47,7 +62,8 @@ describe('a number of a flight', () => {
     ['result', '36000.01', 'out-of-range'],
   ])('%s from “%s”', (measure, text, wanted) => {
     const read = readMeasure(measure, text);
-    expect('value' in read ? read.value : read.unreadable).toBe(wanted);
+    const said = 'either' in read ? read.either.join(' or ') : 'value' in read ? read.value : read.unreadable;
+    expect(said).toBe(wanted);
   });
 
   it('can be read back from its shown text, with a point or a comma', () => {
@@ -57,8 +73,11 @@ describe('a number of a flight', () => {
         const value = min + (number % ((max - min) * 100 + 1)) / 100;
         const rounded = Math.round(value * 100) / 100;
         const text = measureText(rounded);
-        expect(readMeasure(measure, text)).toEqual({ value: rounded });
-        expect(readMeasure(measure, text.replace('.', ','))).toEqual({ value: rounded });
+        const read = readMeasure(measure, text);
+        // A short time with decimals may be minutes: then its own meaning is among the answers.
+        if ('either' in read) expect(read.either.at(-1)).toBe(Math.round(rounded * 100));
+        else expect(read).toEqual({ value: rounded });
+        expect(readMeasure(measure, text.replace('.', ','))).toEqual(read);
       }),
     );
   });

@@ -30,7 +30,7 @@ it('the times follow the time zone of the device, all of them at once', () => {
   const at = Date.UTC(2026, 10, 22, 13, 32);
   vi.setSystemTime(at);
   const end = followDay();
-  const Times = () => <p>{`${clockText(at)} | ${dateText(at)} | ${dayOf(at)}`}</p>;
+  const Times = () => <p>{`${clockText(at)} | ${dateText(at)} | ${dayOf({ at })}`}</p>;
   render(<Times />);
   expect(screen.getByText('14:32 | 22 Nov 2026, 14:32 | 2026-11-22')).toBeTruthy();
   vi.stubEnv('TZ', 'Europe/London');
@@ -41,7 +41,7 @@ it('the times follow the time zone of the device, all of them at once', () => {
 
 it.each([
   ['dateText', dateText],
-  ['dayOf', dayOf],
+  ['dayOf', (at: number) => dayOf({ at })],
 ])('%s alone is drawn again when the time zone changes', (_, text) => {
   vi.useFakeTimers({ toFake: ['Date', 'setInterval', 'clearInterval'], now: AT });
   const end = followDay();
