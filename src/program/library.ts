@@ -104,8 +104,8 @@ export interface Flight {
   /** When it was flown, in milliseconds since 1970. */
   readonly at: number;
   /**
-   * How far the clock of the field was ahead of UTC when the flight was logged, in minutes, -840 to 840. Missing where it
-   * is not known.
+   * How far the clock of the field was ahead of UTC when the flight was logged, in minutes, -840 to 840. Missing where
+   * it is not known.
    */
   readonly utcOffset?: number;
   /** Up to 100 characters. */

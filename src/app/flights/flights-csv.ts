@@ -1,7 +1,7 @@
 import { type Flight, valueAt } from '../../program/index.js';
 import { dayOf, offsetText, timeOfDay } from './flight-list.js';
 
-/** How a country writes tables and numbers. Between columns a spreadsheet takes semicolons where numbers have a comma. */
+/** How a country writes tables and numbers. Where numbers have a comma, semicolons stand between columns. */
 export interface Marks {
   readonly separator: ';' | ',';
   readonly decimal: ',' | '.';
