@@ -45,6 +45,11 @@ export const filesMessages = {
       `This browser puts ${fileName(name)} into your downloads: ${what}. Check that it is there.`,
     notWritten: (name: string) =>
       `${fileName(name)} could not be written. This browser puts it into your downloads instead.`,
+    /** Added to the name of the program that wrote a file. */
+    without: (kind: keyof typeof ENTRY) => `without ${kind}`,
+    partly: (name: string, what: string, missing: readonly (keyof typeof ENTRY)[]) =>
+      `${fileName(name)} is not complete. It holds ${what}. The browser cannot read the ${missing.join(' and ')} now: close other tabs of this page, and export again.`,
+    unread: 'The browser cannot read the library now. Close other tabs of this page and try again.',
     tooLarge: 'The library is too large for one file. Export its models one by one.',
     nothing: 'There is nothing to export yet.',
     failed: 'The file could not be made. Load the page again and try once more.',

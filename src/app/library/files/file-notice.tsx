@@ -2,7 +2,7 @@ import { filesMessages } from '../../messages/en-files.js';
 import { messages } from '../../messages/index.js';
 import type { FileWord, LibraryFiles } from './library-files.js';
 
-const BAD: ReadonlySet<FileWord['kind']> = new Set(['not-written', 'too-large', 'failed']);
+const BAD: ReadonlySet<FileWord['kind']> = new Set(['not-written', 'partly', 'too-large', 'unread', 'failed']);
 
 /** What was last done with files, with a button to undo an import. */
 export function FileNotice({ files }: { readonly files: LibraryFiles }) {
@@ -40,6 +40,10 @@ function wordText(said: FileWord): string {
       return out.saved(said.name, counted(said.holds));
     case 'downloaded':
       return out.downloaded(said.name, counted(said.holds));
+    case 'partly':
+      return out.partly(said.name, counted(said.holds), said.missing);
+    case 'unread':
+      return out.unread;
     case 'not-written':
       return out.notWritten(said.name);
     case 'too-large':

@@ -8,7 +8,7 @@ import { type Library, newId } from '../../session/library.js';
 import { plainName } from '../../session/plain-names.js';
 import type { StorageErrorCode } from '../../storage/index.js';
 import { ExportMarks } from './export-marks.js';
-import { type EntryCounts, type Group, type Records, recordsOf, type Way } from './import-plan.js';
+import { type EntryCounts, type Group, type Kind, type Records, recordsOf, type Way } from './import-plan.js';
 import { lookInto, undoOf } from './import-work.js';
 import { type FilePart, type Made, partOf, textOf } from './library-text.js';
 import type { PlaceInFile } from './place-in-file.js';
@@ -44,7 +44,9 @@ export type FileWord =
   | { readonly kind: 'importing'; readonly name: string; readonly done: number; readonly of: number }
   | { readonly kind: 'undoing'; readonly done: number; readonly of: number }
   | { readonly kind: 'saved' | 'downloaded' | 'not-written'; readonly name: string; readonly holds: EntryCounts }
-  | { readonly kind: 'too-large' | 'nothing' | 'failed' }
+  /** The browser does not give everything that it keeps. */
+  | { readonly kind: 'partly'; readonly name: string; readonly holds: EntryCounts; readonly missing: readonly Kind[] }
+  | { readonly kind: 'too-large' | 'nothing' | 'unread' | 'failed' }
   | { readonly kind: 'undone' | 'partly-undone'; readonly kept: boolean }
   | { readonly kind: 'imported'; readonly name: string; readonly holds: EntryCounts; readonly kept: boolean };
 
@@ -106,7 +108,7 @@ export class LibraryFiles {
     const now = Date.now();
     const made = await this.#textOf(part, now);
     if (typeof made === 'string') return this.#say({ kind: made });
-    const { text, holds } = made;
+    const { text, holds, missing } = made;
     let file = another ? null : this.chosen(part);
     if (!file) {
       const answer = await chooseFile(fileName, TYPE);
@@ -116,8 +118,9 @@ export class LibraryFiles {
     const isWritten = file !== null && (await this.#writeTo(file, text));
     if (!isWritten) saveFile(fileName, text, 'application/json');
     this.#remember(part, isWritten ? file : null);
-    if (part.kind === 'all') this.marks.exported(now);
     const name = file?.name ?? fileName;
+    if (missing.length > 0) return this.#say({ kind: 'partly', name, holds, missing });
+    if (part.kind === 'all') this.marks.exported(now);
     this.#say({ kind: isWritten ? 'saved' : file ? 'not-written' : 'downloaded', name, holds });
   }
 
@@ -167,10 +170,17 @@ export class LibraryFiles {
    * and might overwrite it with something older.
    */
   get shut(): boolean {
-    const { library, storage } = this.#parts;
-    const unseen = [library.models, library.settings, library.flights].some(({ failed }) => failed.value);
+    const { storage } = this.#parts;
     // Without a storage nothing can be hidden in it.
-    return storage.value !== 'missing' && (unseen || (storage.value !== null && storage.value !== 'full'));
+    if (storage.value === 'missing') return false;
+    return this.#unread.length > 0 || (storage.value !== null && storage.value !== 'full');
+  }
+
+  /** What the browser keeps, perhaps, and does not give. */
+  get #unread(): Kind[] {
+    const { library, storage } = this.#parts;
+    if (storage.value === 'missing') return [];
+    return (['models', 'settings', 'flights'] as const).filter((kind) => library[kind].failed.value);
   }
 
   /** Imports what the plan shows. */
@@ -244,10 +254,13 @@ export class LibraryFiles {
     this.#chosen.value = chosen;
   }
 
-  async #textOf(part: FilePart, now: number): Promise<Made | 'failed'> {
+  async #textOf(part: FilePart, now: number): Promise<Made | 'unread' | 'failed'> {
     try {
       await this.#load();
-      return textOf(partOf(this.#records(), part), part.kind === 'all', version, now);
+      // The file of a setting holds no flights.
+      const missing = this.#unread.filter((kind) => part.kind !== 'setting' || kind === 'models');
+      const made = textOf(partOf(this.#records(), part), part.kind === 'all', version, now, missing);
+      return made === 'nothing' && missing.length > 0 ? 'unread' : made;
     } catch {
       return 'failed';
     }

@@ -1,6 +1,7 @@
 import { type EntryFacts, type Flight, formatLibraryFile, type Model, type Setting } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
-import type { EntryCounts, Records } from './import-plan.js';
+import { filesMessages } from '../../messages/en-files.js';
+import type { EntryCounts, Kind, Records } from './import-plan.js';
 
 /** What a file contains: everything, one model with all that belongs to it, or one setting with its model. */
 export type FilePart = { readonly kind: 'all' } | { readonly kind: 'model' | 'setting'; readonly id: string };
@@ -24,13 +25,23 @@ export function partOf({ models, settings, flights }: Records, part: FilePart): 
 }
 
 /** The text of a file and how much it holds; or why there is none. */
-export type Made = { readonly text: string; readonly holds: EntryCounts } | 'too-large' | 'nothing';
+export type Made =
+  | { readonly text: string; readonly holds: EntryCounts; readonly missing: readonly Kind[] }
+  | 'too-large'
+  | 'nothing';
 
 /**
  * Makes a library file.
  * @param isAll also writes what the pilot's timers last held: only his own devices need that.
+ * @param missing what could not be read. The file says so beside the program that wrote it, which an import shows.
  */
-export function textOf(records: Records, isAll: boolean, version: string, now: number): Made {
+export function textOf(
+  records: Records,
+  isAll: boolean,
+  version: string,
+  now: number,
+  missing: readonly Kind[] = [],
+): Made {
   const { models, settings, flights } = records;
   if (models.length + settings.length + flights.length === 0) return 'nothing';
   const facts = new Map<Model | Setting | Flight, EntryFacts>();
@@ -45,8 +56,9 @@ export function textOf(records: Records, isAll: boolean, version: string, now: n
     flights: flights.map(({ flight }) => flight),
   };
   try {
-    const text = formatLibraryFile(library, { writtenAt: now, writtenBy: `Sidus Timer ${version}`, facts });
-    return { text, holds: { models: models.length, settings: settings.length, flights: flights.length } };
+    const writtenBy = [`Sidus Timer ${version}`, ...missing.map(filesMessages.export.without)].join(', ');
+    const text = formatLibraryFile(library, { writtenAt: now, writtenBy, facts });
+    return { text, holds: { models: models.length, settings: settings.length, flights: flights.length }, missing };
   } catch (error) {
     if (error instanceof CodecError && error.code === 'too-large') return 'too-large';
     throw error;

@@ -550,6 +550,39 @@ describe('an export', () => {
     expect(read).toEqual({ models: [slash], settings: [SETTING], flights: [] });
   });
 
+  it('of a library that cannot be read in full says what is missing, and is no export', async () => {
+    const store = new MemoryStore();
+    const all = store.flights.all.bind(store.flights);
+    store.flights.all = () => Promise.reject(new Error('not now'));
+    const six = Array.from({ length: 6 }, (_, at) => ({ ...SETTING, id: `s${at}`, name: `s${at}` }));
+    for (const setting of six)
+      store.settings.records.set(setting.id, { key: setting.id, order: 1, changedAt: Date.now() - 40 * DAY, setting });
+    await library({}, store);
+    const saved = downloads();
+    await press('Export all…');
+    const { partly, without } = filesMessages.export;
+    const holds = filesMessages.counted({ models: 0, settings: 6, flights: 0 });
+    expect(document.querySelector('.notices')?.textContent).toContain(partly(saved[0]?.name ?? '', holds, ['flights']));
+    const read = parseLibraryFile(await (saved[0]?.text() ?? ''));
+    expect([read.library.settings.length, read.writtenBy.endsWith(without('flights'))]).toEqual([6, true]);
+    const reminder = () => document.querySelector('.export-reminder');
+    expect(reminder(), 'it is still due').not.toBeNull();
+    store.flights.all = all;
+    await press('Export all…');
+    expect(parseLibraryFile(await (saved[1]?.text() ?? '')).writtenBy).not.toContain(without('flights'));
+    expect(reminder()).toBeNull();
+  });
+
+  it('of a library of which nothing can be read does not say that there is nothing', async () => {
+    const store = new MemoryStore();
+    store.settings.all = () => Promise.reject(new Error('not now'));
+    await library({}, store);
+    const saved = downloads();
+    await press('Export all…');
+    notice(filesMessages.export.unread);
+    expect(saved).toEqual([]);
+  });
+
   it('of an empty library gives no file', async () => {
     await library({});
     const saved = downloads();
