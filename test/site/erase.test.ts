@@ -1,4 +1,7 @@
+import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
+import { parseLibraryFile } from '../../src/program/index.js';
 import { AppPage } from './app-page.js';
 
 /** All that the browser keeps for this address. */
@@ -60,8 +63,10 @@ test('everything that the page keeps is deleted, and nothing of another program 
   expect(settings.filter((name) => name !== 'workbench')).toEqual(['another program']);
 });
 
-test('when the browser deletes what it kept, the page says so, and keeps what is changed from then on', async () => {
-  const app = await AppPage.open();
+/** A page with a library, and what empties the storage of its browser. */
+async function withLibrary(): Promise<{ app: AppPage; empty: (what: string) => Promise<void> }> {
+  const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
+  const app = await AppPage.open({ before });
   const { page } = app;
   await page.evaluate(() => location.assign('#library'));
   for (const [open, field, text, make] of [
@@ -73,14 +78,38 @@ test('when the browser deletes what it kept, the page says so, and keeps what is
     await app.button(make).click();
     await page.getByRole('dialog').waitFor({ state: 'hidden' });
   }
-  const devTools = await page.context().newCDPSession(page);
-  await devTools.send('Storage.clearDataForOrigin', { origin: new URL(page.url()).origin, storageTypes: 'indexeddb' });
-  await devTools.detach();
+  return {
+    app,
+    async empty(storageTypes) {
+      const devTools = await page.context().newCDPSession(page);
+      await devTools.send('Storage.clearDataForOrigin', { origin: new URL(page.url()).origin, storageTypes });
+      await devTools.detach();
+    },
+  };
+}
+
+test('when the browser deletes everything that it kept, the page stays, says so, and offers the export', async () => {
+  const { app, empty } = await withLibrary();
+  await app.page.evaluate(() => void Object.assign(window, { stays: true }));
+  await empty('all');
+  await app.says(en.keeping.lacks.emptied);
+  const downloading = app.page.waitForEvent('download');
+  await app.button(en.keeping.export).click();
+  const { library } = parseLibraryFile(await readFile(await (await downloading).path(), 'utf8'));
+  expect([library.models[0]?.name, library.settings[0]?.name]).toEqual(['Lancer 07', 'calm']);
+  expect(await app.page.evaluate(() => navigator.serviceWorker.controller)).toBeNull();
+  expect(await app.page.evaluate(() => 'stays' in window), 'it was not loaded again').toBe(true);
+});
+
+test('when the browser deletes what it kept, the page says so, and keeps what is changed from then on', async () => {
+  const { app, empty } = await withLibrary();
+  const { page } = app;
+  await empty('indexeddb');
   const note = page.getByRole('article', { name: 'calm' }).getByRole('textbox', { name: 'Note' });
   await note.fill('after that');
   await note.blur();
-  await app.says('What it kept for this page was deleted.');
-  await app.button('Export the library…').waitFor();
+  await app.says(en.keeping.lacks.emptied);
+  await app.button(en.keeping.export).waitFor();
   const { hash } = new URL(page.url());
   await app.reload();
   await page.evaluate((at) => location.assign(at), hash);

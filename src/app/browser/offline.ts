@@ -10,7 +10,7 @@ export interface OfflineOptions {
   readonly onUpdateReady: (take: () => void) => void;
   /**
    * Calls back once, as soon as no port is open; at once if none is. Only then a new version replaces this one, and
-   * only then the page loads again, even when another tab has started the new version.
+   * only then the page loads again.
    */
   readonly whenFree: (callback: () => void) => void;
   /** This version is completely kept for use without a network. */
@@ -33,7 +33,9 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
   // A worker that controls the page has all of it.
   if (replacing) onKept();
   serviceWorker.addEventListener('controllerchange', () => {
-    if (replacing) whenFree(() => location.reload());
+    // The browser has deleted what it kept for this page: what is on the screen may be all that is left of it.
+    if (serviceWorker.controller === null) onMissing();
+    else if (replacing) whenFree(() => location.reload());
     else onKept();
     replacing = true;
   });

@@ -21,8 +21,7 @@ export const keeping = {
   lacks: {
     tabs: 'Use one tab of this page only.',
     settings: 'Colours, presets and other choices last only while this page is open.',
-    emptied:
-      'What it kept for this page was deleted. What you see is kept only while this page is open: export the library. What you change from now on is kept.',
+    emptied: 'The browser has deleted what it kept for this page. Export what you still see.',
     offline: 'The page itself is not kept: you cannot open it without a network.',
   } satisfies Record<Lack, string>,
 };

@@ -85,7 +85,11 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
           // A newer version of this page changes the storage; the next use says so. What a tab deletes stays closed.
           if (version !== null) forget();
         },
-        terminated: () => forget(),
+        terminated: () => {
+          forget();
+          // Whether everything was deleted is to be said at once, and not with the next change.
+          current().catch(() => {});
+        },
       }).then((database) => {
         late = database;
         resolve(database);
@@ -101,10 +105,11 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
   };
   // Each user gets the error. At this moment there is none yet.
   let opened: Promise<IDBPDatabase<Schema>> | undefined = open();
-  return async () => {
+  const current = async (): Promise<IDBPDatabase<Schema>> => {
     opened ??= open();
     return late ?? (await opened);
   };
+  return current;
 }
 
 /** Deletes the whole storage. */
