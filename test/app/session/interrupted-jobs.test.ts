@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { finishWrite, takeGoal } from '../../../src/app/write/finish-write.js';
-import type { ProgramField } from '../../../src/program/index.js';
-import { type AppBench, connectedBench, idle, MemoryStore, reloaded, run, sets } from '../bench/bench.js';
+import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
+import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run, sets } from '../bench/bench.js';
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
@@ -329,4 +329,18 @@ describe('before the first byte of a write', () => {
     await run(back);
     expect([held(bench), offer(bench)]).toEqual([BEFORE, null]);
   });
+});
+
+it('a write into a simulated timer stays unfinished after Disconnect, because that timer keeps what it holds', async () => {
+  const bench = await appBench();
+  const { session, editor } = bench;
+  await run(session.timer.trySimulated('Q'));
+  editor.type(DT, '4:00');
+  const { baseline, working } = editor;
+  await session.recovery.begin(baseline.value as TimerProgram, working.value as TimerProgram, true);
+  session.knowledge.jobOver();
+  await run(session.timer.disconnect());
+  expect(session.knowledge.writes.value).toHaveLength(1);
+  await run(session.timer.trySimulated('B'));
+  expect(session.knowledge.writes.value).toHaveLength(1);
 });
