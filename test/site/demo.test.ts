@@ -50,13 +50,3 @@ for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
     await expect.poll(() => app.valueOf('DT, S3')).toBe('130');
   });
 }
-
-test('the reserved start time of an F1B is edited only on purpose', async () => {
-  const app = await AppPage.open({ isMoving: true });
-  await app.trySimulated('F1B');
-  await expect.poll(() => app.field('Start time').isEditable()).toBe(false);
-  await app.button('Edit the reserved time').click();
-  await expect.poll(() => app.field('Start time').isEditable()).toBe(true);
-  await app.page.keyboard.type('1');
-  await expect.poll(() => app.valueOf('Start time')).toBe('1');
-});

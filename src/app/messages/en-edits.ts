@@ -26,13 +26,15 @@ const opened = {
   program: 'your program',
 };
 
+const START_HAS_NO_TIME = 'The start has no time to change.';
+
 /** What prevents an edit, or a pasted cell, besides the reasons of the checks and the fields. */
 const refused: Record<
   Exclude<RefusalCode | PasteProblemCode, FindingCode | UnreadableReason>,
   (params: Params) => string
 > = {
-  reserved: () => 'The reserved time can be changed only in its own field.',
-  'no-interval': () => 'The start has no interval: nothing comes before it.',
+  reserved: () => START_HAS_NO_TIME,
+  'no-interval': () => START_HAS_NO_TIME,
   'later-out-of-range': ({ min, max }) => `This interval would move a later function outside ${min} to ${max}.`,
   'before-unreadable': () => 'It counts from a time that cannot be read. Correct that time first.',
   'later-unreadable': () => 'It would move a later time that cannot be read. Correct that time first.',
@@ -88,6 +90,8 @@ export const edits = {
   table: {
     explain: 'What the values are',
     interval: 'After',
+    /** In the cell of an interval: the short name of the row that it counts from. */
+    countedFrom: (row: string) => `from ${row}`,
     intervalHint: 'Time after the function before',
     showIntervals: 'Show intervals',
     showTimes: 'Show times',

@@ -112,7 +112,7 @@ function othersOf({ identity, idleThrottle, times: [first = 0] }: TimerProgram):
       ? [
           {
             label: fieldLabel(identity, { kind: 'time', slot: 0 }),
-            text: `${seconds(formatTime(first))} ${words.reserved}`,
+            text: words.reserved(seconds(formatTime(first))),
           },
         ]
       : []),

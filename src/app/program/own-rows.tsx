@@ -5,7 +5,6 @@ import { computedList } from '../editing/computed-list.js';
 import { FIRST_SERVO_COLUMN, TIME_COLUMN } from '../editing/grid.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import { isSameNote, notesFor } from './field-notes.js';
-import type { MotorPlace } from './motor-place.js';
 import { type ProgramRowProps, TimeUnit } from './program-row.js';
 import { RowMenu } from './row-menu.js';
 import { cellProps, RowModel } from './row-model.js';
@@ -15,9 +14,7 @@ import { ValueField } from './value-field.js';
 const MOTOR_STOP: ProgramField = { kind: 'time', slot: 0 };
 const THROTTLE: ProgramField = { kind: 'idleThrottle' };
 
-interface MotorRowProps extends Omit<ProgramRowProps, 'bench' | 'follow'> {
-  readonly place: MotorPlace;
-}
+type MotorRowProps = Omit<ProgramRowProps, 'bench' | 'follow'>;
 
 /** The motor stop, if it comes before the row of this slot. */
 export function MotorRowBefore(props: MotorRowProps) {

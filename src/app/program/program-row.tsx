@@ -1,5 +1,5 @@
-import { type ReadonlySignal, useComputed, useSignal } from '@preact/signals';
-import { useEffect, useMemo } from 'preact/hooks';
+import { type ReadonlySignal, useComputed } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import { type ProgramField, slotKind } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Bench } from '../bench/bench.js';
@@ -7,11 +7,12 @@ import type { Follow } from '../bench/follow.js';
 import { ServosHere, ServosOffer } from '../bench/servos-here.js';
 import type { Editor } from '../editing/editor.js';
 import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
+import { formatTime } from '../editing/units.js';
 import { fieldLabel, figureOf, messages, slotLabel } from '../messages/index.js';
-import { programKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
 import type { Hand } from './hand.js';
 import { IntervalField } from './interval-field.js';
+import type { MotorPlace } from './motor-place.js';
 import { RowMenu } from './row-menu.js';
 import { cellProps, RowModel, type RowSources } from './row-model.js';
 import { RowNotes } from './row-notes.js';
@@ -30,19 +31,22 @@ export interface ProgramRowProps extends Pick<RowSources, 'selection' | 'marked'
   readonly hand: Hand;
   /** Changes when the pilot's hands rest. */
   readonly rested: ReadonlySignal<unknown>;
+  /** Where the motor stop stands. */
+  readonly place: MotorPlace;
 }
 
 /** One slot of the program: its time, its interval, a position for each servo, and the notes about them. */
 export function ProgramRow(props: ProgramRowProps) {
-  const { session, bench, follow, tools, identity, slot, servos, selection, hand, marked, rested } = props;
+  const { session, bench, follow, tools, identity, slot, servos, selection, hand, marked, rested, place } = props;
   const { editor } = session;
   const { edits, slotShort } = messages.value;
-  // The motor stop of a Q has a row of its own.
-  const hasTime = slot > 0 || identity.timerClass !== 'Q';
+  const isStart = slot === 0;
+  // The motor stop of a Q has a row of its own. On other classes its time is reserved.
+  const ownsTime = !isStart || identity.timerClass !== 'Q';
   const [positions, fields] = useMemo(() => {
     const positions = servos.map((servo): ProgramField => ({ kind: 'position', servo, slot }));
-    return [positions, hasTime ? [{ kind: 'time', slot } as const, ...positions] : positions];
-  }, [servos, slot, hasTime]);
+    return [positions, ownsTime ? [{ kind: 'time', slot } as const, ...positions] : positions];
+  }, [servos, slot, ownsTime]);
   const row = useMemo(
     () => new RowModel({ editor, selection, marked }, slot, fields),
     [editor, selection, marked, slot, fields],
@@ -57,19 +61,27 @@ export function ProgramRow(props: ProgramRowProps) {
     <>
       <tr class={slotKind(identity, slot)} data-slot={slot}>
         <th scope="row" data-short={slotShort(slot, slotKind(identity, slot))}>
-          <span class="row-name">{name}</span> {hasTime && <TimeUnit {...{ editor, identity, slot }} />}
+          <span class="row-name">{name}</span> {!isStart && <TimeUnit {...{ editor, identity, slot }} />}
           <ServosHere bench={bench} follow={follow} slot={slot} />
           <RowMenu {...{ tools, identity, slot, name, revert }} shifts={slot > 0} isChanged={row.isChanged} />
         </th>
-        {hasTime ? (
-          <td {...cellProps(row, TIME_COLUMN, 'time')}>
-            <TimeCell {...{ session, selection, hand, identity, slot }} />
+        {isStart ? (
+          <td class="time origin">
+            {messages.value.program.origin}
+            {ownsTime && <ReservedTime editor={editor} />}
           </td>
         ) : (
-          <td class="time origin">{messages.value.program.origin}</td>
+          <td {...cellProps(row, TIME_COLUMN, 'time')}>
+            <ValueField
+              {...{ session, selection, hand, field: { kind: 'time', slot } }}
+              label={fieldLabel(identity, { kind: 'time', slot })}
+              place="table"
+            />
+          </td>
         )}
         <td {...cellProps(row, INTERVAL_COLUMN, 'interval')}>
           {slot > 0 && <IntervalField {...{ editor, selection, hand, slot }} label={edits.table.intervalOf(name)} />}
+          {slot > 0 && <CountedFrom {...{ identity, slot, place }} />}
         </td>
         {positions.map((field, servo) => (
           <td key={fieldLabel(identity, field)} {...cellProps(row, FIRST_SERVO_COLUMN + servo)}>
@@ -81,6 +93,17 @@ export function ProgramRow(props: ProgramRowProps) {
       <ServosOffer bench={bench} follow={follow} identity={identity} slot={slot} width={width} />
     </>
   );
+}
+
+/**
+ * Below the motor stop an interval does not count from the row above it, so it says from what: from the function
+ * before, or from launch.
+ */
+function CountedFrom({ identity, slot, place }: Pick<ProgramRowProps, 'identity' | 'slot' | 'place'>) {
+  const isBelow = useComputed(() => place.before.value === slot).value;
+  if (!isBelow) return null;
+  const { edits, slotShort } = messages.value;
+  return <span class="cell-name">{edits.table.countedFrom(slotShort(slot - 1, slotKind(identity, slot - 1)))}</span>;
 }
 
 interface TimeUnitProps extends Pick<ProgramRowProps, 'identity' | 'slot'> {
@@ -100,48 +123,9 @@ export function TimeUnit({ editor, identity, slot }: TimeUnitProps) {
   ) : null;
 }
 
-interface TimeCellProps extends Pick<ProgramRowProps, 'session' | 'selection' | 'hand' | 'identity' | 'slot'> {}
-
-/** The time of slot 0 is reserved on B and E: it is shown, and edited only on purpose. */
-function TimeCell({ session, selection, hand, identity, slot }: TimeCellProps) {
-  const { editor } = session;
-  const { program } = messages.value;
-  const unlocked = useSignal(false);
-  const shown = useComputed(() =>
-    editor.working.value ? programKey(editor.working.value, session.simulated.value) : null,
-  ).value;
-  // The wish to edit it belongs to the program that was on the screen then.
-  useEffect(() => {
-    unlocked.value = false;
-  }, [unlocked, shown]);
-  const field: ProgramField = { kind: 'time', slot };
-  const label = fieldLabel(identity, field);
-  const reserved = slot === 0;
-  return (
-    <>
-      <ValueField
-        {...{ session, selection, hand, field, label }}
-        place="table"
-        readOnly={reserved && !unlocked.value}
-      />
-      {reserved && unlocked.value && <span class="cell-name">{program.reserved}</span>}
-      {reserved && !unlocked.value && (
-        <button
-          type="button"
-          class="cell-name"
-          aria-label={program.editReserved}
-          onClick={(event) => {
-            unlocked.value = true;
-            const input = event.currentTarget.closest('td')?.querySelector('input');
-            if (!input) return;
-            // It gets the focus before the next drawing.
-            input.readOnly = false;
-            input.focus();
-          }}
-        >
-          {program.reserved}
-        </button>
-      )}
-    </>
-  );
+/** What a timer of class B or E holds in the place of the start's time. Nobody knows what it means, so it stays. */
+function ReservedTime({ editor }: { readonly editor: Editor }) {
+  const { program, seconds } = messages.value;
+  const time = useComputed(() => editor.working.value?.times[0] ?? 0).value;
+  return time === 0 ? null : <span class="cell-name">{program.reserved(seconds(formatTime(time)))}</span>;
 }

@@ -103,7 +103,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
   if (!identity) return null;
   const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
   const isLarge = slots.length > MOST_SLOTS || servos.length > MOST_SERVOS;
-  const shared = { session, tools, identity, servos, selection, hand, marked, rested };
+  const shared = { session, tools, identity, servos, selection, hand, marked, rested, place };
   const hasMotor = identity.timerClass === 'Q';
   const classes = ['program-table', selection.picking.value && 'picking', intervals.value && 'by-intervals'];
   return (
@@ -136,11 +136,11 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
           <tbody>
             {slots.map((slot) => (
               <Fragment key={slot}>
-                <MotorRowBefore {...shared} place={place} slot={slot} />
+                <MotorRowBefore {...shared} slot={slot} />
                 <ProgramRow {...shared} {...{ bench, follow, slot }} />
               </Fragment>
             ))}
-            <MotorRowBefore {...shared} place={place} slot={slots.length} />
+            <MotorRowBefore {...shared} slot={slots.length} />
             <ThrottleRow {...{ session, identity, servos, hand, rested }} />
           </tbody>
         </table>

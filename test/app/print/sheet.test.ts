@@ -79,7 +79,7 @@ describe('a setting sheet', () => {
 
   it('loses nothing: a time without a meaning on its class stands beside the table', () => {
     const program = programOf('B', [1234, 300, 18_000], [[1, 2, 3]]);
-    expect(sheetOf(sourceOf(program)).others).toEqual([{ label: 'Start time', text: '12.34 s reserved' }]);
+    expect(sheetOf(sourceOf(program)).others).toEqual([{ label: 'Start time', text: 'reserved 12.34 s' }]);
   });
 
   it.each([

@@ -114,18 +114,6 @@ describe('the sheet', () => {
     await idle();
     expect(sheets()).toBe(0);
   });
-
-  it('does not open for a reserved time before the pilot unlocks it', async () => {
-    await connected({ identity: { timerClass: 'B' } });
-    await tap('Start time');
-    expect(sheets()).toBe(0);
-    const edit = screen.getByRole('button', { name: 'Edit the reserved time' });
-    fireEvent.pointerDown(edit, { pointerType: 'touch' });
-    edit.focus();
-    fireEvent.click(edit);
-    await idle();
-    expect(sheet('Start time')).toBeTruthy();
-  });
 });
 
 describe('its keys', () => {

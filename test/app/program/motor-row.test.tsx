@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { edits } from '../../../src/app/messages/en-edits.js';
 import { idle } from '../bench/bench.js';
 import { button, connected, field, late, press, table, type } from '../screen.js';
 
@@ -34,6 +35,18 @@ describe('the motor stop of a Q', () => {
     expect(rows().filter((name) => name === 'Motor stop')).toHaveLength(1);
   });
 
+  it.each([
+    ['10.49', 'Function 1', 'Start'],
+    ['10.51', 'Function 2', '1'],
+    ['14.51', 'DT', '9'],
+  ])('of %s stands above an interval of %s that says from what it counts: %s', async (time, below, from) => {
+    await connected();
+    await type('Motor stop time', time);
+    const said = [...document.querySelectorAll('td.interval .cell-name')];
+    expect(said.map((each) => each.textContent)).toEqual([edits.table.countedFrom(from)]);
+    expect(said[0]?.closest('td')?.querySelector('input')).toBe(field(`${below} interval`));
+  });
+
   it('is not the time of the start, which is 0', async () => {
     await connected();
     const start = within(table().getByRole('row', { name: /^Start/ }));
@@ -44,7 +57,7 @@ describe('the motor stop of a Q', () => {
   it.each(['B', 'E', 'X'])('has no row on %s, where the time of the start is reserved', async (timerClass) => {
     await connected({ identity: { timerClass } });
     expect(rows()).not.toContain('Motor stop');
-    expect(field('Start time').readOnly).toBe(true);
+    expect(screen.queryByRole('textbox', { name: 'Start time' })).toBeNull();
   });
 
   it('stays at its place while a time is typed, and moves when the field is left', async () => {

@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { setValues } from '../../../src/app/editing/edit.js';
 import { en } from '../../../src/app/messages/en.js';
 import { write } from '../../../src/app/messages/en-write.js';
 import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
@@ -279,16 +280,21 @@ describe('the large figures', () => {
   });
 
   it.each(['B', 'E'])(
-    'show no motor stop on %s, where the start time is reserved until asked for',
+    'show no motor stop on %s, and what the start holds only when it is not 0',
     async (timerClass) => {
-      await connected({ identity: { timerClass } });
+      const { editor } = await connected({ identity: { timerClass } });
       expect(screen.queryByRole('textbox', { name: 'Motor stop' })).toBeNull();
-      expect(field('Start time').readOnly).toBe(true);
-      await press('Edit the reserved time');
-      expect(field('Start time').readOnly).toBe(false);
-      expect(document.activeElement).toBe(field('Start time'));
-      await type('Start time', '1');
-      expect(screen.getByText('1 change')).toBeTruthy();
+      expect(screen.queryByRole('textbox', { name: 'Start time' })).toBeNull();
+      const start = document.querySelector('tr[data-slot="0"] td.time') as HTMLElement;
+      const set = async (value: number): Promise<string | null> => {
+        editor.apply(setValues({ code: 'change', params: {} }, [{ field: { kind: 'time', slot: 0 }, value }]));
+        await idle();
+        return start.textContent;
+      };
+      expect([await set(0), await set(1234)]).toEqual([
+        en.program.origin,
+        `${en.program.origin}${en.program.reserved(en.seconds('12.34'))}`,
+      ]);
     },
   );
 

@@ -4,7 +4,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { parseTime } from '../../../src/app/editing/units.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from '../bench/bench.js';
-import { button, field, fly, key, late } from '../screen.js';
+import { button, field, key, late } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
@@ -99,13 +99,6 @@ describe('moving', () => {
     field('Function 2, S2').setSelectionRange(2, 2);
     await key('ArrowRight');
     expect(document.activeElement).toBe(field('Function 2, S3'));
-  });
-
-  it('from the time of the start skips the interval, which a start does not have', async () => {
-    await connected({ identity: { timerClass: 'B' } });
-    field('Start time').focus();
-    await key('ArrowRight');
-    expect(document.activeElement).toBe(field('Start, S1'));
   });
 
   it('follows the rows as shown: only the column of the times goes through the motor stop', async () => {
@@ -649,17 +642,6 @@ describe('undo by keys', () => {
     render(<App models={again.models} />);
     await press('Undo change of DT');
     expect(field('DT time').value).toBe('4:00');
-  });
-});
-
-describe('the reserved time', () => {
-  it('is locked again in another memory', async () => {
-    await connected({ identity: { timerClass: 'B' } });
-    await press('Edit the reserved time');
-    await fly('M2');
-    expect(field('Start time').readOnly).toBe(true);
-    await fly('M1');
-    expect(field('Start time').readOnly).toBe(true);
   });
 });
 
