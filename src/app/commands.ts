@@ -83,11 +83,16 @@ function programCommands(models: AppModels): PaletteCommand[] {
 
 function saveCommands(session: Session, saveSetting: SaveSetting): PaletteCommand[] {
   const { save } = libraryMessages;
-  const { shown, unsaved } = session.opened;
-  const name = shown.value?.setting?.name;
+  const { unsaved, undoable } = session.opened;
+  const { setting, model } = session.origin;
+  const name = setting.value?.name;
+  const undo = undoable.value;
   const differs = (unsaved.value?.changes ?? 0) + (unsaved.value?.unreadable ?? 0) > 0;
   return [
-    ...(name !== undefined && differs ? [{ name: save.againOf(name), run: () => void saveSetting.save() }] : []),
+    ...(name !== undefined && differs
+      ? [{ name: save.over(name, model.value?.name ?? ''), run: () => void saveSetting.save() }]
+      : []),
+    ...(undo ? [{ name: save.undo(undo.name), run: () => session.opened.undoSave() }] : []),
     { name: name === undefined ? save.open : save.asNew, run: () => saveSetting.open() },
   ];
 }

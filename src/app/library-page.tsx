@@ -91,7 +91,7 @@ function placesOf(models: AppModels): Places {
           title={[model?.model.name, setting.name].filter(Boolean).join(' ')}
         />
         <CompareButton
-          onCompare={() => sideBySide(session.opened.shown.peek()?.setting?.id === key ? SCREEN : settingKey(key))}
+          onCompare={() => sideBySide(session.origin.setting.peek()?.id === key ? SCREEN : settingKey(key))}
         />
       </>
     ),

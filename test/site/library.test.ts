@@ -34,8 +34,8 @@ it('a pilot keeps a setting, finds it after a reload, changes, archives and dele
   await app.reload();
   await app.says('Your program is back.');
   await expect.poll(() => app.valueOf('DT time')).toBe('2:30');
-  await app.button('Save').click();
-  await app.button('Save').waitFor({ state: 'hidden' });
+  await app.button('Save over fly-off, calm of Lancer 07').click();
+  await app.button(/^Save over/).waitFor({ state: 'hidden' });
   await app.page.keyboard.press('Control+k');
   await app.page.getByRole('combobox', { name: 'Type what you want to do' }).fill('save as');
   await app.page.keyboard.press('Enter');

@@ -352,8 +352,8 @@ test('a season of three models is flown, and a lost device comes back on another
   await light.getByRole('button', { name: 'Load into the table' }).click();
   await app.table.waitFor();
   await app.type('Function 2, S1', '71');
-  await app.button('Save').click();
-  await app.button('Save').waitFor({ state: 'hidden' });
+  await app.button('Save over slope, light of Ridge 3').click();
+  await app.button(/^Save over/).waitFor({ state: 'hidden' });
   await first.writeAndLog();
   await app.button('Fill in').click();
   await first.fly(FLIGHTS.ridge, 90, 'Turda');

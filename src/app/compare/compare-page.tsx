@@ -1,9 +1,10 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { type Change, differences, fieldKey, type ProgramField } from '../../program/index.js';
 import { comparingMessages } from '../messages/en-compare.js';
-import { dayText, fieldInSentence, figureText, messages } from '../messages/index.js';
+import { clockText, dayText, fieldInSentence, figureText, messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
+import { heldName, programName } from '../session/standing-text.js';
 import { ProgramPair } from '../side-by-side/program-pair.js';
 import { BackHead } from '../ui/back-head.js';
 import { type ComparedPair, SCREEN } from './choice.js';
@@ -72,7 +73,7 @@ interface PairProps extends Pick<ComparePageProps, 'session' | 'following'> {
 
 function Pair({ session, compare, following, first, second }: PairProps) {
   const { compare: words } = comparingMessages;
-  const names = [nameOf(session, first), nameOf(session, second)] as const;
+  const names = [sideName(session, first), sideName(session, second)] as const;
   const onScreen = first.key === SCREEN || second.key === SCREEN;
   const isSame = differences(first.program, second.program).length === 0;
   const setting = [first, second].find((side) => side.kind === 'setting');
@@ -153,7 +154,7 @@ function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
             <optgroup key={name} label={name}>
               {of.map((side) => (
                 <option key={side.key} value={side.key}>
-                  {nameOf(session, side)}
+                  {sideName(session, side)}
                 </option>
               ))}
             </optgroup>
@@ -164,15 +165,15 @@ function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
 }
 
 /** The name of a program on this page. */
-function nameOf(session: Session, side: Side): string {
+export function sideName(session: Session, side: Side): string {
   const { compare: words } = comparingMessages;
   const { memoryName, recovery } = messages.value;
-  const { library, opened } = session;
+  const { library } = session;
   if (side.kind === 'screen') {
-    const setting = opened.shown.value?.setting;
-    return setting ? words.screenOf(setting.name) : words.screen;
+    const name = programName(session);
+    return name === '' ? words.screen : words.screenOf(name);
   }
-  if (side.kind === 'timer') return words.timer(memoryText(session, side.memory));
+  if (side.kind === 'timer') return heldName(words.timer(memoryText(session, side.memory)), side.held, clockText);
   if (side.kind === 'setting') {
     const { setting } = side.record;
     return words.setting(library.models.get(setting.model)?.model.name ?? null, setting.name);

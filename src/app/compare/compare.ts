@@ -3,6 +3,7 @@ import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../p
 import { setValues } from '../editing/edit.js';
 import { isOfOneShape } from '../editing/shape.js';
 import type { Session } from '../session/session.js';
+import type { Held } from '../session/standing.js';
 import type { Backup, SettingRecord } from '../storage/index.js';
 import { backupKey, type ComparedPair, SCREEN, settingKey } from './choice.js';
 
@@ -11,7 +12,13 @@ export type Side =
   /** The program on the screen, with all changes. */
   | { readonly kind: 'screen'; readonly key: 'screen'; readonly program: TimerProgram }
   /** The last reading of a memory of the connected timer. */
-  | { readonly kind: 'timer'; readonly key: string; readonly memory: number; readonly program: TimerProgram }
+  | {
+      readonly kind: 'timer';
+      readonly key: string;
+      readonly memory: number;
+      readonly held: Held;
+      readonly program: TimerProgram;
+    }
   | { readonly kind: 'setting'; readonly key: string; readonly record: SettingRecord; readonly program: TimerProgram }
   | { readonly kind: 'backup'; readonly key: string; readonly backup: Backup; readonly program: TimerProgram };
 
@@ -74,12 +81,15 @@ export class Compare {
   }
 }
 
-function sidesOf({ editor, knowledge, library, backups, connection }: Session): Side[] {
+function sidesOf({ editor, standings, library, backups, connection }: Session): Side[] {
   const working = editor.working.value;
   const memories = connection.value?.identity.memories ?? 0;
   const read = Array.from({ length: memories }, (_, memory): Side | null => {
-    const known = knowledge.of(memory);
-    return known.state === 'read' ? { kind: 'timer', key: `timer/${memory}`, memory, program: known.program } : null;
+    const held = standings.of(memory);
+    const { known } = held;
+    return known.state === 'read'
+      ? { kind: 'timer', key: `timer/${memory}`, memory, held, program: known.program }
+      : null;
   });
   return [
     ...(working ? [{ kind: SCREEN, key: SCREEN, program: working } as const] : []),

@@ -28,9 +28,18 @@ export interface Content {
   readonly texts: Readonly<Record<string, string>>;
   /** The setting that it belongs to; undefined for none. */
   readonly of?: SettingOf | undefined;
-  /** The id of the model whose backup was loaded into it; undefined for none, or once a setting has replaced it. */
+  /**
+   * The id of the model whose backup was loaded into it, or {@link NOBODY}; undefined for none, or once a setting has
+   * replaced it.
+   */
   readonly backupOf?: string | undefined;
 }
+
+/** In place of the id of a model: nobody has said of which one the backup is. */
+export const NOBODY = '';
+
+/** Whose values they are, as far as a setting or a backup says it. */
+export type Owner = Pick<Content, 'of' | 'backupOf'>;
 
 /** A setting of the library: its id, and its content when it was last opened or saved here. */
 export interface SettingOf {
@@ -115,9 +124,18 @@ export function applied({ working, texts, of, backupOf }: Content, edit: EditVal
   return {
     working: withValues(working, changes),
     texts: typed.length > 0 ? { ...left, ...Object.fromEntries(typed) } : left,
-    of: edit.of ?? of,
-    backupOf: edit.backupOf ?? (edit.of ? undefined : backupOf),
+    ...(edit.owner ?? { of, backupOf }),
   };
+}
+
+/** The owner of some content. */
+export function ownerOf({ of, backupOf }: Content): Owner {
+  return { of, backupOf };
+}
+
+/** Whether each field stands as in this program, and no text is in the way. */
+export function isJust(content: Content, program: TimerProgram): boolean {
+  return differences(program, content.working).length === 0 && unreadableIn(content).size === 0;
 }
 
 /**

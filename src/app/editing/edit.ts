@@ -9,7 +9,7 @@ import {
   withValue,
 } from '../../program/index.js';
 import { type Identity, MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
-import type { SettingOf } from './content.js';
+import type { Owner } from './content.js';
 import type { CellField } from './grid.js';
 import type { StepName } from './history.js';
 
@@ -58,10 +58,8 @@ export interface EditValues {
    * other field, a text that is not a value stops the edit, because the pilot may not see that field.
    */
   readonly texts?: Readonly<Record<string, string | null>>;
-  /** The setting that the program belongs to afterwards. Default: unchanged. */
-  readonly of?: SettingOf | undefined;
-  /** The model whose backup it is, by its id. Default: unchanged. */
-  readonly backupOf?: string | undefined;
+  /** Whose values the program has afterwards. Default: unchanged. */
+  readonly owner?: Owner;
 }
 
 /** The values of an edit, or why it does nothing. It is done completely or not at all: no value is changed to fit. */

@@ -12,8 +12,17 @@ import {
   valueAt,
 } from '../../program/index.js';
 import { computedList } from './computed-list.js';
-import { type Content, conflictsWith, followed, ontoReading, textsFor } from './content.js';
-import { putBack, replaceAll, withValues } from './edit.js';
+import {
+  type Content,
+  conflictsWith,
+  followed,
+  isJust,
+  type Owner,
+  ontoReading,
+  ownerOf,
+  textsFor,
+} from './content.js';
+import { type Edit, putBack, replaceAll, withValues } from './edit.js';
 import { EMPTY_HISTORY, groupOf, type History, mapStates, type StepName, settle } from './history.js';
 import { MINUTE } from './units.js';
 import { WorkingCopy } from './working-copy.js';
@@ -38,6 +47,7 @@ interface Made {
 }
 
 const NO_CONFLICTS: ReadonlyMap<string, Change> = new Map();
+const UNOWNED: Owner = { of: undefined, backupOf: undefined };
 
 /**
  * The program on the screen. The baseline is what the timer last said; the working copy is what the pilot wants.
@@ -45,6 +55,7 @@ const NO_CONFLICTS: ReadonlyMap<string, Change> = new Map();
  */
 export class Editor extends WorkingCopy {
   readonly #baseline = signal<TimerProgram | null>(null, { name: 'baseline' });
+  readonly #heldOf = signal<Owner>(UNOWNED, { name: 'heldOf' });
   readonly #fresh = signal(false, { name: 'fresh' });
   readonly #shortDt = signal(MINUTE, { name: 'shortDt' });
   readonly #moved = signal(NO_CONFLICTS, { name: 'moved' });
@@ -55,6 +66,8 @@ export class Editor extends WorkingCopy {
 
   /** What the timer last said; null when nothing was read: there is no program, or it was made here. */
   readonly baseline: ReadonlySignal<TimerProgram | null> = this.#baseline;
+  /** Whose values the baseline has: of nothing that is kept here, unless they were on the screen when it was read. */
+  readonly heldOf: ReadonlySignal<Owner> = this.#heldOf;
   /** Whether the baseline is a whole reading from this connection, with nothing sent since. */
   readonly fresh: ReadonlySignal<boolean> = this.#fresh;
   /** The fields that a write has changed and the read back has confirmed, while they stay on the screen. */
@@ -84,6 +97,8 @@ export class Editor extends WorkingCopy {
   readonly conflicts: ReadonlySignal<ReadonlyMap<string, Change>> = computed(
     () => new Map([...this.#moved.value].filter(([key]) => this.changed.value.has(key))),
   );
+  /** Whether the timer held something else under the pilot's edits than when they were made. */
+  readonly isMoved: ReadonlySignal<boolean> = computed(() => this.#moved.value.size > 0);
   readonly findings: ReadonlySignal<readonly Finding[]> = computedList(() => {
     const working = this.working.value;
     const baseline = this.#baseline.value ?? undefined;
@@ -174,9 +189,28 @@ export class Editor extends WorkingCopy {
       this.#fresh.value = true;
       // Undo must not bring back what nobody typed. What the pilot wrote is no surprise and can be undone.
       const history = mapStates(this.history.value, (state) => followed(state, unforeseen, read));
-      this.show(ontoReading(content, before, read), history);
+      const now = ontoReading(content, before, read);
+      if (isJust(now, read)) this.#heldOf.value = ownerOf(now);
+      else if (differences(before, read).length > 0) this.#heldOf.value = UNOWNED;
+      this.show(now, history);
     });
     return moved;
+  }
+
+  override saved(owner: Owner): void {
+    const now = this.content.value;
+    const baseline = this.#baseline.value;
+    batch(() => {
+      if (now && baseline && isJust(now, baseline)) this.#heldOf.value = owner;
+      super.saved(owner);
+    });
+  }
+
+  /** Values that have all come back to those of the timer belong to what they were read as, and to nothing else. */
+  protected override owned(content: Content, edit: Edit): Content {
+    const baseline = this.#baseline.value;
+    const isSaid = 'owner' in edit && edit.owner !== undefined;
+    return isSaid || !baseline || !isJust(content, baseline) ? content : { ...content, ...this.#heldOf.value };
   }
 
   /** A write was read back, which settles all conflicts. */
@@ -231,7 +265,7 @@ export class Editor extends WorkingCopy {
    * Shows a new program that is from no timer.
    * @param from the setting that it is opened from, or the model whose backup it is.
    */
-  make(program: TimerProgram, from: Partial<Pick<Content, 'of' | 'backupOf'>> = {}): void {
+  make(program: TimerProgram, from: Owner = {}): void {
     const at = Math.max(Date.now(), this.#lastMade + 1);
     this.#lastMade = at;
     this.#begin(null, false, { working: program, texts: {}, ...from }, EMPTY_HISTORY, { at, from: program });
@@ -252,6 +286,7 @@ export class Editor extends WorkingCopy {
     batch(() => {
       this.#made.value = made;
       this.#baseline.value = baseline;
+      this.#heldOf.value = baseline && content && isJust(content, baseline) ? ownerOf(content) : UNOWNED;
       this.#fresh.value = isFresh;
       this.#moved.value = NO_CONFLICTS;
       this.show(content, history);

@@ -8,6 +8,8 @@ import {
   formatValue,
   inTheWay,
   meansSame,
+  type Owner,
+  ownerOf,
   type SettingOf,
   type UnreadableField,
   unreadableIn,
@@ -94,7 +96,11 @@ export class WorkingCopy {
     if ('refused' in edit) return edit.refused;
     const field = inTheWay(this.unreadable.value, edit);
     if (field) return { code: 'unreadable', field };
-    const after = applied(before, edit);
+    const { open, past } = this.#history.value;
+    const last = past.at(-1);
+    // On the way to its end a step may pass the values of another owner: what counts is where it began.
+    const began = last && edit.group !== undefined && edit.group === open ? last.state : before;
+    const after = this.owned(applied({ ...before, ...ownerOf(began) }, edit), edit);
     // An edit that changes nothing is no step.
     if (after.working === before.working && after.texts === before.texts && after.of === before.of) return null;
     this.show(after, histories.recordStep(this.#history.value, edit.name, before, edit.group));
@@ -181,15 +187,24 @@ export class WorkingCopy {
     if (turned) this.show(turned.state, turned.history);
   }
 
-  /** The content of the screen was saved as a setting. States of that setting in the undo history are told, too. */
-  saved(of: SettingOf): void {
+  /**
+   * The content of the screen was saved as a setting, or that was undone. States of that setting in the undo history
+   * are told, too.
+   */
+  saved(owner: Owner): void {
     const now = this.content.value;
     if (!now) return;
+    const { of } = owner;
     const history = histories.mapStates(this.#history.value, (state) =>
-      state.of?.id === of.id ? { ...state, of } : state,
+      of && state.of?.id === of.id ? { ...state, of } : state,
     );
-    // The pilot has said that it is of that setting.
-    this.show({ ...now, of, backupOf: undefined }, history);
+    // The pilot has said whose it is, in the middle of a step, too.
+    this.show({ ...now, ...owner }, { ...history, open: null });
+  }
+
+  /** Whose the values are after an edit. */
+  protected owned(content: Content, _edit: Edit): Content {
+    return content;
   }
 
   /** Replaces the whole content; null for none. */

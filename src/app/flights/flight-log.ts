@@ -2,8 +2,12 @@ import { computed, effect, type ReadonlySignal, signal, untracked } from '@preac
 import * as v from 'valibot';
 import { differences, type Flight, LIMITS, sameLayout, type TimerProgram } from '../../program/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
+import { changesSince } from '../editing/content.js';
+import { messages } from '../messages/index.js';
 import { newId } from '../session/library.js';
+import { beginningOf } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
+import type { SettingRecord } from '../storage/index.js';
 import { putBackDt } from '../write/put-back.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { type FlightFilter, NO_FILTER } from './flight-filter.js';
@@ -51,17 +55,22 @@ export class FlightLog {
     this.filling = this.#filling;
     this.filter = this.#filter;
     this.held = computed(() => {
-      const { standing, nextFlight, byteOrderOpen, knowledge, editor } = session;
+      const { standing, nextFlight, byteOrderOpen, standings, editor } = session;
       if (standing.value.sure !== 'now' || nextFlight.open.value || byteOrderOpen.value) return null;
-      const known = knowledge.of(editor.working.value?.memory ?? null);
+      const { known } = standings.of(editor.working.value?.memory ?? null);
       return known.state === 'read' ? known.program : null;
     });
     this.flyable = computed(() => this.held.value ?? this.#verified.value?.program ?? null);
     effect(() => {
       const step = write.current.value;
       const held = write.verified.value?.report.held ?? null;
-      this.#verified.value = held && untracked(() => this.#flown(held));
-      if (held && this.#puttingBack !== null) void this.change(this.#puttingBack, { program: held });
+      const flown = held && untracked(() => this.#flown(held));
+      this.#verified.value = flown;
+      if (flown && this.#puttingBack !== null) {
+        const { program, setting, settingName } = flown;
+        // The pilot may have said in the meantime which model it is.
+        void this.change(this.#puttingBack, { program, setting, settingName });
+      }
       if (held || step === null) this.#puttingBack = null;
       // A flight that was logged before a write must not show under the result of the write.
       if (step?.step === 'review') this.#logged.value = null;
@@ -151,19 +160,32 @@ export class FlightLog {
     this.#puttingBack = (await putBackDt(this.#session, this.#write)) ? key : null;
   }
 
+  /** What flies is what the timer was last read to hold. It is of a setting only where each value is. */
   #flown(program: TimerProgram): Flown {
-    const { modelAtHand, opened, editor } = this.#session;
-    // With unwritten changes, the setting on the screen is not the one that was flown.
-    const shown = editor.changes.peek().length === 0 ? opened.shown.peek() : null;
-    const setting = shown?.setting;
-    const model = modelAtHand.peek() ?? shown?.model;
+    const { origin, library, editor } = this.#session;
+    const isSame = ({ setting }: SettingRecord): boolean =>
+      sameLayout(setting.program.identity, program.identity) && changesSince(setting.program, program).length === 0;
+    const from = library.settings.get(editor.heldOf.peek().of?.id ?? null);
+    const model = origin.timer.peek() ?? library.models.get(from?.setting.model ?? null)?.model ?? null;
+    const isOwn = ({ setting }: SettingRecord): boolean => setting.model === (model?.id ?? null);
+    const [only, ...more] = library.settings.list.peek().filter((record) => isOwn(record) && isSame(record));
+    const exact = from && isOwn(from) && isSame(from) ? from : more.length === 0 ? only : undefined;
     return {
       model: model?.id ?? null,
       modelName: model?.name ?? '',
-      setting: setting?.id ?? null,
-      settingName: setting?.name ?? '',
+      setting: exact?.key ?? null,
+      settingName: exact?.setting.name ?? (from ? this.#likeName(from, isOwn(from), isSame(from)) : ''),
       program,
     };
+  }
+
+  /** A name for what is no setting of the model that flies: “calm, changed”, or the setting of another model. */
+  #likeName({ setting }: SettingRecord, isOwn: boolean, isSame: boolean): string {
+    const { knowledge } = messages.value;
+    const other = isOwn ? undefined : this.#session.library.models.get(setting.model)?.model.name;
+    const end = isSame ? '' : knowledge.changed('');
+    const name = other === undefined ? setting.name : knowledge.ofModel(setting.name, other);
+    return beginningOf(name, LIMITS.name - end.length) + end;
   }
 
   #add(flight: Flown & Pick<Flight, 'place'>): string {

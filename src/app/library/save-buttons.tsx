@@ -1,6 +1,7 @@
 import { libraryMessages } from '../messages/en-library.js';
 import type { Session } from '../session/session.js';
 import type { SaveSetting } from './save-setting.js';
+import './save-buttons.css';
 
 interface SaveButtonsProps {
   readonly session: Session;
@@ -12,9 +13,10 @@ interface SaveButtonsProps {
 /** Saves the program on the screen: to the setting that it was opened from, or as a new setting. */
 export function SaveButtons({ session, saveSetting, brief = false }: SaveButtonsProps) {
   const { save: words } = libraryMessages;
-  const { opened } = session;
+  const { opened, origin } = session;
   const unsaved = opened.unsaved.value;
-  const setting = opened.shown.value?.setting ?? null;
+  const setting = origin.setting.value;
+  const undoable = opened.undoable.value;
   if (!session.editor.identity.value) return null;
   const count = (unsaved?.changes ?? 0) + (unsaved?.unreadable ?? 0);
   return (
@@ -22,10 +24,16 @@ export function SaveButtons({ session, saveSetting, brief = false }: SaveButtons
       {setting && count > 0 && (
         <button
           type="button"
+          class="save-over"
           title={words.state(setting.name, unsaved?.changes ?? 0, unsaved?.unreadable ?? 0)}
           onClick={() => void saveSetting.save()}
         >
-          {words.again}
+          {words.over(setting.name, origin.model.value?.name ?? '')}
+        </button>
+      )}
+      {undoable && (!brief || count === 0) && (
+        <button type="button" class="quiet save-over" onClick={() => opened.undoSave()}>
+          {words.undo(undoable.name)}
         </button>
       )}
       {!brief && (

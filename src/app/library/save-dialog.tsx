@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import { LIMITS } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
 import type { Session } from '../session/session.js';
+import { Check } from '../ui/check.js';
 import { Choice } from '../ui/choice.js';
 import { FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
@@ -31,19 +32,23 @@ const NONE = '';
 
 function NameForm({ session, saveSetting }: SaveDialogProps) {
   const { save: words } = libraryMessages;
-  const { library, opened } = session;
-  const open = opened.shown.peek();
-  const name = useSignal(open?.setting?.name ?? '');
+  const { library, opened, origin } = session;
+  const open = origin.setting.peek();
+  const whose = origin.model.value;
+  const crossed = useSignal(false);
+  const name = useSignal(open?.name ?? '');
   const note = useSignal('');
   const modelName = useSignal('');
-  const model = useSignal(open ? (open.model?.id ?? NONE) : (suggested(session) ?? NEW));
+  const model = useSignal(open ? (origin.model.peek()?.id ?? NONE) : (suggested(session) ?? NEW));
+  const to = library.models.get(model.value)?.model;
+  const isOther = whose !== null && to !== undefined && to.id !== whose.id;
   return (
     <form
       class="library-form"
       onSubmit={(event) => {
         event.preventDefault();
-        const to = model.value === NEW ? { name: modelName.value.trim() } : model.value || null;
-        void saveSetting.saveAs({ name: name.value.trim(), note: note.value, model: to });
+        const under = model.value === NEW ? { name: modelName.value.trim() } : model.value || null;
+        void saveSetting.saveAs({ name: name.value.trim(), note: note.value, model: under });
       }}
     >
       <NameField
@@ -57,7 +62,10 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
         choices={[...library.models.list.value.map(({ key }) => key), NEW, NONE]}
         nameOf={(key) => (key === NEW ? words.newModel : (library.models.get(key)?.model.name ?? words.noModel))}
         chosen={model.value}
-        onChoose={(key) => (model.value = key)}
+        onChoose={(key) => {
+          model.value = key;
+          crossed.value = false;
+        }}
       />
       {model.value === NEW && (
         <NameField
@@ -78,16 +86,25 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
           }}
         />
       </label>
+      {isOther && (
+        <Check checked={crossed.value} onChange={(on) => (crossed.value = on)}>
+          {words.crossing(whose.name, to.name)}
+        </Check>
+      )}
       <Problem text={!opened.savable.value && words.notSavable} />
-      <FormButtons label={words.save} disabled={!opened.savable.value} onCancel={() => saveSetting.dismiss()} />
+      <FormButtons
+        label={words.save}
+        disabled={!opened.savable.value || (isOther && !crossed.value)}
+        onCancel={() => saveSetting.dismiss()}
+      />
     </form>
   );
 }
 
-/** The model that it is probably for: that of the connected timer, or the only one of its class. */
-function suggested({ library, editor, modelAtHand }: Session): string | null {
-  const atHand = modelAtHand.peek();
-  if (atHand) return atHand.id;
+/** The model that it is probably for: whose the values are, or the only one of its class. */
+function suggested({ library, editor, origin }: Session): string | null {
+  const whose = origin.model.peek();
+  if (whose) return whose.id;
   const timerClass = editor.identity.peek()?.timerClass;
   const [first, ...more] = library.models.list
     .peek()

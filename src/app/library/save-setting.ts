@@ -26,23 +26,38 @@ export class SaveSetting {
     if (this.#session.editor.working.peek()) this.#asking.value = true;
   }
 
-  /** Saves the open setting. Asks first when none is open. */
+  /**
+   * Saves the open setting. Asks first when none is open, or when the timer of another model has come under its
+   * changes: all that was not typed is of that one.
+   */
   async save(): Promise<void> {
-    const { shown, savable } = this.#session.opened;
-    if (shown.peek()?.setting && savable.peek()) await this.#session.opened.save();
+    const { opened, origin, editor } = this.#session;
+    const isMixed = editor.isMoved.peek() && origin.crossing.peek() !== null;
+    if (origin.setting.peek() && opened.savable.peek() && !isMixed) await opened.save();
     else this.open();
   }
 
   /** @returns once the browser has saved it, or failed to. It is in the library at once. */
   async saveAs({ name, note, model }: Named): Promise<void> {
-    const { library, opened, editor } = this.#session;
+    const { library, opened, editor, origin } = this.#session;
+    const isOfTimer = origin.isOfTimer.peek();
     const timerClass = editor.identity.peek()?.timerClass ?? null;
     if (!opened.savable.peek()) return;
     this.#asking.value = false;
     const isNew = model !== null && typeof model === 'object';
     const id = isNew ? newId() : model;
     const keeping = isNew && id !== null ? library.keepModel(emptyModel(id, model.name, timerClass)) : null;
-    await Promise.all([keeping, opened.saveAs({ model: id, name, note })]);
+    const saving = opened.saveAs({ model: id, name, note });
+    if (isOfTimer) this.#say(id);
+    await Promise.all([keeping, saving]);
+  }
+
+  /** Whoever saves what a timer holds under a model has said whose timer it is, unless the page knows another one. */
+  #say(id: string | null): void {
+    const { recognition, origin } = this.#session;
+    const model = recognition.choices.peek().find((each) => each.id === id);
+    const known = origin.timer.peek();
+    if (model && (!known || known.id === id)) recognition.say(model);
   }
 
   dismiss(): void {

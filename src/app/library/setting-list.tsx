@@ -27,7 +27,7 @@ interface SettingListProps {
 export function SettingList({ session, browse, records, chosen, withModel, arranging = false }: SettingListProps) {
   const { settings, models } = session.library;
   const room = browse.room.value;
-  const open = session.opened.shown.value?.setting?.id ?? null;
+  const open = session.origin.setting.value?.id ?? null;
   const refused = settings.refused.value;
   return (
     <>

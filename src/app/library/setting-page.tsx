@@ -155,7 +155,7 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
   const words = libraryMessages;
   const { opened, connection } = session;
   const failed = useSignal(false);
-  const isOpen = session.opened.shown.value?.setting?.id === record.key;
+  const isOpen = session.origin.setting.value?.id === record.key;
   const obstacle = opened.obstacle(record.setting.program);
   const unsaved = isOpen ? opened.unsaved.value : null;
   const count = (unsaved?.changes ?? 0) + (unsaved?.unreadable ?? 0);

@@ -27,7 +27,7 @@ export function MemoryCards({ session, memories, onProgram }: MemoryCardsProps) 
   if (!baseline) return null;
   const current = session.nextFlight.open.value ? null : baseline.memory;
   const count = baseline.identity.memories;
-  const all = Array.from({ length: count }, (_, memory) => ({ memory, known: session.knowledge.of(memory) }));
+  const all = Array.from({ length: count }, (_, memory) => ({ memory, ...session.standings.of(memory) }));
   const scale = sharedScale(all.flatMap(({ known }) => lastRead(known) ?? []));
   return (
     <ul class="memory-cards">

@@ -52,7 +52,7 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
       <div class="segments">
         {all.map((index) => {
           const flies = isConnected && index === current;
-          const given = givenName(session.modelAtHand.value, index);
+          const given = givenName(session.origin.named.value, index);
           // The sign alone tells it where the pilot's name has the room.
           const below = given === '' && flies ? nextFlight.badge : given;
           return (

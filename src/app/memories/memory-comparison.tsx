@@ -1,8 +1,10 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
-import { messages } from '../messages/index.js';
+import { clockText, messages } from '../messages/index.js';
 import { lastRead } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
+import type { Held } from '../session/standing.js';
+import { heldName } from '../session/standing-text.js';
 import { ProgramPair } from '../side-by-side/program-pair.js';
 import { BackHead } from '../ui/back-head.js';
 import { Select } from '../ui/choice.js';
@@ -27,13 +29,17 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
   }, []);
   const count = session.editor.baseline.value?.identity.memories ?? 0;
   const ready = session.runner.ready.value && !session.nextFlight.open.value;
-  const names = [memoryText(session, first), memoryText(session, second)] as const;
-  const [left, right] = [first, second].map((memory) => lastRead(session.knowledge.of(memory)));
-  const unread = [first, second].filter((memory) => session.knowledge.of(memory).state === 'unread');
+  const held = [first, second].map((memory) => session.standings.of(memory)) as [Held, Held];
+  const names = [
+    heldName(memoryText(session, first), held[0], clockText),
+    heldName(memoryText(session, second), held[1], clockText),
+  ] as const;
+  const [left, right] = held.map(({ known }) => lastRead(known));
+  const unread = [first, second].filter((_, at) => held[at]?.known.state === 'unread');
   return (
     <section class="comparison" aria-labelledby="comparison-title">
       <BackHead back={words.all} to={() => memories.compare(null)} titleId="comparison-title" heading={heading}>
-        {words.compared(...names)}
+        {words.compared(memoryText(session, first), memoryText(session, second))}
       </BackHead>
       <div class="comparison-choice">
         <Choice

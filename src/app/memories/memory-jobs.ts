@@ -2,7 +2,7 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
 import { checkProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import { type Crossing, crossingOf, sameCrossing } from '../session/crossing.js';
+import { type Crossing, sameCrossing } from '../session/crossing.js';
 import { type JobContext, stoppedBy, type Work } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from '../write/job-dialog.js';
@@ -108,7 +108,9 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     if (end.stopped === null) this.show(end.value);
     else if (end.stopped === 'aborted') this.#nothingWritten();
     else {
-      const ends = targetsOf(plan).map((memory) => endOf(memory, this.#session.knowledge.of(memory), null, false));
+      const ends = targetsOf(plan).map((memory) =>
+        endOf(memory, this.#session.standings.of(memory).known, null, false),
+      );
       this.show({
         step: 'done',
         plan,
@@ -134,7 +136,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
       this.#crossed.value = false;
       return this.show({ ...shown, crossing });
     }
-    const { knowledge, nextFlight } = this.#session;
+    const { standings, nextFlight } = this.#session;
     const { plan, changes } = shown;
     this.#kept = true;
     const done: Done = { saved: 0, notHeld: false, strayed: null, begun: new Set() };
@@ -146,7 +148,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     const { saved, notHeld, begun, strayed: other } = done;
     const ends = changes.map((change) => {
       const { memory } = change;
-      return endOf(memory, knowledge.of(memory), change, begun.has(memory));
+      return endOf(memory, standings.of(memory).known, change, begun.has(memory));
     });
     // The notice of the page says what stopped a backup.
     if (plan.kind === 'back-up' && saved === 0) this.show(null);
@@ -259,9 +261,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
 
   #crossingOf(plan: Plan): Crossing | null {
     if (plan.kind !== 'restore') return null;
-    const { library, recognition } = this.#session;
-    const owner = plan.backups.find(({ model }) => model !== undefined)?.model ?? null;
-    return crossingOf(library.models.get(owner)?.model ?? null, recognition.found.value);
+    return this.#session.origin.crossingFrom(plan.backups.find(({ model }) => model !== undefined)?.model ?? null);
   }
 
   #nothingWritten(): void {

@@ -1,6 +1,5 @@
 import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import type { Knowledge } from '../session/knowledge.js';
 import { type Known, openValues } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
@@ -21,7 +20,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
   const { look: words, memoryName, program } = messages.value;
   const { editor, nextFlight, runner } = session;
   const name = memoryText(session, memory);
-  const known = session.knowledge.of(memory);
+  const { known } = session.standings.of(memory);
   const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
   // Not during a job. A disabled button would lose the focus, so it stays enabled.
   const isBusy = !runner.ready.value;
@@ -82,9 +81,9 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
 }
 
 /** The last reading of a memory over time, without handles. */
-export function MemoryPicture({ knowledge, memory }: { readonly knowledge: Knowledge; readonly memory: number }) {
+export function MemoryPicture({ session, memory }: Pick<MemoryLookProps, 'session' | 'memory'>) {
   const { look: words, memoryName } = messages.value;
-  const known = knowledge.of(memory);
+  const { known } = session.standings.of(memory);
   if (known.state === 'unread') return null;
   const title = words.picture(memoryName(memory));
   if (known.state === 'read') return <Timeline program={known.program} title={title} />;

@@ -36,7 +36,7 @@ export function MemoryName({ session, memory }: { readonly session: Session; rea
     addEventListener('pagehide', keep);
     return () => removeEventListener('pagehide', keep);
   }, [isEditing, session, memory]);
-  const model = session.modelAtHand.value;
+  const model = session.origin.named.value;
   if (!model) return null;
   const given = givenName(model, memory);
   const name = memoryName(memory);

@@ -39,6 +39,9 @@ export const knowledge = {
   /** For a setting of the library, by its model and name. */
   ofSetting: (name: string, changes: number) =>
     changes === 0 ? `${apart(name)}: saved` : `${apart(name)}: ${plural(changes, 'change', 'changes')} not saved`,
+  /** For a program that is no longer what was saved under this name. */
+  changed: (name: string) => `${name}, changed`,
+  ofModel: (name: string, model: string) => `${name} of ${model}`,
   /** For a program that was made here. */
   made: 'New program, in no timer yet',
   unknown: (memory: string) => `Not known what ${memory} holds`,

@@ -1,6 +1,7 @@
 import type { SettingSource } from '../../program/index.js';
 import { apart } from './apart.js';
 import { whole } from './dotted.js';
+import { knowledge } from './en-knowledge.js';
 import { plural } from './plural.js';
 
 /** Why a file is not taken as a picture. */
@@ -148,8 +149,12 @@ export const libraryMessages = {
   save: {
     /** Used while nothing of the library is open. */
     open: 'Save to library…',
-    again: 'Save',
-    againOf: (name: string) => `Save “${name}”`,
+    /** The button names what it overwrites. @param model empty for none. */
+    over: (name: string, model: string) =>
+      `Save over ${model === '' ? apart(name) : knowledge.ofModel(apart(name), apart(model))}`,
+    undo: (name: string) => `Take back the save of ${apart(name)}`,
+    /** A tick: values of one model would go under the name of another. */
+    crossing: (from: string, to: string) => `These are values of ${apart(from)}. Save them under ${apart(to)}.`,
     asNew: 'Save as new…',
     title: 'Save to library',
     name: 'Name of the setting',

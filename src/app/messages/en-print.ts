@@ -64,12 +64,5 @@ export const print = {
     file: (date: string) => `From a file, ${date}`,
     link: (date: string) => `From a link, ${date}`,
   },
-  screen: {
-    now: (date: string) => `As in the timer, read ${date}`,
-    verified: (date: string) => `As in the timer, verified ${date}`,
-    once: (date: string) => `As last read ${date}`,
-    changed: (count: number) => `${plural(count, 'value is', 'values are')} not in the timer yet`,
-    not: 'It is not certain what the timer holds',
-    unfinished: (count: number) => `${plural(count, 'field has', 'fields have')} no value yet: the last one is printed`,
-  },
+  unfinished: (count: number) => `${plural(count, 'field has', 'fields have')} no value yet: the last one is printed`,
 };

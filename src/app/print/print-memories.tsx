@@ -1,6 +1,6 @@
 import type { Session } from '../session/session.js';
 import { PrintButton } from './print-button.js';
-import { readMemories } from './read-memories.js';
+import { memoryKey } from './print-order.js';
 
 interface PrintMemoriesProps {
   readonly session: Session;
@@ -9,5 +9,6 @@ interface PrintMemoriesProps {
 
 /** Opens the print view with all memories of the timer that were read. */
 export function PrintMemories({ session, onPrint }: PrintMemoriesProps) {
-  return <PrintButton keys={readMemories(session).map(({ key }) => key)} onPrint={onPrint} />;
+  const read = session.standings.readMemories();
+  return <PrintButton keys={read.map(({ memory }) => memoryKey(memory))} onPrint={onPrint} />;
 }

@@ -1,19 +1,21 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
-import type { SharedSetting, TimerProgram } from '../../program/index.js';
-import { tried } from '../browser/services.js';
+import { type SharedSetting, sameLayout, type TimerProgram } from '../../program/index.js';
+import { tried as attempted } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
+import { changesSince } from '../editing/content.js';
 import { print as words } from '../messages/en-print.js';
+import { modelMessages } from '../messages/en-which-model.js';
 import { dateText, messages, timerName } from '../messages/index.js';
 import { foldedText, searchFor } from '../messages/search.js';
 import type { Session } from '../session/session.js';
 import { qrLinkOf, sharedOf } from '../session/setting-link.js';
+import { hintText, madeAs, programName, standingText } from '../session/standing-text.js';
 import type { SettingRecord } from '../storage/index.js';
 import { type Copy, SHEET_PARTS, type SheetPart, sectionsOf } from './galley.js';
 import { leafOf, PAPERS, type Paper } from './paper.js';
-import { isOfLibrary, ON_SCREEN, type PrintOrder } from './print-order.js';
-import { readMemories } from './read-memories.js';
-import { memoryText, type SheetSource, sheetOf } from './sheet.js';
+import { isOfLibrary, memoryKey, ON_SCREEN, type PrintOrder } from './print-order.js';
+import { type Marks, memoryText, type SheetSource, sheetOf } from './sheet.js';
 
 /** Without the code: most pilots would rather write in its place. */
 const USUAL_PARTS: readonly SheetPart[] = ['timeline', 'notes', 'lines'];
@@ -75,8 +77,10 @@ export class Print {
       });
     });
     this.memories = computed(() => {
-      const names = session.modelAtHand.value?.memoryNames;
-      return readMemories(session).map(({ key, memory }) => ({ key, name: memoryText(memory, names?.[memory] ?? '') }));
+      const names = session.origin.timer.value?.memoryNames;
+      return session.standings
+        .readMemories()
+        .map(({ memory }) => ({ key: memoryKey(memory), name: memoryText(memory, names?.[memory] ?? '') }));
     });
     this.found = computed(() => {
       const isFound = searchFor(this.#search.value);
@@ -134,47 +138,50 @@ export class Print {
   }
 
   #onScreen(): SheetSource | null {
-    const { editor, opened } = this.#session;
-    const program = editor.working.value;
+    const { editor, origin, servoUses } = this.#session;
+    const program = origin.program.value;
     if (!program) return null;
-    const setting = opened.shown.value?.setting;
-    return this.#ofTimer(ON_SCREEN, program, this.#standing(), setting);
+    const model = origin.model.value;
+    // What the servos of the connected timer move says nothing about another model.
+    const servos = (origin.crossing.value ? null : servoUses.named.value) ?? model?.servos ?? [];
+    return {
+      ...this.#ofTimer(ON_SCREEN, program, model && { ...model, servos }, programName(this.#session)),
+      note: origin.setting.value?.note ?? '',
+      origin: this.#standing(),
+      marks: this.#marks(editor.madeAt.value !== null),
+    };
   }
 
   #memory(key: string): SheetSource | null {
-    const read = readMemories(this.#session).find((each) => each.key === key);
+    const { standings, origin, servoUses } = this.#session;
+    const read = standings.readMemories().find(({ memory }) => memoryKey(memory) === key);
     if (!read) return null;
-    const { known, program } = read;
-    const { screen } = words;
-    return this.#ofTimer(key, program, known.state === 'read' ? screen.once(dateText(known.at)) : screen.not);
+    const { known, memory, program } = read;
+    const { knowledge: words, memoryName } = messages.value;
+    const model = origin.timer.value;
+    const servos = servoUses.named.value ?? model?.servos ?? [];
+    const isRead = known.state === 'read';
+    return {
+      ...this.#ofTimer(key, program, model && { ...model, servos }, ''),
+      origin: isRead ? words.lastReadAt(dateText(known.at)) : words.unknown(memoryName(memory)),
+    };
   }
 
-  #ofTimer(
-    key: string,
-    program: TimerProgram,
-    origin: string,
-    setting?: Pick<SharedSetting, 'name' | 'note'> | null,
-  ): SheetSource {
-    const { servoUses, simulated, modelAtHand } = this.#session;
-    const atHand = modelAtHand.value;
+  #ofTimer(key: string, program: TimerProgram, model: SheetSource['model'], name: string): SheetSource {
     return {
       key,
       program,
-      model: {
-        name: atHand?.name ?? '',
-        memoryNames: atHand?.memoryNames ?? [],
-        servos: servoUses.named.value ?? atHand?.servos ?? [],
-      },
-      name: setting?.name ?? '',
-      note: setting?.note ?? '',
-      origin,
-      simulated: simulated.value,
+      model,
+      name,
+      note: '',
+      origin: '',
+      simulated: this.#session.simulated.value,
       link: this.#linkOf({
-        name: setting?.name ?? timerName(program.identity),
+        name: name || timerName(program.identity),
         at: Date.now(),
         tags: [],
         program,
-        modelName: atHand?.name ?? '',
+        modelName: model?.name ?? '',
       }),
     };
   }
@@ -182,29 +189,47 @@ export class Print {
   /** Without the note, which would make the code too fine. */
   #linkOf(shared: Omit<SharedSetting, 'note'>): string | null {
     if (!this.#parts.value.has('code')) return null;
-    return tried(() => qrLinkOf({ ...shared, note: '' }, this.#page)?.link);
+    return attempted(() => qrLinkOf({ ...shared, note: '' }, this.#page)?.link);
   }
 
   /** What is known about the screen's program and the timer. On paper nothing of it changes any more. */
   #standing(): string {
-    const { editor, standing } = this.#session;
-    const { screen } = words;
-    const { knowledge } = messages.value;
-    const { sure, at, ...rest } = standing.value;
-    const date = at === null ? null : dateText(at);
-    const changes = editor.changes.value.length;
+    const { editor, origin } = this.#session;
+    const standing = this.#session.standing.value;
+    const tried = standing.sure === 'once' ? (standing.sent ?? 0) : 0;
+    const made = madeAs(this.#session);
+    const changes = made ? 0 : editor.changes.value.length;
     const unfinished = editor.unreadable.value.size;
-    const said = (): string => {
-      if (editor.madeAt.value !== null) return knowledge.made;
-      if (sure === 'not') return screen.not;
-      if (date === null) return knowledge.asLastRead;
-      if (sure === 'once') return screen.once(date);
-      return 'verified' in rest && rest.verified ? screen.verified(date) : screen.now(date);
-    };
-    return [
-      said(),
-      ...(changes > 0 && editor.madeAt.value === null ? [screen.changed(changes)] : []),
-      ...(unfinished > 0 ? [screen.unfinished(unfinished)] : []),
-    ].join('. ');
+    const memory = editor.working.value?.memory ?? null;
+    const crossing = origin.crossing.value;
+    // Its own sentence says more: which value is printed.
+    const isOnlyUnfinished = unfinished > 0 && changes + tried === 0 && standing.sure !== 'not';
+    const said = [
+      crossing &&
+        modelMessages.crossing.title(
+          crossing.from.name,
+          crossing.to.map(({ name }) => name),
+        ),
+      !isOnlyUnfinished && standingText(standing, { tried, changes, unfinished }, made, memory, dateText),
+      // Read on paper, it is past: the timer may hold something else by then.
+      changes + tried > 0 && hintText(standing.sure === 'now' ? { ...standing, sure: 'once' } : standing, dateText),
+      unfinished > 0 && words.unfinished(unfinished),
+    ];
+    return said
+      .filter((text) => typeof text === 'string')
+      .map((text) => text.replace(/\.$/, ''))
+      .join('. ');
+  }
+
+  /** The values on the screen that are not in the timer, or not in the setting that is of no timer. */
+  #marks(isMade: boolean): Marks {
+    const { editor, origin, standings } = this.#session;
+    const { marks } = messages.value.knowledge;
+    const isOpen = standings.screen.value.sure === 'not';
+    const working = editor.working.value;
+    const saved = origin.setting.value?.program;
+    if (!isMade) return { changes: standings.sinceRead.value, text: isOpen ? marks.not : marks.now };
+    const isSaved = saved && working && sameLayout(saved.identity, working.identity);
+    return { changes: isSaved ? changesSince(saved, working) : [], text: marks.now };
   }
 }

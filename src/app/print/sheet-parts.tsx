@@ -33,11 +33,12 @@ export function SheetHead({ sheet }: { readonly sheet: Sheet }) {
         <p class="leaf-origin">{sheet.origin}</p>
       </div>
       <dl class="leaf-figures">
-        {sheet.figures.map(({ label, text, isShort }) => (
+        {sheet.figures.map(({ label, text, isShort, was }) => (
           <div key={label}>
             <dt>{label}</dt>
             <dd>
               {text}
+              <Was text={was} />
               {isShort && <strong class="leaf-loud">{print.shortDt}</strong>}
             </dd>
           </div>
@@ -55,6 +56,11 @@ function Blank({ label, text }: { readonly label: string; readonly text: string 
       {label} <span class="leaf-blank" />
     </span>
   );
+}
+
+/** The mark of a changed value: what it was. */
+function Was({ text }: { readonly text: string }) {
+  return text === '' ? null : <small class="leaf-was">{text}</small>;
 }
 
 /** With more servos their names stand below the table: above the columns there is no room. */
@@ -94,15 +100,23 @@ export function SheetTable({ sheet, group, rows }: SheetTableProps) {
           </tr>
         </thead>
         <tbody>
-          {rows.map(({ key, kind, label, time, after, positions }) => (
+          {rows.map(({ key, kind, label, time, after, positions, was }) => (
             <tr key={key} class={`leaf-${kind}`}>
               <th scope="row">{label}</th>
-              <td>{time}</td>
+              <td>
+                {time}
+                <Was text={was.time} />
+              </td>
               <td>{after}</td>
               {kind === 'motor' ? (
                 <td colSpan={group.length} />
               ) : (
-                group.map((servo) => <td key={servo}>{positions[servo]}</td>)
+                group.map((servo) => (
+                  <td key={servo}>
+                    {positions[servo]}
+                    <Was text={was.positions[servo] ?? ''} />
+                  </td>
+                ))
               )}
             </tr>
           ))}

@@ -1,4 +1,13 @@
-import { checkProgram, type Model, type ServoUse, slotKind, type TimerProgram } from '../../program/index.js';
+import {
+  type Change,
+  checkProgram,
+  fieldKey,
+  type Model,
+  type ProgramField,
+  type ServoUse,
+  slotKind,
+  type TimerProgram,
+} from '../../program/index.js';
 import { intervalAt } from '../editing/grid.js';
 import { formatInterval, formatTime } from '../editing/units.js';
 import {
@@ -10,6 +19,7 @@ import {
   messages,
   slotLabel,
   timerName,
+  valueText,
 } from '../messages/index.js';
 import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
 
@@ -24,9 +34,16 @@ export interface SheetSource {
   readonly note: string;
   /** Where the values come from, and when: “Kept 12 Nov 2026, 14:32”. */
   readonly origin: string;
+  /** The values that are not as this says, and the text of a mark with the old one: “was 3:00”. Default: none. */
+  readonly marks?: Marks;
   readonly simulated: boolean;
   /** Everything but the note as a link, for a QR code. Null when no code is wanted, or none is possible. */
   readonly link: string | null;
+}
+
+export interface Marks {
+  readonly changes: readonly Change[];
+  readonly text: (old: string) => string;
 }
 
 /** A row of the table: a slot, or the motor stop at its place in the order of time. */
@@ -39,6 +56,8 @@ export interface SheetRow {
   readonly after: string;
   /** The positions of all servos; none for the motor stop. */
   readonly positions: readonly string[];
+  /** The marks of what has changed: of the time, and of each position; empty texts otherwise. */
+  readonly was: { readonly time: string; readonly positions: readonly string[] };
 }
 
 /** One setting as it is printed, in the words of this language. */
@@ -56,7 +75,7 @@ export interface Sheet {
   readonly origin: string;
   readonly simulated: boolean;
   readonly link: string | null;
-  readonly figures: readonly (KeyFigure & { readonly isShort: boolean })[];
+  readonly figures: readonly (KeyFigure & { readonly isShort: boolean; readonly was: string })[];
   /** Values beside the table: the idle throttle, if the timer has told it, and times without a meaning. */
   readonly others: readonly { readonly label: string; readonly text: string }[];
   readonly rows: readonly SheetRow[];
@@ -75,6 +94,7 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
   const findings = checkProgram(program, { shortDt });
   const isShort = findings.some(({ code }) => code === 'dt-short');
   const { about } = messages.value;
+  const was = wasIn(identity, source.marks);
   return {
     key: source.key,
     program,
@@ -90,9 +110,10 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
     figures: keyFigures(program).map((figure) => ({
       ...figure,
       isShort: isShort && figure.field.kind === 'time' && figure.field.slot === identity.functions,
+      was: was(figure.field),
     })),
-    others: othersOf(program),
-    rows: rowsOf(program),
+    others: othersOf(program, was),
+    rows: rowsOf(program, was),
     servos: program.positions.map((_, servo) => useName(model?.servos[servo])),
     warnings: findings
       .filter(({ severity }) => severity !== 'warning')
@@ -103,16 +124,31 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
   };
 }
 
-function othersOf({ identity, idleThrottle, times: [first = 0] }: TimerProgram): Sheet['others'] {
+/** Gives the mark of a field; an empty text where it has not changed. */
+function wasIn(identity: TimerProgram['identity'], marks: Marks | undefined): (field: ProgramField) => string {
+  const old = new Map(marks?.changes.map(({ field, from }) => [fieldKey(field), valueText(identity, field, from)]));
+  return (field) => {
+    const text = old.get(fieldKey(field));
+    return marks && text !== undefined ? marks.text(text) : '';
+  };
+}
+
+function othersOf(
+  { identity, idleThrottle, times: [first = 0] }: TimerProgram,
+  was: (field: ProgramField) => string,
+): Sheet['others'] {
   const { program: words, seconds } = messages.value;
+  const marked = (text: string, field: ProgramField): string => [text, was(field)].filter(Boolean).join(' ');
   const isReserved = identity.timerClass !== 'Q' && first !== 0;
   return [
-    ...(idleThrottle === null ? [] : [{ label: words.idleThrottle, text: String(idleThrottle) }]),
+    ...(idleThrottle === null
+      ? []
+      : [{ label: words.idleThrottle, text: marked(String(idleThrottle), { kind: 'idleThrottle' }) }]),
     ...(isReserved
       ? [
           {
             label: fieldLabel(identity, { kind: 'time', slot: 0 }),
-            text: words.reserved(seconds(formatTime(first))),
+            text: marked(words.reserved(seconds(formatTime(first))), { kind: 'time', slot: 0 }),
           },
         ]
       : []),
@@ -129,7 +165,7 @@ function useName(use: ServoUse | undefined): string {
   return use ? dutyName(use) : '';
 }
 
-function rowsOf(program: TimerProgram): SheetRow[] {
+function rowsOf(program: TimerProgram, was: (field: ProgramField) => string): SheetRow[] {
   const { identity, times, positions } = program;
   const { program: words } = messages.value;
   const slots = times.map((time, slot): SheetRow => {
@@ -142,6 +178,10 @@ function rowsOf(program: TimerProgram): SheetRow[] {
       time: slot === 0 ? words.origin : formatTime(time),
       after: after === null ? '' : formatInterval(after),
       positions: positions.map((row) => String(row[slot] ?? '')),
+      was: {
+        time: slot === 0 ? '' : was({ kind: 'time', slot }),
+        positions: positions.map((_, servo) => was({ kind: 'position', servo, slot })),
+      },
     };
   });
   const [stop = 0] = times;
@@ -155,6 +195,7 @@ function rowsOf(program: TimerProgram): SheetRow[] {
     time: figureOf(identity, { kind: 'time', slot: 0 }, stop).text,
     after: '',
     positions: [],
+    was: { time: was({ kind: 'time', slot: 0 }), positions: [] },
   };
   const at = next < 0 ? slots.length : next;
   return [...slots.slice(0, at), motor, ...slots.slice(at)];

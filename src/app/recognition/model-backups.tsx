@@ -4,7 +4,6 @@ import { dotted } from '../messages/dotted.js';
 import { comparingMessages } from '../messages/en-compare.js';
 import { dateText, dayText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { heldNow } from '../session/held-now.js';
 import { memoryOf } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import type { Backup, ModelRecord } from '../storage/index.js';
@@ -110,7 +109,7 @@ function Row({ session, record, backup, following, onLoad, onCompare }: ModelBac
 /** How it differs from what the timer holds now, or last held; empty when nothing is known about that. */
 function differsText(session: Session, record: ModelRecord, { program, simulated }: Backup): string {
   const { modelBackups: words } = comparingMessages;
-  const held = heldNow(session, record, program.memory, simulated);
+  const held = session.standings.heldBy(record, program.memory, simulated);
   if (!held || !sameLayout(held.program.identity, program.identity)) return '';
   const count = differences(held.program, program).filter(({ from, to }) => from !== null && to !== null).length;
   if (held.now) return count === 0 ? words.same : words.differs(count);

@@ -77,6 +77,15 @@ export class Knowledge {
     return this.#readings.value.get(key) ?? { state: 'unread' };
   }
 
+  /** Whether this page has sent something into a memory since it was last read. */
+  isSent(memory: number | null): boolean {
+    const timer = this.#timer.value;
+    const key = timer && programKey({ identity: timer.identity, memory }, timer.simulated);
+    return this.#records.writes.value.some(
+      (record) => memoryKey(record) === key && this.#underWay.value.has(record.key),
+    );
+  }
+
   /** Calls back after each fresh reading. */
   onRead(callback: (reading: FreshReading) => void): void {
     this.#onRead = callback;

@@ -9,8 +9,8 @@ export function givenName(model: Model | null, memory: number): string {
 }
 
 /** The name of a memory of the connected timer in a sentence: M2, or M2 “fly-off”. */
-export function memoryText({ modelAtHand }: Pick<Session, 'modelAtHand'>, memory: number): string {
-  return memoryOf(modelAtHand.value, memory);
+export function memoryText({ origin }: Pick<Session, 'origin'>, memory: number): string {
+  return memoryOf(origin.named.value, memory);
 }
 
 /**
@@ -26,7 +26,7 @@ export function memoryOf(model: Model | null, memory: number | null): string {
 
 /** Names a memory of the present model. An empty name removes the name. */
 export async function nameMemory(session: Session, memory: number, name: string): Promise<void> {
-  const model = session.modelAtHand.peek();
+  const model = session.origin.named.peek();
   const given = beginningOf(name.trim(), LIMITS.name);
   if (!model || givenName(model, memory) === given) return;
   const memoryNames = [...model.memoryNames];

@@ -1,6 +1,6 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
-import type { Content } from '../editing/content.js';
+import { NOBODY, type Owner } from '../editing/content.js';
 import { replaceAll } from '../editing/edit.js';
 import { isOfOneShape } from '../editing/shape.js';
 import type { Backup, Draft } from '../storage/index.js';
@@ -26,7 +26,7 @@ export class OnScreen {
    * Shows a program that was made on this device, to edit without a timer.
    * @param from the setting that it is opened from, or the model whose backup it is.
    */
-  make(program: TimerProgram, from?: Partial<Pick<Content, 'of' | 'backupOf'>>): void {
+  make(program: TimerProgram, from?: Owner): void {
     if (!this.closeProgram()) return;
     batch(() => {
       this.#parts.editor.make(program, from);
@@ -73,12 +73,11 @@ export class OnScreen {
   /** Takes the values of a backup as what the pilot wants. Writes nothing. */
   showBackup({ program, model }: Backup): void {
     if (this.#takes(program)) {
-      this.#parts.editor.apply({
-        ...replaceAll({ code: 'open', params: { what: 'backup' } }, program),
-        backupOf: model,
-      });
+      const edit = replaceAll({ code: 'open', params: { what: 'backup' } }, program);
+      // It is no setting any more: to save it over one, the pilot has to say so.
+      this.#parts.editor.apply({ ...edit, owner: { of: undefined, backupOf: model ?? NOBODY } });
     } else {
-      this.make({ ...program, memory: null }, { backupOf: model });
+      this.make({ ...program, memory: null }, { backupOf: model ?? NOBODY });
     }
   }
 

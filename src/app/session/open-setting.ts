@@ -1,13 +1,6 @@
-import { computed, type ReadonlySignal } from '@preact/signals';
-import {
-  type Model,
-  requireProgram,
-  type Setting,
-  type SettingSource,
-  sameLayout,
-  type TimerProgram,
-} from '../../program/index.js';
-import { changesSince } from '../editing/content.js';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { type Model, requireProgram, type Setting, sameLayout, type TimerProgram } from '../../program/index.js';
+import { changesSince, type Owner } from '../editing/content.js';
 import { replaceAll } from '../editing/edit.js';
 import { isOfOneShape } from '../editing/shape.js';
 import type { Drafts } from './drafts.js';
@@ -36,8 +29,17 @@ export interface Unsaved {
   readonly unreadable: number;
 }
 
+/** What a save has done. */
+interface LastSave {
+  readonly setting: Setting;
+  /** What it has replaced; null when it was a new one. */
+  readonly replaced: Setting | null;
+  /** Whose the values on the screen were before. */
+  readonly before: Owner;
+}
+
 /** The name of a new setting, and where it goes. */
-export interface NewSetting extends Pick<Setting, 'model' | 'name'>, Partial<Pick<Setting, 'note' | 'tags' | 'from'>> {}
+export interface NewSetting extends Pick<Setting, 'model' | 'name'>, Partial<Pick<Setting, 'note' | 'tags'>> {}
 
 /** The setting of the library that the program on the screen belongs to: opening it, and saving it. */
 export class OpenSetting {
@@ -47,6 +49,9 @@ export class OpenSetting {
   readonly unsaved: ReadonlySignal<Unsaved | null>;
   /** Whether the program on the screen can be saved: each field has a value that a timer can hold. */
   readonly savable: ReadonlySignal<boolean>;
+  /** The setting that was saved last, as long as that can be taken back; null when it cannot. */
+  readonly undoable: ReadonlySignal<Setting | null>;
+  readonly #last = signal<LastSave | null>(null, { name: 'lastSave' });
   readonly #session: Session;
   readonly #drafts: Drafts;
   #following: ReadonlySignal<boolean> | null = null;
@@ -71,6 +76,13 @@ export class OpenSetting {
     this.savable = computed(() => {
       const working = editor.working.value;
       return working !== null && editor.unreadable.value.size === 0 && isStorable(working);
+    });
+    this.undoable = computed(() => {
+      const last = this.#last.value?.setting;
+      // Not once it has changed again, or something else is on the screen.
+      const isHere = last && editor.of.value?.id === last.id;
+      const now = isHere ? record.value?.setting : undefined;
+      return now && last && now.at === last.at && isSame(now.program, last.program) ? now : null;
     });
   }
 
@@ -106,7 +118,7 @@ export class OpenSetting {
     if (this.obstacle(setting.program) || connection.value) return false;
     // It belongs to no memory, so nothing that is known about a memory applies to it.
     if (kept) onScreen.showKept(kept);
-    else onScreen.make({ ...setting.program, memory: null }, { of: openedFrom(setting) });
+    else onScreen.make({ ...setting.program, memory: null }, ownerBy(setting));
     return true;
   }
 
@@ -118,24 +130,17 @@ export class OpenSetting {
     const opened = this.shown.peek()?.setting;
     const program = this.#program();
     if (!opened || !program) return false;
-    const memory = program.memory ?? opened.program.memory;
-    const setting: Setting = {
-      ...opened,
-      program: { ...program, memory: memory !== null && memory < program.identity.memories ? memory : null },
-      at: Date.now(),
-      from: this.source(),
-    };
-    return await this.#keep(setting);
+    return await this.#keep({ ...opened, program, ...this.source() });
   }
 
   /**
    * Saves the program on the screen as a new setting, which is then open.
    * @returns whether the browser has stored it. It is in the library in any case.
    */
-  async saveAs({ model, name, note = '', tags = [], from = this.source() }: NewSetting): Promise<boolean> {
+  async saveAs({ model, name, note = '', tags = [] }: NewSetting): Promise<boolean> {
     const program = this.#program();
     if (!program) return false;
-    const setting = { id: newId(), model, name, note, tags, at: Date.now(), program, from, archived: false };
+    const setting = { id: newId(), model, name, note, tags, program, archived: false, ...this.source() };
     return await this.#keep(setting);
   }
 
@@ -146,34 +151,60 @@ export class OpenSetting {
     if (setting && working && sameLayout(setting.program.identity, working.identity)) this.#layOver(setting);
   }
 
-  /** Where the values on the screen come from. */
-  source(): SettingSource {
-    const { editor, onScreen } = this.#session;
-    if (editor.baseline.peek() === null || editor.dirty.peek()) return 'typed';
-    return onScreen.simulated.peek() ? 'simulated' : 'timer';
+  /**
+   * Where the values on the screen come from, and when they were last read or changed. A date of which nobody has read
+   * the timer is the date of typing, never that of a reading.
+   */
+  source(): Pick<Setting, 'from' | 'at'> {
+    const { editor, onScreen, standing, standings } = this.#session;
+    const saved = this.shown.peek()?.setting;
+    if (saved && this.unsaved.peek()?.changes === 0) return { from: saved.from, at: saved.at };
+    const { at: readAt } = standing.peek();
+    const isRead = editor.baseline.peek() !== null && standings.sinceRead.peek().length === 0;
+    if (!isRead || editor.unreadable.peek().size > 0 || readAt === null) {
+      return { from: 'typed', at: Date.now() };
+    }
+    return { from: onScreen.simulated.peek() ? 'simulated' : 'timer', at: readAt };
   }
 
   #layOver(setting: Setting): boolean {
     const name = { code: 'open', params: { name: setting.name } } as const;
-    const of = openedFrom(setting);
-    return this.#session.editor.apply({ ...replaceAll(name, setting.program), of }) === null;
+    return this.#session.editor.apply({ ...replaceAll(name, setting.program), owner: ownerBy(setting) }) === null;
   }
 
   #program(): TimerProgram | null {
-    return this.savable.peek() ? this.#session.editor.working.peek() : null;
+    return this.savable.peek() ? this.#session.origin.program.peek() : null;
   }
 
   async #keep(setting: Setting): Promise<boolean> {
     const { library, editor } = this.#session;
+    const before = { of: editor.of.peek(), backupOf: editor.backupOf.peek() };
+    const replaced = library.settings.get(setting.id)?.setting ?? null;
     const keeping = library.keepSetting(setting);
-    editor.saved(openedFrom(setting));
+    editor.saved(ownerBy(setting));
+    this.#last.value = { setting, replaced, before };
     await keeping;
     return !library.settings.unsaved.peek().has(setting.id);
   }
+
+  /** Takes the last save back: what it replaced is in the library again, and the screen is as changed as before. */
+  undoSave(): void {
+    const { library, editor } = this.#session;
+    const last = this.#last.peek();
+    if (!last || !this.undoable.peek()) return;
+    this.#last.value = null;
+    if (last.replaced) void library.keepSetting(last.replaced);
+    else library.settings.remove(last.setting.id);
+    editor.saved(last.replaced ? ownerBy(last.replaced) : last.before);
+  }
 }
 
-function openedFrom({ id, program }: Setting): { readonly id: string; readonly saved: TimerProgram } {
-  return { id, saved: program };
+function ownerBy({ id, program }: Setting): Owner {
+  return { of: { id, saved: program }, backupOf: undefined };
+}
+
+function isSame(a: TimerProgram, b: TimerProgram): boolean {
+  return sameLayout(a.identity, b.identity) && changesSince(a, b).length === 0;
 }
 
 function isStorable(program: TimerProgram): boolean {

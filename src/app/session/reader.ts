@@ -124,7 +124,7 @@ export class Reader {
     const before = editor.working.value;
     // A program that was made here is for any timer that can take it: its values go on top of what the timer holds.
     const made = editor.madeAt.value === null ? null : before;
-    const from = { of: editor.of.value, backupOf: editor.backupOf.value };
+    const owner = { of: editor.of.value, backupOf: editor.backupOf.value };
     const laid = made && isOfOneShape(made.identity, read.identity) && editor.unreadable.value.size === 0 ? made : null;
     const held = editor.baseline.value;
     const same = before !== null && programKey(before, wasSimulated) === programKey(read, simulated);
@@ -149,7 +149,7 @@ export class Reader {
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
       if (draft) origin.take(draft.model);
-      if (laid) editor.apply({ ...replaceAll({ code: 'open', params: { what: 'program' } }, laid), ...from });
+      if (laid) editor.apply({ ...replaceAll({ code: 'open', params: { what: 'program' } }, laid), owner });
       nextFlight.found(read.memory);
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
       onScreen.wasRead(simulated);

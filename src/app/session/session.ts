@@ -1,5 +1,4 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
-import type { Model } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { Editor } from '../editing/editor.js';
 import type { Storage } from '../storage/index.js';
@@ -26,7 +25,7 @@ import { ServoMoves } from './servo-moves.js';
 import { ServoUses } from './servo-uses.js';
 import { SetAside } from './set-aside.js';
 import { ShortDt } from './short-dt.js';
-import { type Standing, standingOf } from './standing.js';
+import { type Standing, Standings } from './standing.js';
 import { TimerAccess, type TimerSources } from './timer-access.js';
 import { UnfinishedRecords } from './unfinished.js';
 
@@ -52,11 +51,11 @@ export class Session {
   readonly knowledge: Knowledge;
   /** The model of the connected timer, as its content shows or the pilot says. */
   readonly recognition: Recognition;
-  /** The model of the connected timer; without a timer, of the open setting. Null when it is not known. */
-  readonly modelAtHand: ReadonlySignal<Model | null>;
-  /** The model for which the changes on the screen were made. */
+  /** Whose the values are: every name of a model comes from here. */
   readonly origin: Origin;
-  /** How certain it is that the timer holds what was last read. */
+  /** What may be said of the content of timers. */
+  readonly standings: Standings;
+  /** The same of the program on the screen. */
   readonly standing: ReadonlySignal<Standing>;
   readonly recovery: InterruptedJobs;
   readonly link: Link;
@@ -102,10 +101,14 @@ export class Session {
     const unfinished = new UnfinishedRecords(storage.unfinished);
     this.knowledge = new Knowledge(unfinished, atHand);
     this.recognition = new Recognition(this);
-    this.modelAtHand = computed(() =>
-      this.connection.value ? this.recognition.model.value : (this.opened.shown.value?.model ?? null),
-    );
-    this.standing = standingOf(this.editor, this.knowledge, this.connection);
+    this.standings = new Standings({
+      knowledge: this.knowledge,
+      editor: this.editor,
+      connection: this.connection,
+      model: this.recognition.model,
+      simulated: this.link.simulated,
+    });
+    this.standing = this.standings.screen;
     this.recovery = new InterruptedJobs(unfinished, this.knowledge, this.backups);
     this.servoMoves = new ServoMoves(this.connection, this.safety);
     this.notices = new Notices(() => this.link.wait());
@@ -121,7 +124,13 @@ export class Session {
     this.keptWork = new KeptWork(this, drafts);
     this.keptPrograms = new KeptPrograms(drafts);
     this.opened = new OpenSetting(this, drafts);
-    this.origin = new Origin(this);
+    this.origin = new Origin({
+      editor: this.editor,
+      models: this.library.models,
+      opened: this.opened.shown,
+      recognition: this.recognition,
+      connection: this.connection,
+    });
     effect(() => {
       const said = this.notices.current.value;
       if (said && ABOUT_CHANGES.has(said.code) && !this.editor.dirty.value) this.notices.dismiss();
@@ -139,7 +148,7 @@ export class Session {
         return shown && { kind: kindKey(shown, this.simulated.value), servos: shown.servos };
       }),
       computed(() => {
-        const model = this.modelAtHand.value;
+        const model = this.origin.named.value;
         return model && { servos: model.servos, say: (servos) => void this.library.sayServos(model.id, servos) };
       }),
     );

@@ -25,7 +25,7 @@ const USUAL_OTHERWISE = 18_000;
 const MOST = 100;
 const remembered = v.record(v.pipe(v.string(), v.maxLength(200)), time);
 
-type ShortDtParts = Pick<Session, 'editor' | 'standing' | 'nextFlight' | 'byteOrderOpen' | 'simulated' | 'modelAtHand'>;
+type ShortDtParts = Pick<Session, 'editor' | 'standing' | 'nextFlight' | 'byteOrderOpen' | 'simulated' | 'origin'>;
 
 /**
  * A short DT brings a model down early, as for trimming. Forgotten, it costs a flight. So the last long DT of each
@@ -72,7 +72,7 @@ export class ShortDt {
 
   /** The keys under which its DT is remembered, the most certain first. */
   #keys(program: TimerProgram): readonly string[] {
-    const model = this.#parts.modelAtHand.value;
+    const model = this.#parts.origin.timer.value;
     const byKind = programKey(program, this.#parts.simulated.value);
     return model === null ? [byKind] : [`model/${model.id}/${program.memory ?? '?'}`, byKind];
   }

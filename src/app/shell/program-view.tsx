@@ -17,6 +17,7 @@ import type { Preferences } from '../session/preferences.js';
 import { useLateComputed } from '../ui/use-late.js';
 import { NARROW, useQuery } from '../ui/use-query.js';
 import { CommandBar, type CommandBarProps } from './command-bar.js';
+import { SettingLine } from './setting-line.js';
 import './program-view.css';
 
 export interface ProgramViewProps extends Omit<CommandBarProps, 'onShift' | 'picture'> {
@@ -87,7 +88,7 @@ export function ProgramView(props: ProgramViewProps) {
         </div>
       </>
     ) : (
-      <MemoryPicture knowledge={session.knowledge} memory={looking} />
+      <MemoryPicture session={session} memory={looking} />
     );
   return (
     <div class={`program ${isNarrow && picture.value ? 'shows-picture' : ''} ${isPast ? 'of-the-past' : ''}`}>
@@ -97,6 +98,7 @@ export function ProgramView(props: ProgramViewProps) {
       <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
+            <SettingLine session={session} />
             {!isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
             <ProgramTable {...{ session, bench, follow, marked, tools, onExplain }} />
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}

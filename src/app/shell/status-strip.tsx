@@ -111,7 +111,7 @@ export function StatusStrip(props: StatusStripProps) {
           <LinkState
             link={session.link}
             simulated={session.simulated.value}
-            model={isNarrow ? (session.modelAtHand.value?.name ?? null) : null}
+            model={isNarrow ? (session.origin.timer.value?.name ?? null) : null}
           />
         )}
         {!isTight && choice}
@@ -162,7 +162,7 @@ function MemoryNow({ session }: { readonly session: Session }) {
   const isSimulated = !isConnected && session.simulated.value;
   if (memory === null) return null;
   const flies = isConnected && !session.nextFlight.open.value;
-  const given = givenName(session.modelAtHand.value, memory);
+  const given = givenName(session.origin.named.value, memory);
   return (
     <span class="strip-memory">
       {/* The state of the connection has given its place to Connect. */}
@@ -230,7 +230,7 @@ function Figure({ session, identity, field }: FigureProps) {
   /** Uncertain figures are red; those that were only read earlier are grey. */
   const look = useLateComputed(() => {
     const { sure } = session.standing.value;
-    const known = session.knowledge.of(editor.working.value?.memory ?? null);
+    const { known } = session.standings.of(editor.working.value?.memory ?? null);
     const isOpen = known.state === 'uncertain' && possibleValues(known, field).length > 1;
     if (isOpen) return 'bad';
     if (editor.changes.value.some(({ field: changed }) => fieldKey(changed) === key)) return 'changed';

@@ -5,8 +5,8 @@ import './strip-model.css';
 /** The name of the model, as a button to choose another one. */
 export function StripModel({ session }: { readonly session: Session }) {
   const { recognition: words } = messages.value;
-  const { recognition, modelAtHand } = session;
-  const model = modelAtHand.value;
+  const { recognition, origin } = session;
+  const model = origin.timer.value;
   if (session.connection.value === null) return null;
   // Not before the models are loaded and something was read.
   if (!model && recognition.found.value === null) return null;

@@ -129,8 +129,8 @@ export class WriteFlow extends JobDialog<WriteStep> {
     const { shown } = current;
     const isAsShown = editor.baseline.value === shown.baseline && editor.working.value === shown.goal;
     if (!isAsShown || editor.blocked.value) return this.#review('edits');
-    const { modelAtHand, origin } = this.#session;
-    const isModelAsShown = sameModel(modelAtHand.value, shown.model);
+    const { origin } = this.#session;
+    const isModelAsShown = sameModel(origin.timer.value, shown.model);
     if (!isModelAsShown || !sameCrossing(origin.crossing.value, shown.crossing)) return this.#review('model');
     const despite = this.serious.value.map(({ code }) => code);
     const end = await this.#session.runner.perform('write', async (connection, options) => {
@@ -167,7 +167,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
   }
 
   #review(moved: 'timer' | 'edits' | 'model' | null): void {
-    const { editor, connection: link, servoMoves, modelAtHand, origin } = this.#session;
+    const { editor, connection: link, servoMoves, origin } = this.#session;
     const connection = link.value;
     const baseline = editor.baseline.value;
     const goal = editor.working.value;
@@ -182,7 +182,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
           baseline,
           goal,
           changes: differences(baseline, goal),
-          model: modelAtHand.value,
+          model: origin.timer.value,
           crossing: origin.crossing.value,
         };
       this.show(shown && { step: 'review', shown, moved });

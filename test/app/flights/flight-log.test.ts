@@ -3,6 +3,7 @@ import { FlightForm } from '../../../src/app/flights/flight-form.js';
 import { emptyModel } from '../../../src/app/session/library.js';
 import type { Flight, ProgramField } from '../../../src/program/index.js';
 import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
+import { CALM, lancerConnected } from '../two-models.js';
 import { PLAIN } from './flights.js';
 
 beforeEach(() => localStorage.clear());
@@ -96,16 +97,35 @@ describe('one tap', () => {
     ]);
   });
 
-  it('names the setting on the screen only when nothing on the screen differs from the timer', async () => {
+  it('is of a setting only where the timer holds each value of it, whatever is typed', async () => {
     const app = await connectedBench();
     await app.session.library.load();
     await app.session.library.keepModel(LANCER);
     await app.session.opened.saveAs({ model: 'lancer', name: 'calm' });
-    app.flights.flying();
-    expect(latest(app)).toMatchObject({ model: 'lancer', settingName: 'calm' });
+    const [calm] = app.session.library.settings.list.value;
+    const flown = (): unknown[] => {
+      app.flights.flying();
+      const { setting, settingName, model } = app.session.library.flights.get(app.flights.logged.value)?.flight ?? {};
+      return [model, setting, settingName];
+    };
+    expect(flown()).toEqual(['lancer', calm?.key, 'calm']);
     app.editor.type(DT, '20 s');
+    app.editor.leave(DT);
+    expect(flown(), 'what is typed is not in the timer').toEqual(['lancer', calm?.key, 'calm']);
+    await write(app, '25 s');
+    expect(flown(), 'what flies is no longer what is saved').toEqual(['lancer', null, 'calm, changed']);
+    await run(app.session.opened.save());
+    expect(flown(), 'now it is').toEqual(['lancer', calm?.key, 'calm']);
+  });
+
+  it('knows a setting again by its values', async () => {
+    const app = await lancerConnected();
+    expect(app.session.origin.setting.value, 'nobody has opened it').toBeNull();
     app.flights.flying();
-    await idle();
+    expect(latest(app)).toMatchObject({ model: 'Lancer', setting: 'calm', settingName: 'calm' });
+    // Two settings of the same values: nobody knows which of them it is.
+    await run(app.session.library.keepSetting({ ...CALM, id: 'twin', name: 'twin' }).then(() => {}));
+    app.flights.flying();
     const names = logged(app).map(({ settingName }) => settingName);
     expect(names.sort()).toEqual(['', 'calm']);
   });

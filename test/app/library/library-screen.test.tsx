@@ -124,7 +124,7 @@ it('the strip says which setting is open, and how many changes are not saved', a
   expect(screen.getByText('Lancer 01, fly-off 0: saved')).toBeTruthy();
   await type('DT time', '2:00');
   expect(screen.getByText('Lancer 01, fly-off 0: 1 change not saved')).toBeTruthy();
-  await press('Save');
+  await press('Save over fly-off 0 of Lancer 01');
   // The storage answers a turn later than the timers that the press waits for.
   await idle(0);
   expect(screen.getByText('Lancer 01, fly-off 0: saved')).toBeTruthy();

@@ -36,8 +36,13 @@ describe('the print view', () => {
     expect(sheets()).toHaveLength(1);
     const rows = rowsOf(sheet as HTMLElement);
     expect(rows).toHaveLength(13);
-    expect(rows.at(-1)).toMatch(/^DT 2:30/);
-    expect(sheet?.textContent).toMatch(/As in the timer, read .*1 value is not in the timer yet/);
+    expect(rows.at(-1)).toMatch(/^DT 2:30was 3:00/);
+    expect(sheet?.querySelector('.leaf-origin')?.textContent).toMatch(
+      /^1\schange\. Marked fields differ from what was last read, \d+\sNov/,
+    );
+    expect(sheet?.querySelector('.leaf-figures')?.textContent, 'the large figure says what the timer holds').toMatch(
+      /2:30 min.*was 3:00/,
+    );
     expect(sheet?.textContent, 'there is a line to write the name of the model on').toMatch(/^Model/);
   });
 
@@ -158,7 +163,7 @@ describe('the print view', () => {
     await idle();
     const values = (sheet: Element) => [
       sheet.textContent?.match(/Memory ?(M\d)/)?.[1],
-      sheet.textContent?.match(/As last read|not in the timer|not certain/)?.[0],
+      sheet.textContent?.match(/As last read|1\schange/)?.[0].replace(/\s/g, ' '),
       rowsOf(sheet as HTMLElement)
         .at(-1)
         ?.split(' ')[1],
@@ -176,7 +181,7 @@ describe('the print view', () => {
     choose(/^M1, as last read/);
     expect(sheets().map(values)).toEqual([
       ['M3', 'As last read', dtOf(2)],
-      ['M1', 'not in the timer', '2:30'],
+      ['M1', '1 change', '2:30was'],
     ]);
     expect(screen.queryByRole('checkbox', { name: /^M2/ }), 'nobody has read M2').toBeNull();
     act(() => printOrder.choose(['memory 1']));

@@ -54,7 +54,7 @@ describe('the line about the model', () => {
     const { session } = await withModels(record('One', HELD[0]), record('Two', HELD[0]), record('Three'));
     expect(line()).toBe('This may be One or Two. Which model is it?');
     await press('Two');
-    expect(session.modelAtHand.value?.name).toBe('Two');
+    expect(session.origin.timer.value?.name).toBe('Two');
   });
 
   it('is short when hundreds hold the same, also with one name; the list has all of them', async () => {
@@ -72,7 +72,7 @@ describe('the line about the model', () => {
     fireEvent.input(list().getByRole('textbox', { name: 'Name' }), { target: { value: '  Lancer 08 ' } });
     fireEvent.submit(list().getByRole('button', { name: 'Keep as a new model' }).closest('form') as HTMLFormElement);
     await idle();
-    expect(session.modelAtHand.value?.name).toBe('Lancer 08');
+    expect(session.origin.timer.value?.name).toBe('Lancer 08');
     expect(screen.queryByRole('dialog')).toBeNull();
   });
 
@@ -89,11 +89,11 @@ describe('the line about the model', () => {
     await idle(0);
     expect(names()).toEqual(['Model 11']);
     await press('Model 11');
-    expect(session.modelAtHand.value?.name).toBe('Model 11');
+    expect(session.origin.timer.value?.name).toBe('Model 11');
     // Corrected at any time.
     await press('Model Model 11: say which model it is');
     await press(/^Two/);
-    expect(session.modelAtHand.value?.name).toBe('Two');
+    expect(session.origin.timer.value?.name).toBe('Two');
   });
 
   it('does not ask again after “not now”', async () => {
@@ -103,7 +103,7 @@ describe('the line about the model', () => {
     fireEvent.click(list().getByRole('button', { name: 'Not now' }));
     await idle(0);
     await press('Read again');
-    expect([line(), session.modelAtHand.value]).toEqual([undefined, null]);
+    expect([line(), session.origin.timer.value]).toEqual([undefined, null]);
   });
 });
 

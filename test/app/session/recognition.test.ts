@@ -49,7 +49,7 @@ function contentOf({ program }: { program: TimerProgram }) {
 }
 
 function nameOf({ session }: AppBench): string | null {
-  return session.modelAtHand.value?.name ?? null;
+  return session.recognition.model.value?.name ?? null;
 }
 
 const kindOf = ({ session }: AppBench) => session.recognition.found.value?.kind ?? null;

@@ -97,7 +97,7 @@ describe('a write into the timer of another model', () => {
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
     // It is still the timer of the Lancer.
-    expect(bench.session.modelAtHand.value?.name).toBe('Lancer');
+    expect(bench.session.origin.timer.value?.name).toBe('Lancer');
   });
 
   it('needs a tick when a backup of another model was undone and redone, also after a reading', async () => {

@@ -1,0 +1,45 @@
+import { act, fireEvent, screen, within } from '@testing-library/preact';
+import { beforeEach, expect, it } from 'vitest';
+import { libraryMessages } from '../../../src/app/messages/en-library.js';
+import { idle, run } from '../bench/bench.js';
+import { drawn, press, type } from '../screen.js';
+import { BACKUP, lancerConnected, savedAs, WIND } from '../two-models.js';
+
+beforeEach(() => localStorage.clear());
+
+const { save: words } = libraryMessages;
+
+it('the button names what it overwrites, and the save is taken back', async () => {
+  const bench = await drawn(await lancerConnected());
+  await run(bench.session.opened.show(WIND));
+  await idle(0);
+  await type('DT time', '2:00');
+  await press(words.over('wind', 'Magpie'));
+  expect(savedAs(bench, 'wind')?.program.times[10]).toBe(12_000);
+  await press(words.undo('wind'));
+  expect(savedAs(bench, 'wind')).toEqual(WIND);
+  act(() => bench.editor.revertAll());
+  await idle(0);
+  expect(screen.queryByRole('button', { name: /Magpie/ }), 'the values are the timer’s').toBeNull();
+});
+
+it('values of one model go under another only with a tick', async () => {
+  const bench = await drawn(await lancerConnected());
+  act(() => bench.session.onScreen.showBackup(BACKUP));
+  await press(words.open);
+  const dialog = within(screen.getByRole('dialog'));
+  const model = dialog.getByRole<HTMLSelectElement>('combobox', { name: words.model });
+  const saves = () => dialog.getByRole<HTMLButtonElement>('button', { name: words.save });
+  expect(model.selectedOptions[0]?.textContent, 'the model of the backup, not of the timer').toBe('Magpie');
+  fireEvent.input(dialog.getByRole('textbox', { name: words.name }), { target: { value: 'taken over' } });
+  expect(saves().disabled).toBe(false);
+  fireEvent.change(model, { target: { value: 'Lancer' } });
+  await idle(0);
+  expect(saves().disabled).toBe(true);
+  fireEvent.click(dialog.getByRole('checkbox', { name: words.crossing('Magpie', 'Lancer') }));
+  await idle(0);
+  fireEvent.click(saves());
+  await idle();
+  const made = bench.session.library.settings.list.value.find(({ setting }) => setting.name === 'taken over');
+  expect(made?.setting.model).toBe('Lancer');
+});
