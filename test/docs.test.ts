@@ -191,6 +191,18 @@ describe('the order of the page', () => {
     },
   );
 
+  it.each([
+    ['knowledge.of(0)', 'standings'],
+    ['session.knowledge.of(memory)', 'standings'],
+    ['recognition.model.value', 'origin'],
+    ['this.#session.opened.shown.peek()', 'origin'],
+    ['const { shown, unsaved } = this.#session.opened;', 'origin'],
+    ['const { model } = session.recognition;', 'origin'],
+  ])('refuses to ask the sources of an answer: %s', (line, answer) => {
+    expect(breaches('print/print.ts', line)).toEqual([expect.stringContaining(`ask session.${answer}`)]);
+    expect(breaches('session/origin.ts', line)).toEqual([]);
+  });
+
   it('lets a component write its own signals, and compare', () => {
     expect(breaches('bench/panel.tsx', 'open.value = true; if (a.b.value === 1) {}')).toEqual([]);
   });

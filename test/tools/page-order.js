@@ -54,6 +54,23 @@ const SIMULATED = { file: 'connect/simulated-timer.ts', rooms: ['simulator', 'mo
 const WRITTEN = /\b(\w+\.\w+)\.value\s*(?:[-+*/]?=(?![=>])|\+\+|--)/g;
 
 /**
+ * Whose values they are, and what may be said of a timer, is asked in one place each. Their own sources are for the
+ * folder `session` alone.
+ */
+const ASKED = [
+  { sources: { recognition: 'model', opened: 'shown' }, ask: 'origin: whose the values are' },
+  { sources: { knowledge: 'of|isSent' }, ask: 'standings: what may be said of a timer' },
+].flatMap(({ sources, ask }) =>
+  Object.entries(sources).map(([model, names]) => ({
+    pattern: new RegExp(
+      `\\b${model}\\s*\\??\\.\\s*(?:${names})\\b|[{,]\\s*(?:${names})\\b[^{}]*\\}\\s*=\\s*[\\w.#]*\\b${model}\\b`,
+      'g',
+    ),
+    ask,
+  })),
+);
+
+/**
  * What is wrong with one file of the page: its imports, and the signals that a component writes.
  * @param {string} file from src/app, such as `program/presets.tsx`
  * @param {string} text what stands in it
@@ -64,7 +81,20 @@ export function breaches(file, text) {
   return [
     ...importBreaches(file, text),
     ...written.map(([, signal]) => `${file} writes ${signal}: a component calls a method of the model`),
+    ...(file.startsWith('session/') ? [] : sourcesIn(file, text)),
   ];
+}
+
+/**
+ * What a file asks of the sources of an answer, in place of the answer.
+ * @param {string} file
+ * @param {string} text
+ * @returns {string[]}
+ */
+function sourcesIn(file, text) {
+  return ASKED.flatMap(({ pattern, ask }) =>
+    [...text.matchAll(pattern)].map(([found]) => `${file} asks ${found}: ask session.${ask}`),
+  );
 }
 
 /**
