@@ -1,0 +1,75 @@
+import { render } from '@testing-library/preact';
+import { afterEach, beforeEach, expect, it } from 'vitest';
+import { ComparedPair } from '../../../src/app/compare/choice.js';
+import { Compare } from '../../../src/app/compare/compare.js';
+import { sideName } from '../../../src/app/compare/compare-page.js';
+import { setValues } from '../../../src/app/editing/edit.js';
+import { bench as benchWords } from '../../../src/app/messages/en-bench.js';
+import { comparingMessages } from '../../../src/app/messages/en-compare.js';
+import { knowledge as words } from '../../../src/app/messages/en-knowledge.js';
+import { Print } from '../../../src/app/print/print.js';
+import { PrintOrder } from '../../../src/app/print/print-order.js';
+import { ModelBackups } from '../../../src/app/recognition/model-backups.js';
+import type { Backup, ModelRecord } from '../../../src/app/storage/index.js';
+import { LANCER_HELD, lancerConnected, S2, twoModels } from '../two-models.js';
+import { idle, run } from './bench.js';
+
+beforeEach(() => localStorage.clear());
+afterEach(() => localStorage.clear());
+
+/** What the timer of the Lancer held: the same as now. */
+const BACKUP: Backup = {
+  key: '2026-11-20T10:00:00.000Z/0',
+  savedAt: 1_795_000_000_000,
+  reason: 'write',
+  program: LANCER_HELD,
+  simulated: false,
+  model: 'Lancer',
+};
+
+it('a value that is tried while the servos follow is nowhere as the timer holds it now, until it is read', async () => {
+  const store = twoModels();
+  store.backups.records.set(BACKUP.key, BACKUP);
+  const bench = await lancerConnected(store);
+  const { session } = bench;
+  const record = session.library.models.get('Lancer') as ModelRecord;
+  const backups = (): string => {
+    const { container, unmount } = render(
+      <ModelBackups {...{ session, record }} following={true} onLoad={() => {}} onCompare={() => {}} />,
+    );
+    const text = [...container.querySelectorAll('.model-backup')].at(-1)?.textContent ?? '';
+    unmount();
+    return text;
+  };
+  const side = (): string => {
+    const timer = new Compare(session, new ComparedPair()).sides.value.find(({ kind }) => kind === 'timer');
+    return timer ? sideName(session, timer).replaceAll('\u00a0', ' ') : '';
+  };
+  const sheet = () => new Print(session, new PrintOrder(), 'https://example.org/').copies.value[0]?.sheet;
+  const { same } = comparingMessages.modelBackups;
+  expect(backups()).toContain(same);
+
+  session.safety.confirm();
+  await run(bench.bench.moveTo(4));
+  await run(bench.follow.start());
+  bench.editor.apply(setValues({ code: 'change', params: {} }, [{ field: S2, value: 77 }]));
+  await idle();
+  expect(bench.timer.core.content.positions[1]?.[4], 'it is in the timer').toBe(77);
+  expect(backups()).not.toContain(same);
+  expect(side()).toContain(words.asLastRead);
+  const tried = sheet();
+  expect(tried?.origin).toContain(benchWords.triedAndWaiting(1, 0));
+  expect(tried?.origin).not.toContain(words.asLastRead);
+  const row = tried?.rows.find(({ key }) => key === '4');
+  expect([row?.positions[1], row?.was.positions[1]]).toEqual(['77', words.marks.now('52')]);
+  expect(session.opened.source().from, 'nobody has read it').toBe('typed');
+
+  await run(bench.follow.stop());
+  expect(session.standing.value.sure).toBe('now');
+  expect([backups().includes(same), backups()]).toEqual([
+    false,
+    expect.stringContaining(comparingMessages.modelBackups.differs(1)),
+  ]);
+  expect(side()).not.toContain(words.asLastRead);
+  expect(sheet()?.origin).toContain(words.readAt('').trim());
+});

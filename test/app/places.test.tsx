@@ -1,0 +1,281 @@
+import { cleanup, render } from '@testing-library/preact';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { ComparedPair, SCREEN } from '../../src/app/compare/choice.js';
+import { Compare } from '../../src/app/compare/compare.js';
+import { sideName } from '../../src/app/compare/compare-page.js';
+import { SaveButtons } from '../../src/app/library/save-buttons.js';
+import { SaveDialog } from '../../src/app/library/save-dialog.js';
+import { offerScreen } from '../../src/app/library/share/share-screen.js';
+import { comparingMessages } from '../../src/app/messages/en-compare.js';
+import { knowledge as words } from '../../src/app/messages/en-knowledge.js';
+import { libraryMessages } from '../../src/app/messages/en-library.js';
+import { modelMessages } from '../../src/app/messages/en-which-model.js';
+import { messages } from '../../src/app/messages/index.js';
+import { Print } from '../../src/app/print/print.js';
+import { memoryKey, ON_SCREEN, PrintOrder } from '../../src/app/print/print-order.js';
+import { ModelBackups } from '../../src/app/recognition/model-backups.js';
+import { KnownLine } from '../../src/app/shell/known-line.js';
+import { SettingLine } from '../../src/app/shell/setting-line.js';
+import { StripModel } from '../../src/app/shell/strip-model.js';
+import type { ModelRecord } from '../../src/app/storage/index.js';
+import { decodeLink } from '../../src/program/index.js';
+import { type AppBench, run } from './bench/bench.js';
+import { BACKUP, CALM, DT, LANCER_HELD, lancerBench, type, WIND } from './two-models.js';
+
+/** Whose timer is connected: of the Lancer, of a model that the page does not know, or none. */
+const TIMERS = ['Lancer', 'unknown', 'none'] as const;
+/** Where the values on the screen come from. */
+const ORIGINS = ['timer', 'setting', 'setting of another', 'backup of another', 'backup of nobody'] as const;
+/**
+ * How certain the content of the timer is. `sent`: something was sent since it was read, as by the servos that follow.
+ */
+const STANDINGS = ['read', 'verified', 'sent', 'interrupted', 'disconnected'] as const;
+
+interface Case {
+  readonly timer: (typeof TIMERS)[number];
+  readonly origin: (typeof ORIGINS)[number];
+  readonly changed: boolean;
+  readonly standing: (typeof STANDINGS)[number];
+}
+
+const CASES: readonly Case[] = TIMERS.flatMap((timer) =>
+  ORIGINS.flatMap((origin) =>
+    [false, true].flatMap((changed) => STANDINGS.map((standing): Case => ({ timer, origin, changed, standing }))),
+  ),
+)
+  // Without a timer there are no values of one, and nothing is read.
+  .filter(({ timer, origin, standing }) => timer !== 'none' || (origin !== 'timer' && standing === 'disconnected'));
+
+const { model: _, ...NOBODYS } = BACKUP;
+
+beforeEach(() => localStorage.clear());
+afterEach(cleanup);
+
+/** Brings the page into the state of a case. */
+async function reach({ timer, origin, changed, standing }: Case): Promise<AppBench> {
+  const bench = await lancerBench();
+  const { session } = bench;
+  if (timer === 'unknown') {
+    const positions = LANCER_HELD.positions.map((row) => row.map((position, slot) => (position + 11 * slot) % 100));
+    bench.timer.core.memories[0] = { times: LANCER_HELD.times.map((time) => time + 300), positions };
+  }
+  if (timer !== 'none') await run(session.timer.connect());
+  if (origin === 'setting') await run(session.opened.show(CALM));
+  if (origin === 'setting of another') await run(session.opened.show(WIND));
+  if (origin === 'backup of another') session.onScreen.showBackup(BACKUP);
+  if (origin === 'backup of nobody') session.onScreen.showBackup(NOBODYS);
+  if (changed) type(bench, DT, '2:00');
+  if (standing === 'verified') await write(bench);
+  if (standing === 'sent') bench.editor.sent();
+  if (standing === 'interrupted') {
+    bench.timer.core.onAnswer = ({ name }) => {
+      if (name.startsWith('SET')) bench.timer.core.sleep();
+    };
+    const kept = bench.editor.working.value;
+    // Something has to be sent for it to be interrupted.
+    if (bench.editor.changes.value.length === 0) type(bench, DT, '4:00');
+    await write(bench);
+    if (kept && bench.editor.working.value?.times[10] === 24_000 && !changed) bench.editor.undo();
+  }
+  if (standing === 'disconnected' && timer !== 'none') await run(session.timer.disconnect());
+  return bench;
+}
+
+async function write(bench: AppBench): Promise<void> {
+  await run(bench.write.open());
+  bench.session.safety.confirm();
+  bench.write.cross(true);
+  bench.write.acknowledge(true);
+  await run(bench.write.start());
+  bench.write.dismiss();
+}
+
+/** The text of a part of the page. */
+function drawn(part: Parameters<typeof render>[0]): string {
+  const { container, unmount } = render(part);
+  const text = (container.textContent ?? '').replaceAll('\u00a0', ' ').replaceAll(/\s+/g, ' ').trim();
+  unmount();
+  return text;
+}
+
+/** Everything that names a model, or says what a timer holds, in one list. */
+function placesOf(bench: AppBench) {
+  const { session, saveSetting, sharing, flights, follow } = bench;
+  const order = new PrintOrder();
+  order.choose([ON_SCREEN, memoryKey(0)]);
+  const print = new Print(session, order, 'https://example.org/');
+  if (!print.parts.value.has('code')) print.togglePart('code');
+  const [screen, memory] = print.copies.value.map(({ sheet }) => sheet);
+  const linked = (link: string | null | undefined) => (link ? decodeLink(link) : null);
+  offerScreen(session, sharing);
+  const offered = sharing.current.value?.step === 'offer' ? sharing.current.value.shared : null;
+  const pair = new ComparedPair();
+  pair.show(SCREEN, null);
+  const compare = new Compare(session, pair);
+  const sideOf = (kind: 'screen' | 'timer'): string => {
+    const side = compare.sides.value.find((each) => each.kind === kind);
+    return side ? sideName(session, side).replaceAll('\u00a0', ' ') : '';
+  };
+  saveSetting.open();
+  render(<SaveDialog session={session} saveSetting={saveSetting} />);
+  const suggested = document.querySelector<HTMLSelectElement>('dialog select')?.selectedOptions[0]?.textContent ?? '';
+  cleanup();
+  saveSetting.dismiss();
+  const backupsOf = (key: string): string => {
+    const record = session.library.models.get(key) as ModelRecord;
+    return drawn(<ModelBackups {...{ session, record }} following={false} onLoad={() => {}} onCompare={() => {}} />);
+  };
+  flights.flying();
+  const flown = session.library.flights.get(flights.logged.value)?.flight ?? null;
+  flights.undo();
+  return {
+    strip: drawn(<StripModel session={session} />),
+    known: drawn(<KnownLine session={session} follow={follow} />),
+    setting: drawn(<SettingLine session={session} />),
+    save: drawn(<SaveButtons session={session} saveSetting={saveSetting} />),
+    suggested,
+    sheet: screen,
+    memorySheet: memory,
+    code: linked(screen?.link),
+    memoryCode: linked(memory?.link),
+    link: offered,
+    screenSide: sideOf('screen'),
+    timerSide: sideOf('timer'),
+    lancerBackups: backupsOf('Lancer'),
+    magpieBackups: backupsOf('Magpie'),
+    flown,
+  };
+}
+
+/** The beginnings of the sentences that say something of a timer. */
+const SAYS = {
+  now: words.readAt('').trim(),
+  verified: words.verified('').trim(),
+  once: words.asLastRead,
+  not: words.unknown('M1'),
+};
+
+/** Which of them stand in a text. “As in the timer, read” is no part of “verified”. */
+function saidIn(text: string): string[] {
+  return Object.entries(SAYS).flatMap(([name, sentence]) => (text.includes(sentence) ? [name] : []));
+}
+
+describe('every place that names a model or says what a timer holds', () => {
+  it.each(CASES)('$timer timer, values of $origin, changed: $changed, $standing', async (which) => {
+    const { timer, origin, standing } = which;
+    const bench = await reach(which);
+    const { editor, session } = bench;
+    // The timer that fell asleep during a write is waited for.
+    const isConnected = timer !== 'none' && standing !== 'disconnected' && standing !== 'interrupted';
+    const held = timer === 'none' ? null : timer;
+    const changes = editor.changes.value.length;
+    const isMade = timer === 'none';
+
+    // Whose the values are, by where they come from alone.
+    const own = held === 'Lancer' ? 'Lancer' : '';
+    const model = {
+      timer: own,
+      setting: 'Lancer',
+      'setting of another': 'Magpie',
+      'backup of another': 'Magpie',
+      'backup of nobody': '',
+    }[origin];
+    const setting = { setting: 'calm', 'setting of another': 'wind' }[origin as string] ?? '';
+    const saved = { setting: CALM, 'setting of another': WIND }[origin as string];
+    const isSaved =
+      saved !== undefined && JSON.stringify(saved.program.times) === JSON.stringify(editor.working.value?.times);
+    const title = setting === '' || isSaved ? setting : words.changed(setting);
+
+    // What may be said of the timer, by what has happened to it alone.
+    const sentence = ((): string[] => {
+      if (isMade) return [];
+      if (standing === 'interrupted') return ['not'];
+      if (changes > 0) return [];
+      return standing === 'read' ? ['now'] : standing === 'verified' ? ['verified'] : ['once'];
+    })();
+
+    const places = placesOf(bench);
+    const other = model === 'Magpie' ? 'Lancer' : 'Magpie';
+
+    // The connected timer has its own name, whatever lies over it.
+    expect(places.strip).toBe(isConnected ? own || messages.value.recognition.which : '');
+    expect(saidIn(places.known)).toEqual(sentence);
+    const state = libraryMessages.save.state(setting, isSaved ? 0 : 1, 0).slice(setting.length);
+    if (isConnected && setting !== '') {
+      expect(places.setting.startsWith(words.ofModel(setting, model))).toBe(true);
+      expect(places.setting.endsWith(isSaved ? state : 'not saved')).toBe(true);
+    } else expect(places.setting).toBe('');
+
+    // Saving names what it overwrites, and goes to the model of the values.
+    const over = libraryMessages.save.over(setting, model).replaceAll('\u00a0', ' ');
+    if (setting !== '' && !isSaved) expect(places.save).toContain(over);
+    else expect(places.save).not.toContain('over');
+    if (model !== '') expect(places.suggested).toBe(model);
+
+    // Paper, its code, and the link.
+    const { sheet, memorySheet } = places;
+    expect([sheet?.model, sheet?.setting]).toEqual([model, title]);
+    expect(sheet?.memory.includes(other), 'a memory has no name of another model').toBe(false);
+    expect(saidIn(sheet?.origin ?? '')).toEqual(sentence);
+    const isCrossing = isConnected && held === 'Lancer' && model === 'Magpie';
+    const crossing = modelMessages.crossing.title('Magpie', ['Lancer']).replace(/\.$/, '');
+    expect(sheet?.origin.includes(crossing)).toBe(isCrossing);
+    const marks = sheet?.rows.flatMap(({ was }) => [was.time, ...was.positions]).filter(Boolean).length ?? 0;
+    if (changes > 0)
+      expect(marks, 'each changed value is marked').toBe(
+        editor.changes.value.filter(({ field }) => field.kind !== 'idleThrottle').length,
+      );
+    if (changes === 0 && !isMade) expect(marks).toBe(0);
+    if (sentence.includes('now') || sentence.includes('verified')) expect(marks).toBe(0);
+    for (const shared of [places.code, places.link]) {
+      expect([shared?.modelName, shared?.name.startsWith(title)]).toEqual([model, true]);
+      expect(shared?.program.memory).toBe(sheet?.program.memory);
+    }
+    if (model === 'Magpie') expect(places.link?.program.memory).toBe(setting === 'wind' ? 1 : null);
+
+    // A memory of the timer is of the model of the timer, and on paper it is never now.
+    if (held === null) expect(memorySheet).toBeUndefined();
+    else {
+      expect([memorySheet?.model, memorySheet?.setting, places.memoryCode?.modelName]).toEqual([own, '', own]);
+      expect(saidIn(memorySheet?.origin ?? '')).toEqual([standing === 'interrupted' ? 'not' : 'once']);
+    }
+
+    // Side by side.
+    const { compare } = comparingMessages;
+    expect(places.screenSide).toBe(title === '' ? compare.screen : compare.screenOf(title));
+    expect([places.timerSide !== '', saidIn(places.timerSide)]).toEqual([
+      isConnected,
+      standing === 'sent' ? ['once'] : [],
+    ]);
+    for (const [name, text] of [
+      ['Lancer', places.lancerBackups],
+      ['Magpie', places.magpieBackups],
+    ] as const) {
+      const isNow = name === own && (standing === 'read' || standing === 'verified');
+      const { modelBackups } = comparingMessages;
+      if (!isNow) expect(text).not.toContain(modelBackups.same);
+    }
+
+    // A flight is of the timer, and of a setting only where the timer holds all of it.
+    if (standing !== 'read' && standing !== 'verified') expect(places.flown).toBeNull();
+    else {
+      const inTimer = session.standings.of(0).known;
+      const isWhole = (of: typeof CALM): boolean =>
+        inTimer.state === 'read' &&
+        JSON.stringify([inTimer.program.times, inTimer.program.positions]) ===
+          JSON.stringify([of.program.times, of.program.positions]);
+      const flown = places.flown;
+      const tied = flown?.setting === 'calm' ? CALM : flown?.setting === 'wind' ? WIND : null;
+      if (tied) expect([isWhole(tied), flown?.settingName, flown?.model]).toEqual([true, tied.name, tied.model]);
+      else if (flown?.settingName) expect(standing, 'it was written from a setting').toBe('verified');
+      if (held === 'Lancer') expect(flown?.modelName).toBe('Lancer');
+    }
+
+    // What is saved now says when it was read, or that it was typed.
+    const source = session.opened.source();
+    const isRead = !isMade && changes === 0;
+    if (setting !== '' && isSaved) expect(source).toEqual({ from: saved?.from, at: saved?.at });
+    else if (isRead) expect(source).toEqual({ from: 'timer', at: session.standing.value.at });
+    else expect(source.from).toBe('typed');
+  });
+});
