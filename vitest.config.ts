@@ -27,7 +27,7 @@ const PATIENCE = { testTimeout: 600_000, hookTimeout: 600_000, expect: { poll: {
 
 /** Tests of the site that try many sizes, themes, faults of a browser or versions: `npm run test:matrix`. */
 const MATRICES =
-  'test/site/{forced-colours,in-reach,in-sight,long-names,look,many-settings,rows,services,update,worker}.test.ts';
+  'test/site/{digits,forced-colours,in-reach,in-sight,long-names,look,many-settings,rows,services,update,worker}.test.ts';
 const site = {
   environment: 'node',
   globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
