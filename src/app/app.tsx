@@ -12,7 +12,6 @@ import { Header } from './shell/header.js';
 import { ViewFrame } from './shell/view-frame.js';
 import { ViewLinks } from './shell/view-links.js';
 import type { View } from './shell/views.js';
-import { RecoveryPanel } from './write/recovery-panel.js';
 import './ui/last-drawing.js';
 import './app.css';
 
@@ -63,7 +62,7 @@ export function App({ models }: { readonly models: AppModels }) {
         onProgram={() => views.show('program')}
       />
     ),
-    bench: () => <parts.bench.Part {...{ session, views, write, bench, follow, connect }} />,
+    bench: () => <parts.bench.Part {...{ session, views, bench, follow, connect }} />,
     library: () =>
       views.path.value === FLIGHTS ? (
         <parts.flights.Part session={session} log={models.flights} />
@@ -88,6 +87,7 @@ export function App({ models }: { readonly models: AppModels }) {
           session,
           memories,
           leaving,
+          write,
           follow,
           preferences,
           saveSetting,
@@ -108,7 +108,6 @@ export function App({ models }: { readonly models: AppModels }) {
       />
       {!isStart && <ViewLinks views={views} printed={models.printOrder.home} />}
       <ViewFrame views={views} busy={session.runner.busy.value} whole={hasProgram && shown === 'program'}>
-        <RecoveryPanel session={session} write={write} />
         {view[shown]()}
       </ViewFrame>
       <parts.dialogs.Part models={models} />

@@ -2,7 +2,6 @@ import type { Identity } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { SafetyCheck } from '../write/safety-check.js';
-import type { WriteFlow } from '../write/write-flow.js';
 import type { Bench } from './bench.js';
 import { BenchGrid } from './bench-grid.js';
 import { Jump, Motor } from './bench-motor.js';
@@ -14,7 +13,6 @@ import './bench-panel.css';
 
 export interface BenchPanelProps {
   readonly session: Session;
-  readonly write: WriteFlow;
   readonly bench: Bench;
   readonly follow: Follow;
   /** Whether the pilot wants to see what few need. */
@@ -25,7 +23,7 @@ export interface BenchPanelProps {
  * The bench: move the servos to a function, let them follow, free the motor. Nothing is sent before the pilot has said
  * that it is safe.
  */
-export function BenchPanel({ session, write, bench, follow, expert }: BenchPanelProps) {
+export function BenchPanel({ session, bench, follow, expert }: BenchPanelProps) {
   const { bench: words } = messages.value;
   const identity = session.editor.identity.value;
   if (!identity) return null;
@@ -35,7 +33,7 @@ export function BenchPanel({ session, write, bench, follow, expert }: BenchPanel
       <p class="hint">{connected ? words.lead : words.notConnected}</p>
       {connected && <SafetyCheck safety={session.safety} />}
       {/* The switch itself says that they follow. */}
-      {!follow.on.value && <FollowNote session={session} write={write} bench={bench} follow={follow} />}
+      {!follow.on.value && <FollowNote session={session} bench={bench} follow={follow} />}
       <div class="bench-stage">
         {/* Above the grid, which is longer than the window of a phone. */}
         {connected && <FollowSwitch bench={bench} follow={follow} identity={identity} />}

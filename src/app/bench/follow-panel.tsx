@@ -1,10 +1,8 @@
 import type { ComponentChildren } from 'preact';
-import { type Change, fieldKey } from '../../program/index.js';
+import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { setValues } from '../editing/edit.js';
 import { fieldLabel, messages, slotInSentence } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import type { WriteFlow } from '../write/write-flow.js';
 import type { Bench } from './bench.js';
 import { doneText, standText } from './bench-text.js';
 import type { Follow } from './follow.js';
@@ -83,27 +81,20 @@ function Switch({ on, disabled = false, onClick, children }: SwitchProps) {
   );
 }
 
-/** How many tried positions are named where the decision is asked for. */
-const NAMED = 3;
-
 interface FollowNoteProps {
   readonly session: Session;
-  readonly write: WriteFlow;
   readonly bench: Bench;
   readonly follow: Follow;
 }
 
 /**
- * For places where fields are edited:
- * shows that edits move the servos, how following ended, and that a decision is open.
+ * For places where fields are edited: shows that edits move the servos, and how following ended. The band above all
+ * views asks what becomes of the positions that were tried.
  */
-export function FollowNote({ session, write, bench, follow }: FollowNoteProps) {
+export function FollowNote({ session, bench, follow }: FollowNoteProps) {
   const { bench: words } = messages.value;
   const identity = session.editor.identity.value;
-  const tried = follow.trials.tried.value;
   if (!identity) return null;
-  const nameOf = ({ field, from, to }: Change): string =>
-    words.triedOf(fieldLabel(identity, field), String(from), String(to));
   if (follow.on.value) {
     const at = bench.stand.at.value;
     const isTimeWaiting = session.editor.changes.value.some(({ field }) => field.kind === 'time');
@@ -122,20 +113,7 @@ export function FollowNote({ session, write, bench, follow }: FollowNoteProps) {
       </div>
     );
   }
-  return (
-    <>
-      <EndNote bench={bench} follow={follow} identity={identity} />
-      {tried.length > 0 && (
-        <div class="follow-note">
-          <p>
-            <strong>{words.triedHere(tried.slice(0, NAMED).map(nameOf), Math.max(0, tried.length - NAMED))}</strong>{' '}
-            {words.decide}
-          </p>
-          <Decide session={session} write={write} follow={follow} />
-        </div>
-      )}
-    </>
-  );
+  return <EndNote bench={bench} follow={follow} identity={identity} />;
 }
 
 interface EndNoteProps {
@@ -158,33 +136,6 @@ function EndNote({ bench, follow, identity }: EndNoteProps) {
       </p>
       <button type="button" class="quiet" onClick={() => follow.dismissEnd()}>
         {dismiss}
-      </button>
-    </div>
-  );
-}
-
-interface DecideProps {
-  readonly session: Session;
-  readonly write: WriteFlow;
-  readonly follow: Follow;
-}
-
-function Decide({ session, write, follow }: DecideProps) {
-  const { bench: words } = messages.value;
-  return (
-    <div class="buttons">
-      <button type="button" class="primary" onClick={() => follow.keep()}>
-        {words.keep}
-      </button>
-      <button
-        type="button"
-        disabled={session.runner.busy.value || session.editor.blocked.value}
-        onClick={() => {
-          session.editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, follow.trials.takeBack()));
-          void write.open();
-        }}
-      >
-        {words.putBack}
       </button>
     </div>
   );

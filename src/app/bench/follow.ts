@@ -4,10 +4,10 @@ import type { TimerConnection } from '../../serial/index.js';
 import { withValues } from '../editing/edit.js';
 import type { JobContext, JobKind } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
+import type { Trials } from '../session/trials.js';
 import { withinLimit } from '../storage/limit.js';
 import type { Bench } from './bench.js';
 import { FollowedEdits, type Position } from './followed-edits.js';
-import { Trials } from './trials.js';
 
 /**
  * Why the servos no longer follow, when the pilot did not end it. `hidden`: the page went out of sight. `job`: another
@@ -85,7 +85,7 @@ export class Follow {
     this.#session = session;
     this.#bench = bench;
     this.#edits = new FollowedEdits(editor);
-    this.trials = new Trials(editor.baseline, (program) => session.onScreen.workKey(program));
+    this.trials = session.trials;
     this.on = computed(() => this.#following.value !== null);
     this.going = this.#going;
     this.ended = this.#ended;
@@ -100,6 +100,7 @@ export class Follow {
     session.connection.subscribe(() => void this.#end('lost'));
     session.safety.confirmed.subscribe((safe) => void (safe || this.#end('unsafe')));
     session.servoMoves.count.subscribe(() => void this.#end('job'));
+    effect(() => this.trials.setTrying(this.on.value));
     effect(() => this.#follow());
     effect(() => {
       // A reading shows that a write has put everything back, or that nothing was stored at all.

@@ -4,6 +4,7 @@ import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import type { Session } from '../session/session.js';
 import { useUnsaved } from '../ui/unsaved.js';
+import { graveText } from '../write/unfinished-text.js';
 import type { Checklist } from './checklist.js';
 import './checklist-page.css';
 
@@ -56,7 +57,12 @@ function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
   const { editor, nextFlight, connection, simulated } = session;
   const held = editor.baseline.value;
   const standing = session.standing.value;
-  if (!held) return <p class="known-now hint">{known.nothing}</p>;
+  if (!held) {
+    // Without a reading the worst that is unfinished is what there is to know.
+    const [worst] = session.unfinished.value;
+    const said = worst ? graveText(session, worst) : null;
+    return <p class={`known-now ${said === null ? 'hint' : 'bad-text'}`}>{said ?? known.nothing}</p>;
+  }
   const memory = held.memory === null ? known.memory : memoryName(held.memory);
   if (standing.sure === 'not') {
     return (

@@ -3,10 +3,10 @@ import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { RunningStep } from '../write/dialog-steps.js';
-import { UncertainNote } from '../write/uncertain-band.js';
+import { nextFlightText } from '../write/next-flight-text.js';
+import { UncertainNote } from '../write/uncertain-note.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import type { Leaving } from './leaving.js';
-import { nextFlightText } from './next-flight-line.js';
 import './leave-dialog.css';
 
 /** Before the connection ends: warns when another memory than is meant will fly, or one with a short DT. */

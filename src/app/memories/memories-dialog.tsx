@@ -20,10 +20,10 @@ import { CrossingCheck } from '../write/crossing-check.js';
 import { ClosingButtons, JobStep } from '../write/dialog-steps.js';
 import { Difference } from '../write/difference.js';
 import { MoveServosCheck } from '../write/move-servos-check.js';
+import { nextFlightText } from '../write/next-flight-text.js';
 import { StartButtons } from '../write/start-buttons.js';
-import { UncertainNote } from '../write/uncertain-band.js';
+import { UncertainNote } from '../write/uncertain-note.js';
 import type { MemoriesStep, MemoryJobs } from './memory-jobs.js';
-import { nextFlightText } from './next-flight-line.js';
 import { isGood, type MemoriesOutcome, type MemoryChange, type MemoryEnd, type Plan, refusalsOf } from './plan.js';
 
 /** How many uncertain values are named. */

@@ -70,6 +70,7 @@ export class Memories {
     const work = async (connection: TimerConnection, options: JobContext): Promise<void> => {
       await this.#roundTrip.read(connection, { ...options, memories: [memory] });
     };
+    this.#roundTrip.trip = { job: 'look', memory };
     await this.#session.runner.run('look', work, memory);
     await this.#session.reader.readIfOpen();
   }

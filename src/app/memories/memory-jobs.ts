@@ -173,6 +173,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     const { runner, connection } = this.#session;
     const began = connection.value;
     this.#roundTrip.kept = true;
+    this.#roundTrip.trip = { job: plan.kind, memory: null };
     this.show({ step: 'running', plan });
     const end = await runner.perform('memories', work);
     runner.report(end);

@@ -2,6 +2,7 @@ import { TimerError } from '../../client/index.js';
 import type { TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
+import type { RoundTrip } from '../session/interrupted-jobs.js';
 import type { JobContext } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 
@@ -9,6 +10,8 @@ import type { Session } from '../session/session.js';
 export class NotedRoundTrip {
   /** Whether the browser has kept which memory to restore. */
   kept = true;
+  /** What is done on it. Set before it begins. */
+  trip: RoundTrip = { job: 'back-up', memory: null };
   readonly #session: Session;
   /** The memory to restore, while another one is selected. */
   #original: number | null = null;
@@ -39,9 +42,7 @@ export class NotedRoundTrip {
   async leave(identity: Identity, original: number): Promise<void> {
     const { recovery, simulated, nextFlight } = this.#session;
     this.#original = original;
-    // An earlier round trip that has not come back is remembered until its own original is current again.
-    const isNoted = recovery.offer.value?.kind === 'memories';
-    if (!isNoted && !(await recovery.leave(identity, original, simulated.value))) this.kept = false;
+    if (!(await recovery.leave(this.trip, identity, original, simulated.value))) this.kept = false;
     nextFlight.leave(null);
   }
 

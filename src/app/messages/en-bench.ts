@@ -60,6 +60,8 @@ export const bench = {
     `Tried: ${named.join('; ')}${more === 0 ? '' : `; and ${plural(more, 'more position', 'more positions')}`}.`,
   triedAndWaiting: (tried: number, waiting: number) =>
     `${tried} tried in the timer${waiting === 0 ? '' : `, ${plural(waiting, 'waits', 'wait')} for Write`}`,
+  /** In a timer that is not connected. */
+  triedIn: (memory: string) => `Positions were tried in ${memory}.`,
   decide: 'Keep what was tried, or put back what the timer held before?',
   keep: 'Keep it',
   putBack: 'Put it back…',

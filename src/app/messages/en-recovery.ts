@@ -24,8 +24,22 @@ export const recovery = {
     `A write into ${memory} of a timer of this kind was interrupted. To see what ${memory} holds now, make it fly next.`,
   show: (memory: string) => `Make ${memory} fly next and look`,
   leftTitle: 'The memory that flies next has changed',
-  left: (original: string, current: string) =>
-    `A job on several memories was interrupted. Now ${current} flies next. Before the job it was ${original}.`,
+  /** @param interrupted one of the sentences below. */
+  left: (interrupted: string, original: string, current: string) =>
+    `${interrupted} Now ${current} flies next. Before that it was ${original}.`,
+  /** By a note of this page alone: nobody has asked the timer since. */
+  mayFly: (memory: string) => `${memory} may fly next: a look at it was interrupted.`,
+  mayNotFly: (original: string, interrupted: string) => `${interrupted} Another memory than ${original} may fly next.`,
+  interrupted: {
+    look: (memory: string) => `A look at ${memory} was interrupted.`,
+    'back-up': 'Reading all memories was interrupted.',
+    copy: 'A copy was interrupted.',
+    restore: 'A restore was interrupted.',
+    /** For notes of earlier versions. */
+    unknown: 'Work on the memories was interrupted.',
+  },
+  /** What else is unfinished. */
+  more: (count: number) => `And ${count} more`,
   makeCurrent: (memory: string) => `Make ${memory} fly next again`,
   unknownMemory: 'an unknown memory',
 };

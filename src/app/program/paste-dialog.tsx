@@ -10,7 +10,7 @@ import type { Session } from '../session/session.js';
 import { Choice } from '../ui/choice.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
-import { UncertainNote } from '../write/uncertain-band.js';
+import { UncertainNote } from '../write/uncertain-note.js';
 import { PasteTable } from './paste-table.js';
 
 /** A text to paste, and where. */

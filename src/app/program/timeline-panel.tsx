@@ -1,11 +1,11 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { differences, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
-import type { Trials } from '../bench/trials.js';
 import type { Editor } from '../editing/editor.js';
 import { dateText, dutyName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Standing } from '../session/standing.js';
+import type { Trials } from '../session/trials.js';
 import type { OnEdit } from '../timeline/drag.js';
 import type { Player } from '../timeline/preview/player.js';
 import { BehindSwatch, Timeline, type TimelineProps } from '../timeline/timeline.js';

@@ -21,6 +21,13 @@ export type Offer =
   /** A memory round trip that did not come back to the original. */
   | { readonly kind: 'memories'; readonly record: UnfinishedRoundTrip; readonly current: number | null };
 
+/** A job that selects other memories and comes back. */
+export interface RoundTrip {
+  readonly job: NonNullable<UnfinishedRoundTrip['job']>;
+  /** The memory that is looked at, counted from 0; null for several. */
+  readonly memory: number | null;
+}
+
 interface Reading {
   readonly read: TimerProgram;
   readonly simulated: boolean;
@@ -34,6 +41,10 @@ interface Reading {
 export class InterruptedJobs {
   /** Derived from the records and the last reading. */
   readonly offer: ReadonlySignal<Offer | null>;
+  /** The memory round trips that did not come back, as far as anybody knows. */
+  readonly left: ReadonlySignal<readonly UnfinishedRoundTrip[]>;
+  /** The keys of those that this page has in progress. */
+  readonly #underWay = signal<ReadonlySet<string>>(new Set(), { name: 'roundTrips' });
   /** The last reading of the connected timer; null before there is one. */
   readonly #reading = signal<Reading | null>(null, { name: 'reading' });
   /** Round trips about which the pilot wants to hear nothing while this timer is connected. */
@@ -46,6 +57,11 @@ export class InterruptedJobs {
     this.#records = records;
     this.#knowledge = knowledge;
     this.#backups = backups;
+    this.left = computed(() =>
+      records.list.value
+        .filter((record) => record.kind === 'memories')
+        .filter(({ key }) => !this.#underWay.value.has(key) && !this.#notNow.value.has(key)),
+    );
     this.offer = computed(() => {
       const reading = this.#reading.value;
       return reading && this.#offerFor(reading);
@@ -66,10 +82,34 @@ export class InterruptedJobs {
     return kept.every(Boolean);
   }
 
-  /** Notes which memory is current before a round trip begins; as {@link begin}. */
-  async leave(identity: Identity, original: number, simulated: boolean): Promise<boolean> {
+  /**
+   * Notes which memory is current before a round trip begins; as {@link begin}. An earlier one that did not come back
+   * is remembered until its own original is current again.
+   */
+  async leave(trip: RoundTrip, identity: Identity, original: number, simulated: boolean): Promise<boolean> {
     const key = kindKey(identity, simulated);
-    return await this.#records.save({ kind: 'memories', key, startedAt: Date.now(), identity, original });
+    this.#underWay.value = new Set(this.#underWay.value).add(key);
+    if (this.offer.value?.kind === 'memories') return true;
+    return await this.#records.save({
+      kind: 'memories',
+      key,
+      startedAt: Date.now(),
+      identity,
+      original,
+      job: trip.job,
+      ...(trip.memory === null ? {} : { memory: trip.memory }),
+    });
+  }
+
+  /** A job has ended. A round trip that has not come back by now is cut off. */
+  jobOver(): void {
+    if (this.#underWay.peek().size > 0) this.#underWay.value = new Set();
+  }
+
+  /** The pilot has made a memory fly next: whatever an earlier round trip left, this is what is meant. */
+  async chose(identity: Identity, simulated: boolean): Promise<void> {
+    const trip = this.#roundTripOf(identity, simulated);
+    if (trip && !this.#notNow.peek().has(trip.key)) await this.#records.remove(trip.key);
   }
 
   /** The memory from before the round trip is current again. */

@@ -49,7 +49,7 @@ export type JobEnd<T> =
 /** The work of a job, on the connection on which it began. */
 export type Work<T> = (connection: TimerConnection, options: JobContext) => Promise<T>;
 
-type RunnerParts = Pick<Session, 'link' | 'connection' | 'safety' | 'notices' | 'knowledge'>;
+type RunnerParts = Pick<Session, 'link' | 'connection' | 'safety' | 'notices' | 'knowledge' | 'recovery'>;
 
 /** Jobs that change what a timer holds, or which memory is current. They must not be cut off. */
 const WRITING: ReadonlySet<JobKind> = new Set(['write', 'memories']);
@@ -98,7 +98,7 @@ export class JobRunner {
 
   /** Runs one job on the present connection and returns how it ended. The caller reports that. */
   async perform<T>(kind: JobKind, work: Work<T>, memory: number | null = null): Promise<JobEnd<T>> {
-    const { link, notices, knowledge } = this.#parts;
+    const { link, notices, knowledge, recovery } = this.#parts;
     const connection = this.#parts.connection.value;
     if (!connection || this.busy.value) return { good: false, error: null, lost: connection === null };
     const stop = new AbortController();
@@ -117,6 +117,7 @@ export class JobRunner {
       return { good: false, error, lost };
     } finally {
       knowledge.jobOver();
+      recovery.jobOver();
       this.#job.value = null;
       void link.learn();
     }

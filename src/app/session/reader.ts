@@ -87,9 +87,16 @@ export class Reader {
       await this.#show(await client.readProgram(options), options);
     };
     const good = await runner.run('select', select, memory);
-    if (good) nextFlight.chose(memory);
+    if (good) this.#chose(memory);
     else await this.readIfOpen();
     return good;
+  }
+
+  #chose(memory: number): void {
+    const { nextFlight, recovery, link } = this.#parts;
+    const identity = link.connection.peek()?.identity;
+    nextFlight.chose(memory);
+    if (identity) void recovery.chose(identity, link.simulated.peek());
   }
 
   /** Reads if a job has left it open which memory is current. The message about that job stays. */

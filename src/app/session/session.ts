@@ -19,7 +19,7 @@ import { OpenSetting } from './open-setting.js';
 import { Origin } from './origin.js';
 import { Reader } from './reader.js';
 import { Recognition } from './recognition.js';
-import { kindKey } from './record-keys.js';
+import { kindKey, programKey } from './record-keys.js';
 import { Safety } from './safety.js';
 import { ServoMoves } from './servo-moves.js';
 import { ServoUses } from './servo-uses.js';
@@ -27,7 +27,9 @@ import { SetAside } from './set-aside.js';
 import { ShortDt } from './short-dt.js';
 import { type Standing, Standings } from './standing.js';
 import { TimerAccess, type TimerSources } from './timer-access.js';
+import { Trials } from './trials.js';
 import { UnfinishedRecords } from './unfinished.js';
+import { type OpenJob, unfinishedWork } from './unfinished-work.js';
 
 export interface SessionOptions extends TimerSources {
   readonly storage: Storage;
@@ -58,6 +60,10 @@ export class Session {
   /** The same of the program on the screen. */
   readonly standing: ReadonlySignal<Standing>;
   readonly recovery: InterruptedJobs;
+  /** Positions that were tried and neither kept nor put back. */
+  readonly trials: Trials;
+  /** Everything that was begun with a timer and has no end yet, the worst first. */
+  readonly unfinished: ReadonlySignal<readonly OpenJob[]>;
   readonly link: Link;
   /** Connecting and disconnecting. */
   readonly timer: TimerAccess;
@@ -118,6 +124,8 @@ export class Session {
     this.onScreen = new OnScreen(this, drafts);
     this.reader = new Reader(this, drafts);
     this.simulated = this.onScreen.simulated;
+    this.trials = new Trials(this.editor.baseline, (program) => programKey(program, this.simulated.value));
+    this.unfinished = unfinishedWork(this);
     this.byteOrderOpen = this.reader.byteOrderOpen;
     this.shortDt = new ShortDt(this);
     this.timer = new TimerAccess(this, options);

@@ -55,9 +55,12 @@ export class TimerAccess {
   }
 
   async trySimulated(timerClass: SimulatedClass): Promise<void> {
-    const { recovery, link } = this.#session;
+    const { recovery, trials, link } = this.#session;
     await this.#goTo(async () => {
-      if (!this.#hasSimulated) await recovery.forgetSimulated();
+      if (!this.#hasSimulated) {
+        trials.forgetSimulated();
+        await recovery.forgetSimulated();
+      }
       this.#hasSimulated = true;
       const port = await this.#sources.plugSimulated(timerClass);
       return () => link.connectSimulated(port);

@@ -3,7 +3,7 @@ import type { Session } from '../session/session.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { ClosingButtons } from '../write/dialog-steps.js';
-import { UncertainNote } from '../write/uncertain-band.js';
+import { UncertainNote } from '../write/uncertain-note.js';
 import type { Erase, KeptCounts } from './erase.js';
 
 /** Shows what would be deleted from this device, and asks once. */

@@ -4,13 +4,11 @@ import { BenchPanel } from '../bench/bench-panel.js';
 import type { Follow } from '../bench/follow.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import type { WriteFlow } from '../write/write-flow.js';
 import type { Views } from './views.js';
 
 export interface BenchViewProps {
   readonly session: Session;
   readonly views: Views;
-  readonly write: WriteFlow;
   readonly bench: Bench;
   readonly follow: Follow;
   /** The button that connects a timer. */
@@ -18,14 +16,14 @@ export interface BenchViewProps {
 }
 
 /** The bench; without a program, a sentence that asks for a timer, and the button for it. */
-export function BenchView({ session, views, write, bench, follow, connect }: BenchViewProps) {
+export function BenchView({ session, views, bench, follow, connect }: BenchViewProps) {
   const { names, noTimer } = messages.value.views;
   const hasProgram = session.editor.identity.value !== null;
   return (
     <>
       <h1>{names.bench}</h1>
       {hasProgram ? (
-        <BenchPanel {...{ session, write, bench, follow }} expert={views.expert.value} />
+        <BenchPanel {...{ session, bench, follow }} expert={views.expert.value} />
       ) : (
         <>
           <p class="hint">{noTimer.bench}</p>

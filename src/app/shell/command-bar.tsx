@@ -34,7 +34,7 @@ export function CommandBar({ session, write, bench, follow, saveSetting, onShift
   useHeight(bar, '--bar', { likely: picture ? 53 : 52 });
   return (
     <section class="actions" ref={bar}>
-      <FollowNote session={session} write={write} bench={bench} follow={follow} />
+      <FollowNote session={session} bench={bench} follow={follow} />
       <BlockedNote editor={editor} />
       <UndoButtons session={session} write={write} />
       {onShift && (

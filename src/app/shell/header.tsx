@@ -6,7 +6,8 @@ import type { JobKind, JobRunner } from '../session/job-runner.js';
 import { onDemand } from '../ui/on-demand.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
-import { UncertainBand } from '../write/uncertain-band.js';
+import { UnfinishedBand } from '../write/unfinished-band.js';
+import type { WriteFlow } from '../write/write-flow.js';
 import { NoticeBar, type NoticeBarProps } from './notice-bar.js';
 import { StatusStrip, type StatusStripProps } from './status-strip.js';
 import './header.css';
@@ -16,9 +17,9 @@ export const modelLine = onDemand(async () => (await import('../recognition/mode
   silent: true,
 });
 
-type HeaderProps = StatusStripProps & NoticeBarProps;
+type HeaderProps = StatusStripProps & NoticeBarProps & { readonly write: WriteFlow };
 
-/** Stays in sight in every view: the status, what is uncertain, what is in progress, and messages. */
+/** Stays in sight in every view: the status, what is unfinished, what is in progress, and messages. */
 export function Header({
   session,
   memories,
@@ -27,6 +28,7 @@ export function Header({
   preferences,
   saveSetting,
   staged,
+  write,
   ...notices
 }: HeaderProps) {
   const top = useRef<HTMLElement>(null);
@@ -35,8 +37,14 @@ export function Header({
     <header class="top" ref={top}>
       <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting, staged }} />
       {session.recognition.tells.value && <modelLine.Part recognition={session.recognition} />}
-      <NextFlightNotes session={session} memories={memories} />
-      <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
+      <NextFlightNotes session={session} />
+      <UnfinishedBand
+        session={session}
+        write={write}
+        onLook={(memory) => void memories.look(memory)}
+        onFly={(memory) => void memories.fly(memory)}
+        onKeep={() => follow.keep()}
+      />
       {!staged && (
         <>
           <LinkNotice session={session} platform={notices.platform} onStop={() => void leaving.disconnect()} />

@@ -164,6 +164,10 @@ export const unfinishedSchema = v.variant('kind', [
     identity,
     /** The memory that was current and has to be restored, counted from 0. */
     original: whole(0, 254),
+    /** What it was; older records do not say. */
+    job: v.exactOptional(v.picklist(['look', 'back-up', 'copy', 'restore'])),
+    /** The memory that was looked at, counted from 0. */
+    memory: v.exactOptional(whole(0, 254)),
   }),
 ]);
 export type Unfinished = v.InferOutput<typeof unfinishedSchema>;

@@ -4,22 +4,21 @@ import type { InterruptedJobs, Offer } from '../session/interrupted-jobs.js';
 import { memoryOf } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { finishWrite, takeGoal } from './finish-write.js';
+import { interruptedText } from './unfinished-text.js';
 import { ValueTable } from './value-table.js';
 import type { WriteFlow } from './write-flow.js';
 import './recovery-panel.css';
 
-interface RecoveryPanelProps {
+interface RecoveryProps {
   readonly session: Session;
   readonly write: WriteFlow;
+  readonly offer: Offer;
 }
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
-export function RecoveryPanel({ session, write }: RecoveryPanelProps) {
-  const offer = session.recovery.offer.value;
-  // It waits while something else is open.
-  if (!offer || write.current.value) return null;
+export function Recovery({ session, write, offer }: RecoveryProps) {
   return (
-    <section class="recovery notice bad" aria-labelledby="recovery-title">
+    <section class="recovery" aria-labelledby="recovery-title">
       {offer.kind === 'write' && <InterruptedWrite session={session} write={write} offer={offer} />}
       {offer.kind === 'elsewhere' && <WriteElsewhere session={session} offer={offer} />}
       {offer.kind === 'memories' && <MemoryLeft session={session} offer={offer} />}
@@ -29,7 +28,7 @@ export function RecoveryPanel({ session, write }: RecoveryPanelProps) {
 
 type OfferOf<Kind extends Offer['kind']> = Extract<Offer, { kind: Kind }>;
 
-interface InterruptedWriteProps extends RecoveryPanelProps {
+interface InterruptedWriteProps extends RecoveryProps {
   readonly offer: OfferOf<'write'>;
 }
 
@@ -133,7 +132,7 @@ function MemoryLeft({ session, offer: { record, current } }: MemoryLeftProps) {
   return (
     <>
       <h2 id="recovery-title">{words.leftTitle}</h2>
-      <p>{words.left(memoryName(record.original), memoryOf(null, current))}</p>
+      <p>{words.left(interruptedText(record), memoryName(record.original), memoryOf(null, current))}</p>
       <div class="buttons">
         <button
           type="button"

@@ -17,7 +17,7 @@ import { Difference } from './difference.js';
 import { MoveServosCheck } from './move-servos-check.js';
 import { StartButtons } from './start-buttons.js';
 import { strayed } from './strayed.js';
-import { UncertainNote } from './uncertain-band.js';
+import { UncertainNote } from './uncertain-note.js';
 import { ValueTable } from './value-table.js';
 import type { Shown, WriteFlow, WriteStep } from './write-flow.js';
 import './write-dialog.css';

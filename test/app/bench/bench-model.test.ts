@@ -463,13 +463,17 @@ describe('following', () => {
 
   it('keeps its choice beside those of other tabs', async () => {
     const app = await followingBench();
-    const kept = (): { key: string }[] => JSON.parse(localStorage.getItem('sidus-timer/trials') ?? '[]');
-    localStorage.setItem('sidus-timer/trials', JSON.stringify([...kept(), { ...kept()[0], key: 'of another tab' }]));
+    const kept = (): { key: string; before: object }[] =>
+      JSON.parse(localStorage.getItem('sidus-timer/trials') ?? '[]');
+    const [own] = kept();
+    // Earlier versions had the number of a tab at the end of the key.
+    const other = { ...own, before: { ...own?.before, memory: 2 }, key: 'timer/Q/536/10/3/2/4' };
+    localStorage.setItem('sidus-timer/trials', JSON.stringify([own, other]));
     set(app, S2, 66);
     await idle();
-    expect(kept().map(({ key }) => key)).toEqual([expect.any(String), 'of another tab']);
+    expect(kept().map(({ key }) => key)).toEqual(['timer/Q/536/10/3/0', 'timer/Q/536/10/3/2']);
     app.follow.keep();
-    expect(kept().map(({ key }) => key)).toEqual(['of another tab']);
+    expect(kept().map(({ key }) => key)).toEqual(['timer/Q/536/10/3/2']);
   });
 
   it('ignores a choice that was kept for another layout', async () => {

@@ -2,6 +2,7 @@ import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { nextFlight as words } from '../../../src/app/messages/en-memories.js';
+import { recovery } from '../../../src/app/messages/en-recovery.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { idle, run, selected } from '../bench/bench.js';
 import { button, connected, field, fly, lookAt, press, strandAtM3, type } from '../screen.js';
@@ -182,7 +183,7 @@ describe('a look that cannot go back', () => {
     await press('Look at M3');
     expect([away > 0, app.timer.core.memory]).toEqual([true, 2]);
     expect(app.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
-    expect(said()).toEqual(['It is not known which memory flies next. When you connected it was M1.']);
+    expect(document.querySelector('.unfinished')?.textContent).toContain(recovery.mayFly('M3 of the F1Q 536'));
     app.timer.core.onAnswer = undefined;
     app.timer.core.press();
     await idle();

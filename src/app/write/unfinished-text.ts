@@ -1,0 +1,106 @@
+import type { ProgramField } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { fieldInSentence, figureText, messages, timerName, valueText } from '../messages/index.js';
+import { keyName } from '../messages/key-figures.js';
+import { isSimulated } from '../session/knowledge.js';
+import { openValues } from '../session/known.js';
+import { memoryOf } from '../session/memory-names.js';
+import { kindKey } from '../session/record-keys.js';
+import type { Session } from '../session/session.js';
+import type { OpenTrial } from '../session/trials.js';
+import type { OpenJob } from '../session/unfinished-work.js';
+import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
+import { nextFlightText } from './next-flight-text.js';
+
+/** How many values are named when neither DT nor the motor stop is among them. */
+const NAMED = 2;
+
+/** Which memory of which timer something unfinished is about. */
+export interface Where {
+  /** The key of its record. */
+  readonly key: string;
+  readonly identity: Identity;
+  /** The memory to read, counted from 0; null for the current one. */
+  readonly memory: number | null;
+}
+
+export function whereOf(one: UnfinishedWrite | UnfinishedRoundTrip | OpenTrial): Where {
+  const { key } = one;
+  if ('before' in one) return { key, identity: one.before.identity, memory: one.before.memory };
+  return { key, identity: one.identity, memory: null };
+}
+
+/** Whether the connected timer may be that timer: it is of the same kind, and the pilot has not said otherwise. */
+export function isHere(session: Session, where: Where): boolean {
+  return isLikeConnected(session, where) && !session.knowledge.isOfOther(where.key);
+}
+
+export function isOfKind(where: Where, identity: Identity, simulated: boolean): boolean {
+  return kindKey(where.identity, isSimulated(where)) === kindKey(identity, simulated);
+}
+
+/** What the worst of all that is unfinished is, in one sentence; null for what is no danger to a flight. */
+export function graveText(session: Session, job: OpenJob): string | null {
+  if (job.kind === 'uncertain') return uncertainText(job.record, otherTimer(session, whereOf(job.record)));
+  if (job.kind === 'left') return leftText(session, job.record);
+  if (job.kind !== 'flight') return null;
+  return nextFlightText(session, job.word, session.connection.value ? 'now' : 'last');
+}
+
+/** “Positions were tried in M1 of the F1Q 536.” */
+export function triedText(session: Session, trial: OpenTrial): string {
+  return messages.value.bench.triedIn(placeText(session, whereOf(trial), trial.before.memory));
+}
+
+/** “A look at M3 was interrupted.” */
+export function interruptedText({ job, memory }: UnfinishedRoundTrip): string {
+  const { interrupted } = messages.value.recovery;
+  return job === 'look' ? interrupted.look(memoryOf(null, memory ?? null)) : interrupted[job ?? 'unknown'];
+}
+
+/** “M3 of the F1Q 536 may fly next: a look at it was interrupted.” */
+function leftText(session: Session, record: UnfinishedRoundTrip): string {
+  const { recovery: words } = messages.value;
+  const where = whereOf(record);
+  if (record.job === 'look') return words.mayFly(placeText(session, where, record.memory ?? null));
+  return words.mayNotFly(placeText(session, where, record.original), interruptedText(record));
+}
+
+function placeText(session: Session, where: Where, memory: number | null): string {
+  const timer = otherTimer(session, where);
+  const name = memoryOf(null, memory);
+  return timer === null ? name : messages.value.knowledge.memoryOf(name, timer);
+}
+
+/** The name of a timer that is not the connected one; null for that one. */
+function otherTimer(session: Session, where: Where): string | null {
+  const { knowledge: words } = messages.value;
+  if (isHere(session, where)) return null;
+  const named = words[isLikeConnected(session, where) ? 'otherTimer' : 'timer'];
+  return named(timerName(where.identity), where.identity.firmware, isSimulated(where));
+}
+
+function isLikeConnected({ connection, link }: Session, where: Where): boolean {
+  return connection.value !== null && isOfKind(where, connection.value.identity, link.simulated.value);
+}
+
+/**
+ * “It is not known what M1 holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.”
+ * @param timer null for the connected one.
+ */
+export function uncertainText(one: UnfinishedWrite, timer: string | null): string {
+  const { knowledge: words, memoryName } = messages.value;
+  const { identity, memory } = one.before;
+  const open = openValues(one);
+  const isKey = ({ field }: { field: ProgramField }): boolean => keyName(identity, field) !== null;
+  const keyed = open.filter(isKey);
+  const named = keyed.length > 0 ? keyed : open.slice(0, NAMED);
+  const shown = (field: ProgramField, value: number | null): string =>
+    value === null ? valueText(identity, field, value) : figureText(identity, field, value);
+  const values = named.map(({ field, from, to }) => {
+    return words.either(fieldInSentence(identity, field), shown(field, from), shown(field, to));
+  });
+  const name = memory === null ? words.thisMemory : memoryName(memory);
+  const where = timer === null ? name : words.memoryOf(name, timer);
+  return `${words.uncertain(where, words.list(values, open.length - named.length))} ${words.noFly}`;
+}

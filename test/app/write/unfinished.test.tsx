@@ -1,0 +1,199 @@
+import { act, cleanup, screen } from '@testing-library/preact';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
+import { VIEWS } from '../../../src/app/shell/views.js';
+import { withValue } from '../../../src/program/index.js';
+import { type AppBench, idle, reloaded, run } from '../bench/bench.js';
+import { button, connected, drawn, fly, goTo, lookAt, press, strandAtM3, type } from '../screen.js';
+
+const { recovery, bench: words } = en;
+const OTHER = 'the F1Q 536';
+
+beforeEach(() => localStorage.clear());
+
+function band(): string | null {
+  return document.querySelector('.top .unfinished')?.textContent?.replaceAll('\u00a0', ' ') ?? null;
+}
+
+/** The cable is pulled as soon as the timer has made M3 current. */
+function cutAtM3({ timer, adapter }: AppBench): void {
+  timer.core.onAnswer = ({ name }) => {
+    if (name === 'SETMEMORY' && timer.core.memory === 2) adapter.unplug();
+  };
+}
+
+async function loadedAgain(app: AppBench): Promise<AppBench> {
+  cleanup();
+  app.timer.core.onAnswer = undefined;
+  const after = await drawn(await reloaded(app));
+  await idle();
+  return after;
+}
+
+const CUT: readonly [job: string, said: string, start: (app: AppBench) => Promise<void>][] = [
+  [
+    'a look',
+    `M3 of ${OTHER} may fly next: a look at it was interrupted.`,
+    async () => {
+      await lookAt('M3');
+      await press('Look at M3');
+    },
+  ],
+  [
+    'reading all memories',
+    `Reading all memories was interrupted. Another memory than M1 of ${OTHER} may fly next.`,
+    async () => {
+      await press('Read and keep all…');
+      await press('Read and keep');
+    },
+  ],
+  ['a copy', `A copy was interrupted. Another memory than M1 of ${OTHER} may fly next.`, () => press('Copy M1 to M3…')],
+  [
+    'a restore',
+    `A restore was interrupted. Another memory than M1 of ${OTHER} may fly next.`,
+    async ({ memories, editor }) => {
+      const program = { ...(editor.baseline.value as NonNullable<typeof editor.baseline.value>), memory: 2 };
+      const backup = { key: '1', savedAt: 1, reason: 'write', program, simulated: false } as const;
+      void memories.jobs.open({ kind: 'restore', backups: [backup] });
+      await idle();
+    },
+  ],
+];
+
+describe('a job that was cut while another memory was current', () => {
+  it.each(CUT)(
+    'is said after %s, in every view, without a timer, until a reading settles it',
+    async (_, said, start) => {
+      const app = await connected();
+      cutAtM3(app);
+      await start(app);
+      expect(app.timer.core.memory).toBe(2);
+      app.memories.jobs.dismiss();
+      await act(() => run(app.session.timer.disconnect()));
+      await idle();
+      expect(band(), 'after Disconnect').toContain(said);
+      const after = await loadedAgain(app);
+      expect(screen.getByRole('heading', { name: en.start.title }), 'the start').toBeTruthy();
+      for (const view of [...VIEWS, 'help', 'print'] as const) {
+        await goTo(view);
+        expect(band(), view).toContain(said);
+      }
+      await goTo('program');
+      await press(en.knowledge.connect);
+      expect(screen.getByRole('region', { name: recovery.leftTitle }).textContent).toContain('Now M3 flies next.');
+      await press(recovery.makeCurrent('M1'));
+      expect([band(), after.timer.core.memory, after.store.unfinished.records.size]).toEqual([null, 0, 0]);
+    },
+  );
+
+  it('is settled by a reading that finds the memory from before', async () => {
+    const app = await connected();
+    cutAtM3(app);
+    await lookAt('M3');
+    await press('Look at M3');
+    app.timer.core.memory = 0;
+    await loadedAgain(app);
+    await press(en.knowledge.connect);
+    expect(band()).toBeNull();
+  });
+
+  it('is settled by the pilot, who makes a memory fly next or forgets it', async () => {
+    const app = await connected();
+    await strandAtM3(app);
+    expect(band()).toContain(recovery.leftTitle);
+    await fly('M2');
+    expect([band(), app.store.unfinished.records.size]).toEqual([null, 0]);
+    cutAtM3(app);
+    await lookAt('M3');
+    await press(en.look.again('M3'));
+    await loadedAgain(app);
+    await press(en.knowledge.forget);
+    await press(en.knowledge.forgetNow);
+    expect(band()).toBeNull();
+  });
+
+  it('is not said while it runs', async () => {
+    const app = await connected();
+    const seen: (string | null)[] = [];
+    app.timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && void seen.push(band());
+    await lookAt('M3');
+    await press('Look at M3');
+    expect([...new Set(seen)]).toEqual([null]);
+    expect(app.store.unfinished.records.size).toBe(0);
+  });
+
+  it('is what the checklist says in place of “No timer has been read”', async () => {
+    const app = await connected();
+    cutAtM3(app);
+    await lookAt('M3');
+    await press('Look at M3');
+    await loadedAgain(app);
+    await goTo('help');
+    expect(document.querySelector('.known-now')?.textContent).toBe(recovery.mayFly(`M3 of ${OTHER}`));
+  });
+});
+
+describe('tried positions', () => {
+  it('are asked about in every view and after a reload, until they are kept or put back', async () => {
+    const app = await connected();
+    app.session.safety.confirm();
+    await run(app.bench.moveTo(4));
+    await run(app.follow.start());
+    await type('Function 4, S2', '70');
+    expect(band(), 'not while the servos follow').toBeNull();
+    await run(app.follow.stop());
+    await idle();
+    expect(band()).toContain('Tried: Function 4, S2: 55 → 70.');
+    const after = await loadedAgain(app);
+    for (const view of VIEWS) {
+      await goTo(view);
+      expect(band(), view).toContain(words.triedIn(`M1 of ${OTHER}`));
+      expect(band(), view).toContain(words.decide);
+    }
+    await goTo('program');
+    await press(en.knowledge.connect);
+    expect(band()).toContain('Tried: Function 4, S2: 55 → 70.');
+    await press(words.putBack);
+    expect(after.editor.changes.value).toMatchObject([{ from: 70, to: 55 }]);
+    act(() => after.write.dismiss());
+    await press(words.keep);
+    expect(band()).toBeNull();
+    await loadedAgain(after);
+    expect(band()).toBeNull();
+  });
+});
+
+describe('several unfinished jobs', () => {
+  it('are one band, the worst first, the rest behind it', async () => {
+    const app = await connected();
+    const before = app.editor.baseline.value as NonNullable<typeof app.editor.baseline.value>;
+    await strandAtM3(app);
+    await app.session.knowledge.begin(before, withValue(before, { kind: 'time', slot: 10 }, 36_000));
+    app.session.knowledge.jobOver();
+    await idle(0);
+    expect(document.querySelectorAll('.unfinished > section')).toHaveLength(1);
+    expect(band()).toContain('It is not known what M1 holds: DT is 3:00 min or 6:00 min.');
+    expect(band()).not.toContain(recovery.leftTitle);
+    await press(recovery.more(1));
+    expect(band()).toContain(recovery.leftTitle);
+    expect(button(recovery.more(1)).getAttribute('aria-expanded')).toBe('true');
+  });
+
+  it('an interrupted write is in sight above every view after a replug', async () => {
+    const app = await connected();
+    await type('DT time', '4:00');
+    await type('Function 2, S1', '7');
+    await press('Write…');
+    app.session.safety.confirm();
+    await idle(0);
+    app.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && app.adapter.unplug();
+    await press('Write 2 changes');
+    app.timer.core.onAnswer = undefined;
+    await press('Close');
+    await goTo('library');
+    app.adapter.replug();
+    await idle();
+    expect(band()).toContain(recovery.title);
+    expect([button(recovery.finish).disabled, button(recovery.goBack).disabled]).toEqual([false, false]);
+  });
+});
