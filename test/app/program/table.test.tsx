@@ -868,12 +868,3 @@ describe('the checks', () => {
     expect(screen.queryByRole('button', { name: /^Set to .*: DT$/ })).toBeNull();
   });
 });
-
-it('the write dialog says the difference in words too', async () => {
-  await connected();
-  await enter('Function 4, S2', '70');
-  await enter('DT time', '6:00');
-  await press('Write…');
-  const words = 'DT: 3:00 min → 6:00 min; Function 4, S2: 55 → 70';
-  expect(within(screen.getByRole('dialog')).getByText(words)).toBeTruthy();
-});
