@@ -87,9 +87,24 @@ export class Cable {
     this.#toDevice.clear();
   }
 
+  /**
+   * Drops the bytes on their way to the page where the line takes no time: they are in the port's buffer for anybody
+   * who looks. Where it takes time they still come.
+   */
+  dropToPage(): void {
+    if (this.clock !== promptClock) return;
+    this.#toPage.clear();
+    this.#dueAtPage = this.#arrivedAtPage;
+    this.#cutBehind();
+  }
+
   /** Cuts the cable: drops the bytes on their way in either direction. */
   cut(): void {
     for (const line of [this.#toDevice, this.#toPage, this.#back]) line.cut();
+    this.#cutBehind();
+  }
+
+  #cutBehind(): void {
     const behind = this.#behind;
     this.#behind = [];
     for (const { onCut } of behind) onCut();

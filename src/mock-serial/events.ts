@@ -145,7 +145,11 @@ export class ConnectionTarget extends EventTarget {
       former.handler = handler;
     } else {
       // A function of its own, because the page may have added the same handler as a listener, too.
-      const listener = (event: Event): void => this.#handler(type)?.call(this, event);
+      // An object that cannot be called is a handler that does nothing, and false prevents the default: Web IDL.
+      const listener = (event: Event): void => {
+        const current: unknown = this.#handlers.get(type)?.handler;
+        if (typeof current === 'function' && current.call(this, event) === false) event.preventDefault();
+      };
       this.#handlers.set(type, { handler, listener });
       this.addEventListener(type, listener);
     }

@@ -23,12 +23,13 @@ export function normalizeInfo(info: PortInfo): PortInfo {
     if (id !== undefined && !(Number.isInteger(id) && id >= 0 && id <= 0xffff))
       throw new TypeError('A USB number must be a whole number from 0 to 65535.');
   }
+  // Web IDL gives the members in the order of their names.
   return {
-    ...(usbVendorId !== undefined && { usbVendorId }),
-    ...(usbProductId !== undefined && { usbProductId }),
     ...(bluetoothServiceClassId !== undefined && {
       bluetoothServiceClassId: serviceClassUuid(bluetoothServiceClassId),
     }),
+    ...(usbProductId !== undefined && { usbProductId }),
+    ...(usbVendorId !== undefined && { usbVendorId }),
   };
 }
 
@@ -65,7 +66,8 @@ export function convertRequestOptions(options: PortRequestOptions): PortRequestO
     typeof id === 'number' || typeof id === 'bigint' ? unsigned(id, 32) : `${id}`;
   const of = dictionary(options);
   const { allowedBluetoothServiceClassIds: allowed } = of;
-  const allowedIds = allowed && sequence(allowed, 'allowedBluetoothServiceClassIds').map(serviceClass);
+  const allowedIds =
+    allowed === undefined ? undefined : sequence(allowed, 'allowedBluetoothServiceClassIds').map(serviceClass);
   const { filters } = of;
   return {
     allowedBluetoothServiceClassIds: allowedIds,

@@ -28,9 +28,11 @@ export class Hardware {
   readonly info: PortInfo;
   readonly device: Device;
   readonly cable: Cable;
-  readonly receiver = new Receiver();
+  readonly receiver = new Receiver(() => this.cable.dropToPage());
   readonly transmitter: Transmitter;
   plugged = true;
+  /** Whether the site has been told that it is plugged in. */
+  connected = true;
   /** Whether the site may use the port. */
   granted: boolean;
   /** Whether the site gave the port up and has not been granted it again. */
@@ -39,7 +41,7 @@ export class Hardware {
   /** Whether the device is at another port now. */
   #isLeft = false;
   #output: SetSignals = { dataTerminalReady: false, requestToSend: false, break: false };
-  #input: InputSignals = { dataCarrierDetect: false, clearToSend: false, ringIndicator: false, dataSetReady: false };
+  #input: InputSignals = { clearToSend: false, dataCarrierDetect: false, dataSetReady: false, ringIndicator: false };
 
   /** @throws TypeError when the information names an invalid Bluetooth service class. */
   constructor(info: PortInfo, options: HardwareOptions, device?: Device) {
@@ -81,10 +83,10 @@ export class Hardware {
     if (!this.#options.loopback) return { ...this.#input };
     const { dataTerminalReady, requestToSend } = this.outputSignals;
     return {
-      dataCarrierDetect: dataTerminalReady,
       clearToSend: requestToSend,
-      ringIndicator: false,
+      dataCarrierDetect: dataTerminalReady,
       dataSetReady: dataTerminalReady,
+      ringIndicator: false,
     };
   }
 
@@ -121,6 +123,7 @@ export class Hardware {
 
   unplug(): void {
     this.plugged = false;
+    if (!this.forgotten) this.connected = false;
     this.cable.cut();
     this.receiver.fail('lost');
     this.transmitter.lose();
@@ -129,6 +132,7 @@ export class Hardware {
 
   replug(): void {
     this.plugged = true;
+    this.connected = true;
     this.cable.mend();
     this.device.replug();
   }

@@ -3,7 +3,7 @@ import { ConnectionTarget } from './events.js';
 import type { Hardware } from './hardware.js';
 import { checkOpenOptions, convertOpenOptions } from './open-options.js';
 import type { InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } from './types.js';
-import { dictionary } from './web-idl.js';
+import { asInterface, dictionary } from './web-idl.js';
 
 /**
  * A `SerialPort` of the Web Serial standard, with a `device` at its other end. `MockSerial.plug` makes one.
@@ -13,6 +13,12 @@ import { dictionary } from './web-idl.js';
  * NetworkError.
  */
 export class MockSerialPort extends ConnectionTarget {
+  static {
+    const attributes = ['onconnect', 'ondisconnect', 'connected', 'readable', 'writable'];
+    const methods = ['getInfo', 'open', 'setSignals', 'getSignals', 'close', 'forget'];
+    asInterface(MockSerialPort.prototype, 'SerialPort', [...attributes, ...methods]);
+  }
+
   /** The other end of the port. */
   readonly device: MockDevice;
   readonly #hardware: Hardware;
@@ -26,9 +32,9 @@ export class MockSerialPort extends ConnectionTarget {
     this.device = hardware.device;
   }
 
-  /** The `connected` attribute: whether the port is plugged in. */
+  /** The `connected` attribute: whether the port is plugged in. After `forget()` it does not change any more. */
   get connected(): boolean {
-    return this.#hardware.plugged;
+    return this.#hardware.connected;
   }
 
   /**

@@ -30,6 +30,12 @@ export class Receiver {
   #controller: ReadableByteStreamController | null = null;
   /** Whether the page waits for a read. */
   #wanted = false;
+  readonly #onCancel: () => void;
+
+  /** @param onCancel called when the page cancels the stream, so that nothing comes that was sent before. */
+  constructor(onCancel: () => void) {
+    this.#onCancel = onCancel;
+  }
 
   /** The standard's [[readable]]. */
   get stream(): ReadableStream<Uint8Array> | null {
@@ -81,7 +87,8 @@ export class Receiver {
       return;
     }
     const room = this.#capacity - this.#size;
-    if (this.#patient || bytes.length <= room) this.#backlog.push(bytes);
+    // A page that waits takes bytes as they come: a burst on a line that takes no time does not overrun it.
+    if (this.#patient || this.#wanted || bytes.length <= room) this.#backlog.push(bytes);
     else this.#backlog.push(bytes.slice(0, room), ...this.#overrun(bytes.length - room));
     this.#refill();
     this.#serve();
@@ -166,7 +173,10 @@ export class Receiver {
 
   async #cancel(): Promise<void> {
     const stream = this.#stream;
+    // The page cannot read of the loss any more, and yet there is no new stream after it.
+    if (this.#over) this.#fatal = true;
     this.#discard();
+    this.#onCancel();
     await null;
     if (this.#stream === stream) this.#replaceStream();
   }

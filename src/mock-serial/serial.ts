@@ -4,6 +4,7 @@ import { convertRequestOptions, offered } from './filters.js';
 import { Hardware } from './hardware.js';
 import { MockSerialPort } from './port.js';
 import type { ChromiumWays, MockSerialOptions, PlugOptions, PortInfo, PortRequestOptions } from './types.js';
+import { asInterface } from './web-idl.js';
 
 /**
  * A `navigator.serial` without a browser: the `Serial` of the Web Serial standard, and the acts of a user: plug,
@@ -22,6 +23,10 @@ import type { ChromiumWays, MockSerialOptions, PlugOptions, PortInfo, PortReques
  * ```
  */
 export class MockSerial extends ConnectionTarget {
+  static {
+    asInterface(MockSerial.prototype, 'Serial', ['onconnect', 'ondisconnect', 'getPorts', 'requestPort']);
+  }
+
   /**
    * Whether `requestPort()` may ask the user, as just after a click. Its value stays: the standard does not use it up.
    */

@@ -22,19 +22,12 @@ function bytesOf(chunk: unknown): Uint8Array {
   } catch {
     throw new TypeError('The chunk must be an ArrayBuffer or a view of one.');
   }
+  if ((buffer as { readonly resizable?: boolean }).resizable)
+    throw new TypeError('The chunk must not be a resizable ArrayBuffer or a view of one.');
   if (length === 0) return new Uint8Array();
   return ArrayBuffer.isView(chunk)
     ? new Uint8Array(chunk.buffer, chunk.byteOffset, chunk.byteLength)
     : new Uint8Array(buffer as ArrayBuffer);
-}
-
-/** Not ByteLengthQueuingStrategy: a chunk of the wrong type must reach the standard's own error. */
-function sizeOf(chunk: unknown): number {
-  try {
-    return bytesOf(chunk).length;
-  } catch {
-    return 0;
-  }
 }
 
 /**
@@ -61,6 +54,8 @@ export class Transmitter {
   #stream: WritableStream<Uint8Array> | null = null;
   #controller: WritableStreamDefaultController | null = null;
   #operation: Operation | null = null;
+  /** What the buffer had room for of each chunk when the page wrote it, in the order of the writes. */
+  #heads: Uint8Array[] = [];
   #failure: { readonly error: WriteErrorKind | Error; after: number } | null = null;
 
   /**
@@ -99,6 +94,7 @@ export class Transmitter {
   /** A fresh stream, unless a fatal error forbids it. */
   createStream(): WritableStream<Uint8Array> | null {
     if (this.#fatal) return null;
+    this.#heads = [];
     this.#stream = new WritableStream<Uint8Array>(
       {
         start: (controller) => {
@@ -109,7 +105,7 @@ export class Transmitter {
         close: () => this.#drain(),
         abort: () => this.#abort(),
       },
-      { highWaterMark: this.#capacity, size: sizeOf },
+      { highWaterMark: this.#capacity, size: (chunk) => this.#sizeOf(chunk) },
     );
     return this.#stream;
   }
@@ -140,7 +136,23 @@ export class Transmitter {
     else this.#controller?.error(lost);
   }
 
+  /**
+   * The stream asks for the size inside the page's `write()`. So the bytes for which there is room are copied here: the
+   * page may use its array again at once. Not ByteLengthQueuingStrategy: a chunk of the wrong type must reach the
+   * standard's own error.
+   */
+  #sizeOf(chunk: unknown): number {
+    let bytes: Uint8Array = new Uint8Array();
+    try {
+      bytes = bytesOf(chunk);
+    } catch {}
+    const isNext = this.#heads.length === 0 && !this.#operation;
+    this.#heads.push(bytes.slice(0, isNext ? this.#capacity - this.#held : 0));
+    return bytes.length;
+  }
+
   async #write(chunk: unknown): Promise<void> {
+    const head = this.#heads.shift() as Uint8Array;
     bytesOf(chunk);
     if (this.#spared) {
       this.#spared = false;
@@ -149,7 +161,8 @@ export class Transmitter {
     let done = 0;
     await this.#run(() => {
       // Read afresh each time: the page may detach the buffer while this waits for room.
-      for (let bytes = bytesOf(chunk); done < bytes.length; bytes = bytesOf(chunk)) {
+      const rest = (): Uint8Array => (done < head.length ? head : bytesOf(chunk));
+      for (let bytes = rest(); done < bytes.length; bytes = rest()) {
         if (this.#failed()) return;
         const room = Math.min(this.#capacity - this.#held, this.#failure?.after ?? Number.POSITIVE_INFINITY);
         if (room === 0) return;
@@ -166,7 +179,8 @@ export class Transmitter {
     const stream = this.#stream;
     try {
       await this.#run(() => {
-        if (this.#held === 0 && !this.#failed()) this.#operation?.resolve();
+        // Nothing is left to send, so a loss does not matter: a browser says the same.
+        if (this.#held === 0 && !(this.#failure?.after === 0 && this.#failed())) this.#operation?.resolve();
       });
     } finally {
       // Also when an abort has ended the wait: the stream then ends without another call.

@@ -47,3 +47,17 @@ export function oneOf(value: unknown, values: readonly string[], name: string): 
 function toNumber(value: unknown): number {
   return +(value as number);
 }
+
+/**
+ * Gives a class the face of an interface: its name in `Object.prototype.toString`, and members of its own that are seen
+ * when somebody goes through them.
+ */
+export function asInterface(prototype: object, name: string, members: readonly string[]): void {
+  Object.defineProperty(prototype, Symbol.toStringTag, { value: name, configurable: true });
+  for (const member of members) {
+    let holder: object | null = prototype;
+    while (holder && !Object.hasOwn(holder, member)) holder = Object.getPrototypeOf(holder);
+    const found = holder && Object.getOwnPropertyDescriptor(holder, member);
+    if (found) Object.defineProperty(prototype, member, { ...found, enumerable: true });
+  }
+}
