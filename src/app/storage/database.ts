@@ -131,14 +131,23 @@ export async function changeShelves(
   const names = each.filter(([, change]) => change?.put?.length || change?.gone?.length).map(([name]) => name);
   if (names.length === 0) return;
   const changing = (await opened()).transaction(names, 'readwrite', { durability: 'strict' });
-  const asked = names.flatMap((name) => {
-    const { put = [], gone = [] } = changes[name] ?? {};
-    const shelf = changing.objectStore(name);
-    return [...gone.map((key) => shelf.delete(key)), ...put.map((record) => shelf.put(record))];
-  });
-  // Commits at once: the page may be gone by the time that all is stored.
-  changing.commit?.();
-  await Promise.all([...asked, changing.done]);
+  const asked: Promise<unknown>[] = [changing.done];
+  try {
+    for (const name of names) {
+      const { put = [], gone = [] } = changes[name] ?? {};
+      const shelf = changing.objectStore(name);
+      for (const key of gone) asked.push(shelf.delete(key));
+      for (const record of put) asked.push(shelf.put(record));
+    }
+    // Commits at once: the page may be gone by the time that all is stored.
+    changing.commit?.();
+  } catch (cause) {
+    // What was asked for before the record that cannot be stored.
+    changing.abort();
+    await Promise.allSettled(asked);
+    throw cause;
+  }
+  await Promise.all(asked);
 }
 
 /** How long a record that is not urgent waits at most for an idle browser, in milliseconds. */

@@ -170,7 +170,6 @@ describe('what version 3 has stored', () => {
       savedAt: 5,
       readAt: 4,
       simulated: false,
-      tab: 1,
     };
     const write = {
       key: 'w',
@@ -180,12 +179,12 @@ describe('what version 3 has stored', () => {
       goal: was(2),
       readAt: 1,
       seenAt: null,
-      tab: 2,
     };
     const walk = { key: 'm', kind: 'memories', startedAt: 1, identity: IDENTITY, home: 2 };
     const backup = { key: 'b', savedAt: 1, reason: 'write', program: was(7), simulated: true };
-    await old.put('drafts', draft);
-    await old.put('unfinished', write);
+    // Both had the number of a tab: several could work at the same time.
+    await old.put('drafts', { ...draft, tab: 2 });
+    await old.put('unfinished', { ...write, tab: 2 });
     await old.put('unfinished', walk);
     await old.put('backups', backup);
     old.close();
