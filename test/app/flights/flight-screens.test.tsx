@@ -1,5 +1,8 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { offsetText } from '../../../src/app/flights/flight-list.js';
+import { dotted } from '../../../src/app/messages/dotted.js';
+import { flightMessages } from '../../../src/app/messages/en-flights.js';
 import { emptyModel } from '../../../src/app/session/library.js';
 import { type AppBench, idle, reloaded } from '../bench/bench.js';
 import { button, connected, drawn, opened, press, type } from '../screen.js';
@@ -110,6 +113,12 @@ describe('the log', () => {
   it('opens a flight, fills it in, deletes it and takes that back', async () => {
     const app = await season();
     act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
+    fill('Result', '2,58');
+    await press('2.58 s');
+    expect(flights(app)[0]?.result).toBe(2.58);
+    fill('Result', '2,58');
+    await press('2 min 58 s');
+    expect(form().getByText('2:58 min, 178 s')).toBeTruthy();
     fill('Result', '19,5');
     expect(form().getByText('19.5 s')).toBeTruthy();
     fill('Result', '2:58');
@@ -149,6 +158,37 @@ describe('the log', () => {
     ]);
     expect(document.activeElement).toBe(button('Flying this'));
     expect(flights(app).map(({ round }) => round)).toEqual(['12']);
+  });
+
+  it('says whose clock a flight is shown by', async () => {
+    const app = await season();
+    const { noOffset, when } = flightMessages.form;
+    act(() => app.models.flights.fillIn('c'));
+    await idle(0);
+    expect(form().getByText(noOffset)).toBeTruthy();
+    act(() => app.models.flights.close());
+    const at = Date.UTC(2026, 10, 22, 22, 30);
+    const utcOffset = (0 - new Date(at).getTimezoneOffset() + 480) % 840;
+    await app.session.library.keepFlight({ ...PLAIN, id: 'd', at, utcOffset });
+    act(() => app.models.flights.fillIn('d'));
+    await idle(0);
+    expect([form().queryByText(noOffset), form().getByText(when)]).toEqual([null, expect.anything()]);
+    expect(rows().some((row) => row.includes(offsetText({ utcOffset })))).toBe(true);
+  });
+
+  it('proposes the next round and the last wind, until one is noted', async () => {
+    const app = await season();
+    act(() => void app.models.flights.fillIn(app.models.flights.flyAgain(recordOf({ id: 'b' }).flight)));
+    await idle(0);
+    const today = { ...PLAIN, id: 'e', at: Date.now() - 60_000, round: '3', wind: 4 };
+    act(() => app.models.flights.close());
+    await app.session.library.keepFlight(today);
+    act(() => app.models.flights.fillIn(flights(app)[0]?.id ?? ''));
+    await idle(0);
+    const { row, form: words } = flightMessages;
+    await press(words.propose(dotted([row.round('4'), row.wind('4')])));
+    expect(flights(app)[0]).toMatchObject({ round: '4', wind: 4 });
+    expect(form().queryByRole('button', { name: /^Note / })).toBeNull();
   });
 
   it('leads to the text that cannot be read, and Escape closes the form', async () => {

@@ -3,6 +3,7 @@ import fc from 'fast-check';
 import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { parseTime } from '../../../src/app/editing/units.js';
+import { edits } from '../../../src/app/messages/en-edits.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from '../bench/bench.js';
 import { button, field, key, late } from '../screen.js';
 
@@ -421,6 +422,39 @@ describe('a paste', () => {
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
     expect([dialog.getByText(problems), dialog.getByText(lead)]).toHaveLength(2);
     expect(dialog.getByRole<HTMLButtonElement>('button', { name: button }).disabled).toBe(disabled);
+  });
+
+  it('asks what a name means that is not known, and pastes nothing before', async () => {
+    const { editor } = await connected();
+    field('Function 9, S3').focus();
+    await paste('Function\tZeit\tS1\nF2\t11.5\t40\nMotor stop\t9\t');
+    const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
+    const apply = dialog.getByRole<HTMLButtonElement>('button', { name: edits.pasting.apply });
+    expect([dialog.getByText(edits.pasting.asks), apply.disabled]).toEqual([expect.anything(), true]);
+    const asked = dialog.getByRole('combobox', { name: '“Zeit”' });
+    fireEvent.change(asked, { target: { value: 'time' } });
+    await idle();
+    const read = pastedCells().map(([name, to, from]) => [name, parseTime(to), parseTime(from)]);
+    expect(read).toEqual([
+      ['Motor stop time', { value: 900 }, { value: 1000 }],
+      ['Function 2 time', { value: 1150 }, { value: 1100 }],
+      ['Function 2, S1', { value: 4000 }, { value: 3500 }],
+    ]);
+    expect([apply.disabled, editor.changes.value]).toEqual([false, []]);
+    fireEvent.click(apply);
+    await idle();
+    expect(editor.changes.value.map(({ to }) => to)).toEqual([900, 1150, 40]);
+  });
+
+  it('says what a name contradicts before anything changes', async () => {
+    const { editor } = await connected();
+    field('Start, S1').focus();
+    await paste('Function\tS1\nF9\t7\nF10\t8');
+    const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
+    expect(dialog.getByText(new RegExp(edits.refused['no-place']({})))).toBeTruthy();
+    expect(pastedCells()).toEqual([['Function 9, S1', '7', '105']]);
+    await press('Cancel');
+    expect(editor.changes.value).toEqual([]);
   });
 
   it('that is cancelled leaves no trace', async () => {
