@@ -288,7 +288,10 @@ export const states = {
       await page.getByRole('textbox', { name: 'Function 2, S1', exact: true }).click();
       await page.evaluate(() => {
         const clipboardData = new DataTransfer();
-        clipboardData.setData('text/plain', '40\t41\t42\n50\tup\t52');
+        clipboardData.setData(
+          'text/plain',
+          'Function\tZeit\tS1\tS2\nF2\t11.5\t40\t41\nF9\t15\tup\t42\nF10\t16\t44\t45\nMotor stop\t9',
+        );
         document.activeElement?.dispatchEvent(
           new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }),
         );
