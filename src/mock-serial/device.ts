@@ -7,6 +7,7 @@ const WRITE_ERROR_KINDS: readonly string[] = ['system', 'lost'] satisfies WriteE
 /** What lies between the device and the page, as far as the device can reach it. */
 export interface PortSide {
   readonly outputSignals: SetSignals;
+  readonly breakComesLast: boolean;
   readonly cable: {
     sendToPage(bytes: Uint8Array): void;
     behindToPage(callback: () => void, onCut?: () => void): void;
@@ -82,8 +83,10 @@ export class Device implements MockDevice {
 
   error(kind: ReadErrorKind): void {
     oneOf(kind, READ_ERROR_KINDS, 'kind');
-    const { cable, receiver } = this.#port;
-    cable.behindToPage(() => receiver.fail(kind));
+    const { cable, receiver, breakComesLast } = this.#port;
+    const follow = (): void => cable.behindToPage(() => receiver.fail(kind));
+    if (kind === 'break' && breakComesLast) queueMicrotask(follow);
+    else follow();
   }
 
   setSignals(signals: Partial<InputSignals>): void {

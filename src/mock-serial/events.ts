@@ -31,6 +31,15 @@ const AT_TARGET = 2;
 const BUBBLING = 3;
 
 const dispatching = new WeakSet<Event>();
+/** The browser's own events. */
+const announced = new WeakSet<Event>();
+
+/** Fires an event of the browser's own at a port. It bubbles to Serial. */
+export function announce(target: EventTarget, type: 'connect' | 'disconnect'): void {
+  const event = new Event(type, { bubbles: true });
+  announced.add(event);
+  target.dispatchEvent(event);
+}
 
 /**
  * An event target with a parent, and with handlers for the standard's two events. Outside a document, no built-in class
@@ -72,7 +81,6 @@ export class ConnectionTarget extends EventTarget {
   override addEventListener(type: string, listener: Listener | null, options?: boolean | ListenerOptions): void {
     const { capture = false, once = false, signal } = listenerOptions(options);
     if (!isListener(listener) || signal?.aborted || this.#find(type, listener, Boolean(capture))) return;
-    if (once && this.#onceNeverFires) return;
     this.#registrations.push({ type, listener, capture: Boolean(capture), once: Boolean(once), removed: false });
     signal?.addEventListener('abort', () => this.removeEventListener(type, listener, capture));
   }
@@ -106,6 +114,7 @@ export class ConnectionTarget extends EventTarget {
     for (const registration of [...this.#registrations]) {
       const { type, listener, once } = registration;
       if (type !== path.event.type || registration.capture !== capture || registration.removed) continue;
+      if (once && this.#onceNeverFires && announced.has(path.event)) continue;
       if (once) this.#remove(registration);
       try {
         if (typeof listener === 'function') listener.call(this, path.event);

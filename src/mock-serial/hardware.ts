@@ -40,6 +40,8 @@ export class Hardware {
   readonly #options: HardwareOptions;
   /** Whether the device is at another port now. */
   #isLeft = false;
+  /** Whether it was given up since it was last opened. */
+  #wasForgotten = false;
   #output: SetSignals = { dataTerminalReady: false, requestToSend: false, break: false };
   #input: InputSignals = { clearToSend: false, dataCarrierDetect: false, dataSetReady: false, ringIndicator: false };
 
@@ -53,11 +55,7 @@ export class Hardware {
       { toDevice: (bytes) => this.device.arrive(bytes), toPage: (bytes) => this.receiver.push(bytes) },
       options,
     );
-    this.transmitter = new Transmitter(
-      this.cable,
-      () => this.device.waits,
-      options.ways.firstLostWriteResolves ?? false,
-    );
+    this.transmitter = new Transmitter(this.cable, () => this.device.waits, options.ways);
   }
 
   /** Whether the browser finds it again without help, and calls it the same port. */
@@ -72,6 +70,11 @@ export class Hardware {
     this.#isLeft = true;
     device.moveTo(hardware);
     return hardware;
+  }
+
+  /** Whether bytes that follow a break overtake it. */
+  get breakComesLast(): boolean {
+    return this.#options.ways.breakComesLast === true;
   }
 
   get outputSignals(): SetSignals {
@@ -96,9 +99,14 @@ export class Hardware {
     this.cable.setRate(options);
     const { backpressure = false, ways } = this.#options;
     const isPatient = options.flowControl === 'hardware' || backpressure || ways.bufferNeverOverruns === true;
-    this.receiver.open(options.bufferSize, isPatient);
+    this.receiver.open(options.bufferSize, isPatient, ways.forgottenStreamReturns === true && this.#wasForgotten);
+    this.#wasForgotten = false;
     this.transmitter.open(options.bufferSize);
-    this.#output = { ...this.#output, dataTerminalReady: true };
+    this.#output = {
+      ...this.#output,
+      dataTerminalReady: true,
+      ...(ways.openRaisesRts && { requestToSend: true }),
+    };
     this.device.setOpened(options);
   }
 
@@ -116,6 +124,7 @@ export class Hardware {
   forget(): void {
     this.granted = false;
     this.forgotten = true;
+    this.#wasForgotten = true;
     this.receiver.fail('lost');
     this.transmitter.abandon();
     this.#letGo();

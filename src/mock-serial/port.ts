@@ -2,7 +2,7 @@ import { invalidState, networkError } from './errors.js';
 import { ConnectionTarget } from './events.js';
 import type { Hardware } from './hardware.js';
 import { checkOpenOptions, convertOpenOptions } from './open-options.js';
-import type { InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } from './types.js';
+import type { ChromiumWays, InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } from './types.js';
 import { asInterface, dictionary } from './web-idl.js';
 
 /**
@@ -22,12 +22,16 @@ export class MockSerialPort extends ConnectionTarget {
   /** The other end of the port. */
   readonly device: MockDevice;
   readonly #hardware: Hardware;
+  readonly #ways: ChromiumWays;
+  /** Whether a browser would end the tab at the next touch of `readable`: see `ChromiumWays.failedCloseKills`. */
+  #isDeadly = false;
   /** The standard's [[state]]. */
   #state: 'closed' | 'opening' | 'opened' | 'closing' = 'closed';
 
   /** Use `MockSerial.plug`. */
-  constructor(hardware: Hardware, serial: ConnectionTarget) {
+  constructor(hardware: Hardware, serial: ConnectionTarget, ways: ChromiumWays) {
     super(serial);
+    this.#ways = ways;
     this.#hardware = hardware;
     this.device = hardware.device;
   }
@@ -42,6 +46,9 @@ export class MockSerialPort extends ConnectionTarget {
    * that came before it. Then there is a new stream; after the loss of the device, null.
    */
   get readable(): ReadableStream<Uint8Array> | null {
+    if (this.#isDeadly)
+      throw new Error('Chromium kills the tab here: close() had failed before because writable was locked.');
+    if (this.#state === 'closing' && this.#ways.closingHidesReadable) return null;
     const { receiver } = this.#hardware;
     return receiver.stream ?? (this.#state === 'opened' ? receiver.createStream() : null);
   }
@@ -91,7 +98,11 @@ export class MockSerialPort extends ConnectionTarget {
     const writable = this.#hardware.transmitter.stream;
     if (readable?.locked) throw new TypeError('Cannot close the port while its readable is locked.');
     const cancelled = readable?.cancel();
-    if (writable?.locked) throw new TypeError('Cannot close the port while its writable is locked.');
+    if (writable?.locked) {
+      this.#isDeadly = this.#ways.failedCloseKills === true && readable !== null;
+      throw new TypeError('Cannot close the port while its writable is locked.');
+    }
+    this.#isDeadly = false;
     this.#state = 'closing';
     // A stream that fails now does not keep the port open. But a stream that broke on a chunk of the wrong type keeps
     // it open for ever, because nothing ends that stream. The standard and Chromium do the same, so a page must cope

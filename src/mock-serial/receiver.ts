@@ -46,9 +46,14 @@ export class Receiver {
     return this.#size >= this.#capacity;
   }
 
-  /** @param patient whether the device waits for room. Otherwise bytes are lost. */
-  open(capacity: number, patient: boolean): void {
-    this.close();
+  /**
+   * @param patient whether the device waits for room. Otherwise bytes are lost.
+   * @param keeps whether the stream and the bytes of before come back, without the loss that ended them.
+   */
+  open(capacity: number, patient: boolean, keeps = false): void {
+    if (!keeps) this.close();
+    this.#queue = this.#queue.filter((item) => item !== 'lost');
+    this.#backlog = this.#backlog.filter((item) => item !== 'lost');
     this.#open = true;
     this.#fatal = false;
     this.#over = false;

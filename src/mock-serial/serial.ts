@@ -1,5 +1,5 @@
 import { type Clock, realClock } from '../line/index.js';
-import { ConnectionTarget } from './events.js';
+import { announce, ConnectionTarget } from './events.js';
 import { convertRequestOptions, offered } from './filters.js';
 import { Hardware } from './hardware.js';
 import { MockSerialPort } from './port.js';
@@ -126,7 +126,7 @@ export class MockSerial extends ConnectionTarget {
   }
 
   #bring(hardware: Hardware): MockSerialPort {
-    const port = new MockSerialPort(hardware, this);
+    const port = new MockSerialPort(hardware, this, this.#ways);
     this.#ports.set(port, hardware);
     this.#announce('connect', port);
     return port;
@@ -140,11 +140,23 @@ export class MockSerial extends ConnectionTarget {
 
   #announce(type: 'connect' | 'disconnect', port: MockSerialPort): void {
     if (!this.#hardware(port).granted) return;
-    queueMicrotask(() => port.dispatchEvent(new Event(type, { bubbles: true })));
+    queueMicrotask(() => announce(port, type));
   }
 }
 
+const ALL_WAYS: ChromiumWays = {
+  firstLostWriteResolves: true,
+  bufferNeverOverruns: true,
+  onceNeverFires: true,
+  lostWriteEndsStream: true,
+  failedCloseKills: true,
+  closingHidesReadable: true,
+  breakComesLast: true,
+  forgottenStreamReturns: true,
+  openRaisesRts: true,
+};
+
 function waysOf(chromium: boolean | ChromiumWays = false): ChromiumWays {
   if (typeof chromium === 'object') return chromium;
-  return { firstLostWriteResolves: chromium, bufferNeverOverruns: chromium, onceNeverFires: chromium };
+  return chromium ? ALL_WAYS : {};
 }

@@ -1,6 +1,6 @@
 import type { Cable } from './cable.js';
 import { streamError } from './errors.js';
-import type { WriteErrorKind } from './types.js';
+import type { ChromiumWays, WriteErrorKind } from './types.js';
 
 /** A write, close or abort of the stream in progress. There is never more than one. */
 interface Operation {
@@ -43,7 +43,7 @@ export class Transmitter {
   #gone = false;
   /** The next write resolves although the device is gone, as in Chromium. */
   #spared = false;
-  readonly #sparesFirst: boolean;
+  readonly #ways: ChromiumWays;
   #onEnded: (() => void)[] = [];
   #capacity = 0;
   /** Bytes from the page that have not left: those in `#waiting`, and on a free cable those on the wire. */
@@ -60,12 +60,11 @@ export class Transmitter {
 
   /**
    * @param deviceWaits whether the device waits for bytes that it has not been sent.
-   * @param sparesFirst see `ChromiumWays.firstLostWriteResolves`.
    */
-  constructor(cable: Cable, deviceWaits: () => boolean, sparesFirst: boolean) {
+  constructor(cable: Cable, deviceWaits: () => boolean, ways: ChromiumWays) {
     this.#cable = cable;
     this.#deviceWaits = deviceWaits;
-    this.#sparesFirst = sparesFirst;
+    this.#ways = ways;
   }
 
   /** The standard's [[writable]]. */
@@ -126,7 +125,7 @@ export class Transmitter {
     this.#gone = true;
     this.#discard();
     if (this.#operation) this.#failed();
-    else this.#spared = this.#sparesFirst;
+    else this.#spared = this.#ways.firstLostWriteResolves === true;
   }
 
   /** Fails the stream at once. */
@@ -156,6 +155,7 @@ export class Transmitter {
     bytesOf(chunk);
     if (this.#spared) {
       this.#spared = false;
+      if (this.#ways.lostWriteEndsStream) queueMicrotask(() => this.#endByItself());
       return;
     }
     let done = 0;
@@ -173,6 +173,12 @@ export class Transmitter {
       }
       this.#operation?.resolve();
     });
+  }
+
+  #endByItself(): void {
+    this.#fatal = true;
+    this.#controller?.error(streamError('lost'));
+    this.#replaceStream();
   }
 
   async #drain(): Promise<void> {

@@ -146,8 +146,23 @@ export interface ChromiumWays {
   readonly firstLostWriteResolves?: boolean;
   /** Bytes that come while the buffer is full wait for room: there is no BufferOverrunError. */
   readonly bufferNeverOverruns?: boolean;
-  /** A listener that was added to Serial with `{ once: true }` is never called. */
+  /** A listener that was added to Serial with `{ once: true }` never hears the browser's own events. */
   readonly onceNeverFires?: boolean;
+  /** After an unplug `writable` fails by itself once the first write is lost, without another write. */
+  readonly lostWriteEndsStream?: boolean;
+  /**
+   * A `close()` that fails because `writable` is locked leaves a `readable` whose next touch kills the tab. Here it
+   * throws an error that says so.
+   */
+  readonly failedCloseKills?: boolean;
+  /** `readable` is null as soon as `close()` has begun. */
+  readonly closingHidesReadable?: boolean;
+  /** Bytes that follow a break in the same burst come before the BreakError. */
+  readonly breakComesLast?: boolean;
+  /** A port that was forgotten, granted and opened again has its old `readable`, with the bytes of before. */
+  readonly forgottenStreamReturns?: boolean;
+  /** `open()` raises RTS, too. */
+  readonly openRaisesRts?: boolean;
 }
 
 /** The other end of a port, for a test or a simulator. */

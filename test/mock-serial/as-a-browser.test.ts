@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { MockSerial } from '../../src/mock-serial/index.js';
-import { collect, counted, failure, openPort, reading, settled, writing } from './helper.js';
+import { type ChromiumWays, MockSerial } from '../../src/mock-serial/index.js';
+import { collect, counted, failure, isPending, type OpenPort, openPort, reading, settled, writing } from './helper.js';
 
 /* What a real Chromium does, seen with 160 small programs, where the mock port once did something else. */
 
@@ -136,4 +136,111 @@ test('connected does not change any more after forget()', async () => {
   await port.forget();
   serial.unplug(port);
   expect(port.connected).toBe(true);
+});
+
+describe('ways of Chromium, each by its name', () => {
+  async function ported(ways: ChromiumWays | boolean): Promise<OpenPort> {
+    const serial = new MockSerial({ chromium: ways, userActivation: true });
+    const port = serial.plug({}, { granted: true });
+    await port.open({ baudRate: 9600 });
+    return { serial, port, device: port.device };
+  }
+
+  test.each([true, false])(
+    'lostWriteEndsStream %s: the stream fails by itself after the first lost write',
+    async (lostWriteEndsStream) => {
+      const { serial, port } = await ported({ firstLostWriteResolves: true, lostWriteEndsStream });
+      const writer = writing(port);
+      const closed = writer.closed.then(
+        () => 'closed',
+        ({ name }) => name,
+      );
+      serial.unplug(port);
+      await writer.write(Uint8Array.of(1));
+      if (lostWriteEndsStream) expect(await closed).toBe('NetworkError');
+      else expect(await isPending(closed)).toBe(true);
+      expect(port.writable === null).toBe(lostWriteEndsStream);
+    },
+  );
+
+  test.each([true, false])(
+    'onceNeverFires %s: once misses the events of the browser, not those of the page',
+    async (onceNeverFires) => {
+      const { serial, port } = await ported({ onceNeverFires });
+      const heard: string[] = [];
+      serial.addEventListener('disconnect', () => heard.push('of the browser'), { once: true });
+      serial.addEventListener('connect', () => heard.push('of the page'), { once: true });
+      serial.unplug(port);
+      await settled();
+      serial.dispatchEvent(new Event('connect'));
+      expect(heard).toEqual(onceNeverFires ? ['of the page'] : ['of the browser', 'of the page']);
+    },
+  );
+
+  test.each([true, false])('failedCloseKills %s: readable after a close that failed', async (failedCloseKills) => {
+    const { port } = await ported({ failedCloseKills });
+    expect(port.readable).not.toBeNull();
+    const writer = writing(port);
+    expect(await failure(port.close())).toBe('TypeError');
+    if (failedCloseKills) expect(() => port.readable).toThrow('kills the tab');
+    else expect(port.readable).not.toBeNull();
+    writer.releaseLock();
+    await port.close();
+    expect(port.readable).toBeNull();
+  });
+
+  test.each([true, false])('closingHidesReadable %s: readable during close', async (closingHidesReadable) => {
+    const { port } = await ported({ closingHidesReadable });
+    expect(port.readable && port.writable).not.toBeNull();
+    const closed = port.close();
+    expect(port.readable === null).toBe(closingHidesReadable);
+    await closed;
+  });
+
+  test.each([true, false])('breakComesLast %s: bytes after a break in the same burst', async (breakComesLast) => {
+    const { port, device } = await ported({ breakComesLast });
+    device.write([1]);
+    device.error('break');
+    device.write([2]);
+    await settled();
+    const reader = reading(port);
+    const bytes: number[] = [];
+    let name = '';
+    while (name === '') {
+      try {
+        bytes.push(...((await reader.read()).value ?? []));
+      } catch (error) {
+        name = (error as Error).name;
+      }
+    }
+    expect([name, bytes]).toEqual(['BreakError', breakComesLast ? [1, 2] : [1]]);
+  });
+
+  test.each([true, false])(
+    'forgottenStreamReturns %s: the stream after forget and a new grant',
+    async (forgottenStreamReturns) => {
+      const { serial, port, device } = await ported({ forgottenStreamReturns });
+      const { readable } = port;
+      device.write([1, 2]);
+      await settled();
+      await port.forget();
+      serial.choose(port);
+      await serial.requestPort();
+      await port.open({ baudRate: 9600 });
+      expect(port.readable === readable).toBe(forgottenStreamReturns);
+      const read = reading(port).read();
+      if (forgottenStreamReturns) expect((await read).value).toEqual(Uint8Array.of(1, 2));
+      else expect(await isPending(read)).toBe(true);
+    },
+  );
+
+  test.each([true, false])('openRaisesRts %s', async (openRaisesRts) => {
+    const { device } = await ported({ openRaisesRts });
+    expect(device.signals.requestToSend).toBe(openRaisesRts);
+  });
+
+  test('are all on with true, and none with false', async () => {
+    expect((await ported(true)).device.signals.requestToSend).toBe(true);
+    expect((await ported(false)).device.signals.requestToSend).toBe(false);
+  });
 });
