@@ -51,7 +51,7 @@ export class Origin {
   /** Null when the values belong to the connected timer, as far as that is known. */
   readonly crossing: ReadonlySignal<Crossing | null>;
   readonly #editor: OriginParts['editor'];
-  readonly #parts: Pick<OriginParts, 'models' | 'recognition'>;
+  readonly #parts: Pick<OriginParts, 'models' | 'recognition' | 'connection'>;
   readonly #taken = signal<Taken | null>(null, { name: 'origin' });
   /** The id of the model from whose timer the baseline was read. */
   readonly #readOf = signal<string | null>(null, { name: 'readOf' });
@@ -85,7 +85,7 @@ export class Origin {
       return { ...working, memory: memory !== null && memory < working.identity.memories ? memory : null };
     });
     this.#editor = editor;
-    this.#parts = { models, recognition };
+    this.#parts = { models, recognition, connection };
     this.crossing = computed(() => crossingOf(this.model.value, recognition.found.value));
     effect(() => {
       const isDirty = editor.dirty.value;
@@ -109,9 +109,14 @@ export class Origin {
 
   /** Work that was kept has come to the screen, with the model that it was for. Call it afterwards. */
   take(model: string | undefined): void {
-    if (model === undefined) return;
+    const { connection, recognition } = this.#parts;
     // A backup is of its own model, which need not be that of the timer that was connected.
-    if (this.#editor.backupOf.peek() === undefined) this.#readOf.value = model;
-    if (this.#editor.dirty.peek()) this.#taken.value = { model, timer: null };
+    const isRead = this.#editor.backupOf.peek() === undefined;
+    if (!connection.peek()) this.#readOf.value = (isRead && model) || null;
+    // Of work that nobody has given to a model, only the timer that is there can say it.
+    const found = recognition.model.peek()?.id;
+    const said =
+      model === undefined ? found && { model: found, timer: recognition.timer.peek() } : { model, timer: null };
+    this.#taken.value = (this.#editor.dirty.peek() && said) || null;
   }
 }

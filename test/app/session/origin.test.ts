@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { SettingRecord } from '../../../src/app/storage/index.js';
+import type { Draft, SettingRecord } from '../../../src/app/storage/index.js';
 import { fieldKey } from '../../../src/program/index.js';
 import { type AppBench, idle, reloaded, run } from '../bench/bench.js';
 import {
@@ -101,6 +101,17 @@ describe('the values on the screen', () => {
     const again = await reloaded(bench);
     await run(again.session.library.load());
     expect([whose(again), again.session.origin.program.value?.memory]).toEqual([['Lancer', null, 'Lancer'], 0]);
+  });
+
+  it('that were kept have no name of a timer that was connected meanwhile', async () => {
+    const bench = await lancerConnected();
+    type(bench, S2, '77');
+    await idle();
+    await run(bench.session.timer.disconnect());
+    const { model, ...draft } = [...bench.store.drafts.records.values()][0] as Draft;
+    expect(model).toBe('Lancer');
+    bench.session.onScreen.bringBack(draft);
+    expect(whose(bench)).toEqual([null, null, null]);
   });
 
   it('are of no memory of the timer over which they lie, but of that of their own', async () => {
