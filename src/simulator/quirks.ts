@@ -27,6 +27,8 @@ export interface TimerQuirks extends LayoutQuirks {
   readonly idleThrottleOnQOnly?: boolean;
   /** SETSERVO is acknowledged, but kept only for the function to which the servos were last moved (row 15). */
   readonly servoNeedsMove?: boolean;
+  /** SETSERVO is acknowledged, but never kept (row 15). */
+  readonly servoIgnored?: boolean;
   /**
    * Whether SETSERVO alone moves the servo (rows 15 and 17 of docs/protocol.md leave it open): never; `there`: only
    * while the servos stand at that function; always. Default `there`.

@@ -182,7 +182,7 @@ export class TimerCore {
   }
 
   #setServo(servo: number, slot: number, position: number): void {
-    if (this.#quirks.servoNeedsMove && this.slot !== slot) return;
+    if (this.#quirks.servoIgnored || (this.#quirks.servoNeedsMove && this.slot !== slot)) return;
     const row = this.content.positions[servo] as number[];
     row[slot] = position;
     const { setMoves = 'there' } = this.#quirks;

@@ -1,11 +1,12 @@
 import type { ComponentChildren } from 'preact';
 import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { fieldLabel, messages, slotInSentence } from '../messages/index.js';
+import { changeText, fieldLabel, messages, slotInSentence } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Bench } from './bench.js';
 import { doneText, standText } from './bench-text.js';
 import type { Follow } from './follow.js';
+import type { Unlike } from './taken.js';
 import './follow-panel.css';
 
 interface FollowSwitchProps {
@@ -131,7 +132,8 @@ function EndNote({ bench, follow, identity }: EndNoteProps) {
   return (
     <div class="follow-note" role="status">
       <p>
-        <strong>{words.ended[ended.reason]}</strong> {follow.endRead.value ? words.endRead : words.endUnread}{' '}
+        <strong>{words.ended[ended.reason]}</strong> {ended.unlike && `${unlikeText(identity, ended.unlike)} `}
+        {follow.endRead.value ? words.endRead : words.endUnread}{' '}
         {done && !done.certain && <span class="bad-text">{doneText(identity, done, null)}</span>}
       </p>
       <button type="button" class="quiet" onClick={() => follow.dismissEnd()}>
@@ -139,4 +141,19 @@ function EndNote({ bench, follow, identity }: EndNoteProps) {
       </button>
     </div>
   );
+}
+
+/** How many changed values are named. */
+const NAMED = 3;
+
+/** What the timer holds in place of what it acknowledged, and what changed beside it. */
+function unlikeText(identity: Identity, { notTaken, beside }: Unlike): string {
+  const { bench: words } = messages.value;
+  const named = beside.slice(0, NAMED).map((change) => changeText(identity, change));
+  return [
+    notTaken && words.notTaken(fieldLabel(identity, notTaken.field), String(notTaken.from), String(notTaken.to)),
+    beside.length > 0 && words.beside(named, beside.length - named.length),
+  ]
+    .filter(Boolean)
+    .join(' ');
 }

@@ -7,22 +7,9 @@ import type { Session } from '../session/session.js';
 import type { Trials } from '../session/trials.js';
 import { withinLimit } from '../storage/limit.js';
 import type { Bench } from './bench.js';
+import type { Ended, EndReason } from './ended.js';
 import { FollowedEdits, type Position } from './followed-edits.js';
-
-/**
- * Why the servos no longer follow, when the pilot did not end it. `hidden`: the page went out of sight. `job`: another
- * job has the wire. `memory`: another memory is current, or was asked for. `unsafe`: the pilot no longer says that it
- * is safe. `lost`: the connection ended. `failed`: a command failed. `strayed`: the reading at the end shows that
- * another memory became current, which may have taken positions.
- */
-export type EndReason = 'hidden' | 'job' | 'memory' | 'unsafe' | 'lost' | 'failed' | 'strayed';
-
-/** How following ended. */
-export interface Ended {
-  readonly reason: EndReason;
-  /** What the timer was believed to hold at that moment. */
-  readonly held: TimerProgram | null;
-}
+import { isProof, readBack, type Unlike } from './taken.js';
 
 /** What the servos follow, from the beginning to the end. */
 interface Following {
@@ -33,6 +20,8 @@ interface Following {
   isKept: boolean;
   /** Whether a position was sent. */
   hasStored: boolean;
+  /** Whether a reading has shown that the timer takes positions as it says. */
+  isProven: boolean;
 }
 
 /**
@@ -204,11 +193,17 @@ export class Follow {
     batch(() => {
       this.#edits.begin();
       this.trials.set({ before, touched: new Set() });
-      this.#following.value = { connection, key: onScreen.workKey(before), isKept: true, hasStored: false };
+      this.#following.value = {
+        connection,
+        key: onScreen.workKey(before),
+        isKept: true,
+        hasStored: false,
+        isProven: false,
+      };
     });
   }
 
-  async #end(reason: EndReason | null): Promise<void> {
+  async #end(reason: EndReason | null, unlike: Unlike | null = null): Promise<void> {
     const { connection, editor, runner } = this.#session;
     batch(() => {
       this.#start.value = null;
@@ -222,7 +217,7 @@ export class Follow {
       this.#following.value = null;
       this.#going.value = false;
       this.#wanted.value = null;
-      this.#ended.value = reason && { reason, held };
+      this.#ended.value = reason && { reason, held, unlike };
     });
     if (held && following.hasStored && !editor.fresh.peek()) this.#watch(held, following.connection);
     // Any other job reads the timer itself.
@@ -245,7 +240,7 @@ export class Follow {
       // A reading on a round trip through other memories does not say which one was current.
       if (!editor.fresh.value || nextFlight.open.value || !now) return;
       this.#unwatch();
-      if (now.memory !== held.memory) this.#ended.value = { reason: 'strayed', held };
+      if (now.memory !== held.memory) this.#ended.value = { reason: 'strayed', held, unlike: null };
     });
     this.#unwatch = stop;
   }
@@ -337,7 +332,28 @@ export class Follow {
     editor.sent();
     following.hasStored = true;
     await connection.client.setPosition(field, pending.value, options);
+    // An acknowledgement is no reading. What no reading has confirmed stays a change on the screen.
+    const unlike = following.isProven ? null : await readBack(connection, options, before, pending);
     if (editor.baseline.peek() !== before) return;
+    if (unlike) {
+      const changed = unlike.beside.map((change) => fieldKey(change.field));
+      this.trials.set({ ...trial, touched: new Set([...trial.touched, fieldKey(field), ...changed]) });
+      const { held } = unlike;
+      const reason = held.memory === before.memory ? 'unlike' : 'strayed';
+      if (reason === 'unlike') {
+        // Nothing of it is open: it was read back.
+        void knowledge.ended(before);
+        batch(() => {
+          knowledge.read(held, Date.now());
+          editor.rebase(held);
+        });
+      }
+      // The pilot may have ended it in the meantime, and has to know all the same.
+      if (this.#following.peek() === following) void this.#end(reason, unlike);
+      else this.#ended.value = { reason, held: before, unlike };
+      return;
+    }
+    following.isProven ||= isProof(pending);
     batch(() => {
       knowledge.acknowledged(before.memory);
       editor.acknowledge(field, pending.value);

@@ -49,8 +49,13 @@ export const bench = {
     lost: 'Following has stopped: the connection ended.',
     strayed:
       'Another memory became current while the servos followed. It may have taken some of the positions: look at all of it before you fly it.',
-    failed: 'Following has stopped: the timer did not acknowledge a command.',
+    unlike: 'Following has stopped: the timer did not do what it acknowledged.',
+    failed: 'Following has stopped: the timer did not answer.',
   },
+  notTaken: (field: string, wanted: string, held: string) => `${field} holds ${held}, not ${wanted}.`,
+  /** @param more how many there are besides those that are named. */
+  beside: (named: readonly string[], more: number) =>
+    `Changed beside it: ${named.join('; ')}${more === 0 ? '' : `; and ${plural(more, 'more value', 'more values')}`}.`,
   endRead: 'The timer has been read since then.',
   endUnread: 'The timer has not been read since then.',
   tried: (count: number) =>

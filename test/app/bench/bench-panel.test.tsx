@@ -1,6 +1,7 @@
 import { act, fireEvent, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
+import { bench as words } from '../../../src/app/messages/en-bench.js';
 import type { View } from '../../../src/app/shell/views.js';
 import { HOLD } from '../../../src/app/ui/press-and-hold.js';
 import { late } from '../screen.js';
@@ -376,10 +377,38 @@ describe('servos that follow', () => {
     await press('Dismiss');
     expect(note()).not.toContain('has stopped');
     await flip();
-    timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && timer.core.sleep();
+    // After the reading that follows the first position.
+    timer.core.onAnswer = ({ name }) => name === 'GETSWVER' && timer.core.sleep();
     await type('Function 4, S2', '70');
-    expect(note()).toContain('the timer did not acknowledge a command. The timer has not been read since then.');
+    expect(note()).toContain(`${words.ended.failed} ${words.endUnread}`);
     expect(note()).toContain('The servos may have moved to function 4 anyway');
+  });
+
+  it('a timer that keeps no position: says so with values, and leaves what was typed as a change', async () => {
+    const { editor } = await opened({ quirks: { servoIgnored: true } });
+    await press('Function 4');
+    await flip();
+    const held = String(editor.working.value?.positions[1]?.[4]);
+    await type('Function 4, S2', '70');
+    expect(note()).toContain(`${words.ended.unlike} ${words.notTaken('Function 4, S2', '70', held)}`);
+    expect(note()).toContain(words.endRead);
+    expect(editor.changes.value).toMatchObject([{ from: Number(held), to: 70 }]);
+    expect(screen.queryByRole('button', { name: words.putBack })).toBeNull();
+  });
+
+  it('a timer that takes the servo first: names the value that changed beside, and offers to put it back', async () => {
+    const { timer, editor } = await opened({ quirks: { servoFirst: true } });
+    await press('Function 2');
+    await flip();
+    const [held, , beside] =
+      editor.working.value?.positions.map((row, servo) => String(row[servo === 0 ? 2 : 0])) ?? [];
+    await type('Function 2, S1', '70');
+    expect(note()).toContain(words.notTaken('Function 2, S1', '70', held ?? ''));
+    expect(note()).toContain(words.beside([`Start, S3: ${beside} → 70`], 0));
+    expect(editor.changes.value.map(({ from, to }) => [from, to])).toEqual([[Number(held), 70]]);
+    await press(words.putBack);
+    expect(editor.working.value?.positions[2]?.[0]).toBe(Number(beside));
+    expect(timer.core.content.positions[2]?.[0]).toBe(70);
   });
 
   it('ask before they follow without a backup', async () => {

@@ -398,10 +398,74 @@ describe('following ends', () => {
     expect(app.follow.ended.value?.reason).toBe('failed');
   });
 
+  it('when a reading after its first position shows that the timer keeps none', async () => {
+    const app = await following({ quirks: { servoIgnored: true } });
+    const held = app.timer.core.content.positions[1]?.[4];
+    set(app, [S2, 70]);
+    await idle();
+    expect(app.follow.ended.value).toMatchObject({
+      reason: 'unlike',
+      unlike: { notTaken: { field: S2, from: 70, to: held }, beside: [] },
+    });
+    expect(app.bench.stand.at.value).toBeNull();
+    expect(told(app)).toEqual(['S4.1=70']);
+    expect(app.editor.changes.value).toMatchObject([{ field: S2, from: held, to: 70 }]);
+    expect([app.follow.trials.tried.value, app.session.standing.value.sure]).toEqual([[], 'now']);
+  });
+
+  it('when a reading shows that another position changed, which can be put back', async () => {
+    const app = await following({ quirks: { servoFirst: true } }, 2);
+    const other = app.timer.core.content.positions[2]?.[0];
+    set(app, [position(0, 2), 70]);
+    await idle();
+    expect(app.follow.ended.value).toMatchObject({
+      reason: 'unlike',
+      unlike: {
+        notTaken: { field: position(0, 2), from: 70 },
+        beside: [{ field: position(2, 0), from: other, to: 70 }],
+      },
+    });
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: position(2, 0), from: other, to: 70 }]);
+    expect(app.editor.changes.value).toMatchObject([{ field: position(0, 2), to: 70 }]);
+  });
+
+  it('also when the first position has one number for servo and function, which proves nothing', async () => {
+    const app = await following({ quirks: { servoFirst: true } }, 1);
+    set(app, [position(1, 1), 70]);
+    await idle();
+    expect(app.follow.on.value).toBe(true);
+    set(app, [position(0, 1), 71]);
+    await idle();
+    expect(app.follow.ended.value).toMatchObject({
+      reason: 'unlike',
+      unlike: { beside: [{ field: position(1, 0), to: 71 }] },
+    });
+  });
+
+  it('and says what was not taken although the pilot has ended it meanwhile', async () => {
+    const app = await following({ quirks: { servoIgnored: true }, latency: 20 });
+    set(app, [S2, 70]);
+    await vi.advanceTimersByTimeAsync(5);
+    await run(app.follow.stop());
+    expect(app.follow.ended.value).toMatchObject({ reason: 'unlike', unlike: { notTaken: { field: S2 } } });
+    expect(app.editor.changes.value).toMatchObject([{ field: S2, to: 70 }]);
+  });
+
+  it('not when the timer does as it says: only its first position is read back', async () => {
+    const app = await following();
+    set(app, [S2, 70]);
+    await idle();
+    expect([reads(app), told(app)]).toEqual([1, ['S4.1=70', 'M4']]);
+    set(app, [S2, 71]);
+    await idle();
+    expect([reads(app), app.follow.on.value]).toEqual([1, true]);
+  });
+
   it('when a movement is not acknowledged, which is not sent again', async () => {
     const app = await following();
     const { core } = app.timer;
-    core.onAnswer = ({ name }) => name === 'SETSERVO' && core.sleep();
+    // After the reading that follows the first position.
+    core.onAnswer = ({ name }) => name === 'GETSWVER' && core.sleep();
     app.session.log.clear();
     set(app, [S2, 70]);
     await idle();

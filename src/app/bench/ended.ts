@@ -1,0 +1,20 @@
+import type { TimerProgram } from '../../program/index.js';
+import type { Unlike } from './taken.js';
+
+/**
+ * Why the servos no longer follow, when the pilot did not end it. `hidden`: the page went out of sight. `job`: another
+ * job has the wire. `memory`: another memory is current, or was asked for. `unsafe`: the pilot no longer says that it
+ * is safe. `lost`: the connection ended. `failed`: a command failed. `strayed`: the reading at the end shows that
+ * another memory became current, which may have taken positions. `unlike`: a reading shows that the timer does not do
+ * what it acknowledges.
+ */
+export type EndReason = 'hidden' | 'job' | 'memory' | 'unsafe' | 'lost' | 'failed' | 'strayed' | 'unlike';
+
+/** How following ended. */
+export interface Ended {
+  readonly reason: EndReason;
+  /** What the timer was believed to hold at that moment. */
+  readonly held: TimerProgram | null;
+  /** What the reading after the first position has shown, where the timer did something else. */
+  readonly unlike: Unlike | null;
+}
