@@ -34,7 +34,10 @@ export function partsOf(identity: Identity, rows: Rows): Part[] {
   const first = Math.max(0, rows.findIndex(isHeading));
   // Words alone begin another table, such as that of the flights on a printed sheet.
   const isOther = (texts: readonly string[]): boolean =>
-    filled(texts).length > 1 && areWords(texts) && !isNamedRow(identity, filled(texts)[0] ?? '');
+    filled(texts).length > 1 &&
+    areWords(texts) &&
+    !filled(texts).every(isUnit) &&
+    !isNamedRow(identity, filled(texts)[0] ?? '');
   const found = rows.flatMap((texts, row) => (isHeading(texts) || (row > first && isOther(texts)) ? [row] : []));
   const heads = rows.slice(0, first).every((texts) => filled(texts).length < 2) ? found : [];
   const [top = []] = rows;

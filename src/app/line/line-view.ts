@@ -151,7 +151,8 @@ export class LineView {
 }
 
 function test(filter: LineFilter, search: string): (record: LineRecord) => boolean {
-  const isFound = searchFor(search);
+  // A value, such as “function 4”, is a phrase.
+  const isFound = searchFor(search, true);
   const hex = hexIn(search.trim().toLowerCase());
   const isAll = search.trim() === '';
   return (record) => isOfKind(record, filter) && (isAll || says(record, isFound, hex));

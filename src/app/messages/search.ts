@@ -13,9 +13,11 @@ export function foldedText(text: string): string {
 /**
  * The search of every list of the page.
  * @param search what the pilot typed. Without a word everything is found.
+ * @param isPhrase whether the words must stand together. Default: in any order.
  * @returns whether a text, which must be folded, contains each of the words.
  */
-export function searchFor(search: string): (folded: string) => boolean {
-  const words = foldedText(search).split(/\s+/).filter(Boolean);
-  return (folded) => words.every((word) => folded.includes(word));
+export function searchFor(search: string, isPhrase = false): (text: string) => boolean {
+  const folded = foldedText(search).trim();
+  const words = isPhrase ? [folded] : folded.split(/\s+/);
+  return (text) => words.every((word) => text.includes(word));
 }
