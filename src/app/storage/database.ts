@@ -46,6 +46,9 @@ const RENAMED = ['drafts', 'unfinished', 'backups'] as const;
 /** The version of the shelves. A browser refuses it when a newer version of this page has been here. */
 const VERSION = 5;
 
+/** How long after a refusal a storage that was closed is opened again, in milliseconds. */
+const LOOK_AGAIN = 300;
+
 /** Gives the storage once it is open; rejects while it cannot be had. */
 type Opened = () => Promise<IDBPDatabase<Schema>>;
 
@@ -87,8 +90,7 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
         },
         terminated: () => {
           forget();
-          // Whether everything was deleted is to be said at once, and not with the next change.
-          current().catch(() => {});
+          lookAgain();
         },
       }).then((database) => {
         late = database;
@@ -105,6 +107,12 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
   };
   // Each user gets the error. At this moment there is none yet.
   let opened: Promise<IDBPDatabase<Schema>> | undefined = open();
+  /** Whether everything was deleted is said at once, not with the next change. While it deletes, a browser refuses. */
+  const lookAgain = (tries = 10): void => {
+    current().catch(() => {
+      if (tries > 0) setTimeout(lookAgain, LOOK_AGAIN, tries - 1);
+    });
+  };
   const current = async (): Promise<IDBPDatabase<Schema>> => {
     opened ??= open();
     return late ?? (await opened);

@@ -1,5 +1,6 @@
 import { deleteDB, openDB, unwrap } from 'idb';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { cdp } from 'vitest/browser';
 import { openStorage, Shelf } from '../../../src/app/storage/database.js';
 import { browserStorage, limited, type Storage, StorageError } from '../../../src/app/storage/index.js';
 import { backupSchema, portSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
@@ -125,6 +126,14 @@ describe('the storage of the browser', () => {
       expect(onEmptied).toHaveBeenCalledTimes(empty ? 1 : 0);
     },
   );
+
+  it('says that the browser has deleted it, without another use', async () => {
+    const onEmptied = vi.fn();
+    await openStorage(name(), onEmptied)();
+    const devTools = cdp() as { send(method: string, params: object): Promise<unknown> };
+    await devTools.send('Storage.clearDataForOrigin', { origin: location.origin, storageTypes: 'indexeddb' });
+    await expect.poll(() => onEmptied.mock.calls.length, { timeout: 5000 }).toBe(1);
+  });
 
   it('can be deleted, also while another tab uses it', async () => {
     const own = name();
