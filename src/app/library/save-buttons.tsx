@@ -31,7 +31,8 @@ export function SaveButtons({ session, saveSetting, brief = false }: SaveButtons
           {words.over(setting.name, origin.model.value?.name ?? '')}
         </button>
       )}
-      {undoable && (!brief || count === 0) && (
+      {/* In the place of the other one. The list of commands has it after further changes, too. */}
+      {undoable && count === 0 && (
         <button type="button" class="quiet save-over" onClick={() => opened.undoSave()}>
           {words.undo(undoable.name)}
         </button>
