@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { MockSerialPort } from '../../src/mock-serial/index.js';
+import { encodeReply } from '../../src/protocol/index.js';
 import { DEFAULT_SETTINGS, type Heard } from '../../src/serial/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { connectionOf, linkBench } from './link-bench.js';
@@ -49,6 +50,22 @@ describe('bytes that are not from a timer', () => {
       for (let i = 0; i < 4; i++) port.device.error('framing');
     });
     expect(heard).toMatchObject({ kind: 'noise' });
+  });
+
+  it('are a slow timer when they make whole replies, one byte each 300 ms', async () => {
+    const { timer, port, link, clock } = linkBench();
+    timer.core.sleep();
+    const reply = encodeReply({ name: 'GETSWVER', identity: B536 });
+    let sent = 0;
+    const say = (): void => {
+      port.device.write(reply.subarray(sent % reply.length, (sent % reply.length) + 1));
+      sent++;
+      clock.after(300, say);
+    };
+    await clock.run(link.connect(port, { ...DEFAULT_SETTINGS, baudRate: 9600 }));
+    say();
+    await clock.advance(12_000);
+    expect(link.state).toMatchObject({ status: 'waiting', heard: { kind: 'slow', baudRate: 9600 } });
   });
 
   it('do not count when only a few come as a plug is pushed in', async () => {

@@ -65,6 +65,10 @@ export const link = {
       title: 'No timer answers. Bytes come that no timer sends.',
       advice: `They come at ${rate} baud. Something else talks on this port, or light disturbs the infrared head. Shade the head, wake the timer and hold the head closer than 20\u00a0cm, or choose another port.`,
     }),
+    slow: (_: string, rate: number) => ({
+      title: 'A timer answers, but too slowly.',
+      advice: `Its bytes come one by one at ${rate} baud, with gaps so long that no answer is whole in time. This page cannot read it. Try another adapter, or a cable in place of Bluetooth.`,
+    }),
     echo: () => ({
       title: 'Only what this page sends comes back.',
       advice:
