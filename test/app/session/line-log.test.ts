@@ -177,7 +177,8 @@ describe('the picture of the line', () => {
   it.each([
     ['a name', 'write a POSITION', [4, 3]],
     ['the letters', 'setservo', [4, 3]],
-    ['a value', 'function 4', [3]],
+    ['a value', 'function 4 70', [3]],
+    ['each of its words, wherever it stands', 'function 4', [3, 2]],
     ['bytes', '04 01 46', [3]],
     ['bytes without spaces', '040146', [3]],
     ['no half bytes', '40 14', []],

@@ -410,7 +410,7 @@ describe('another memory', () => {
     bench.editor.undo();
     await run(bench.session.reader.selectMemory(1));
     await run(bench.session.reader.selectMemory(0));
-    expect([notice(bench), bench.editor.redoStep.value?.code]).toEqual([undefined, 'type']);
+    expect([notice(bench), bench.editor.redoStep.value?.code]).toEqual([undefined, 'change']);
   });
 
   it('keeps the edits of the old one when the browser stores nothing', async () => {
