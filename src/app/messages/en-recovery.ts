@@ -28,7 +28,7 @@ export const recovery = {
   left: (interrupted: string, original: string, current: string) =>
     `${interrupted} Now ${current} flies next. Before that it was ${original}.`,
   /** By a note of this page alone: nobody has asked the timer since. */
-  mayFly: (memory: string) => `${memory} may fly next: a look at it was interrupted.`,
+  mayFly: (memory: string) => `${memory} may fly next: selecting it was interrupted.`,
   mayNotFly: (original: string, interrupted: string) => `${interrupted} Another memory than ${original} may fly next.`,
   interrupted: {
     look: (memory: string) => `A look at ${memory} was interrupted.`,

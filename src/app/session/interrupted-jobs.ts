@@ -21,10 +21,10 @@ export type Offer =
   /** A memory round trip that did not come back to the original. */
   | { readonly kind: 'memories'; readonly record: UnfinishedRoundTrip; readonly current: number | null };
 
-/** A job that selects other memories and comes back. */
+/** A job that selects other memories and comes back; with `select` it stays. */
 export interface RoundTrip {
   readonly job: NonNullable<UnfinishedRoundTrip['job']>;
-  /** The memory that is looked at, counted from 0; null for several. */
+  /** The memory that is looked at or selected, counted from 0; null for several. */
   readonly memory: number | null;
 }
 
@@ -90,6 +90,8 @@ export class InterruptedJobs {
     const key = kindKey(identity, simulated);
     this.#underWay.value = new Set(this.#underWay.value).add(key);
     if (this.offer.value?.kind === 'memories') return true;
+    // The record of a timer that the pilot has told apart from this one is kept for the right one.
+    if (trip.job === 'select' && this.#notNow.peek().has(key)) return true;
     return await this.#records.save({
       kind: 'memories',
       key,
@@ -121,7 +123,9 @@ export class InterruptedJobs {
   wasRead(read: TimerProgram, simulated: boolean): void {
     this.#reading.value = { read, simulated };
     const trip = this.#roundTripOf(read.identity, simulated);
-    if (trip && trip.original === read.memory) void this.#records.remove(trip.key);
+    // The pilot meant one of two memories to fly, and now reads which of them does.
+    const isSettled = trip?.job === 'select' || trip?.original === read.memory;
+    if (trip && isSettled) void this.#records.remove(trip.key);
   }
 
   /**
@@ -157,7 +161,7 @@ export class InterruptedJobs {
 
   #offerFor({ read, simulated }: Reading): Offer | null {
     const trip = this.#roundTripOf(read.identity, simulated);
-    if (trip && trip.original !== read.memory && !this.#notNow.value.has(trip.key)) {
+    if (trip && trip.job !== 'select' && trip.original !== read.memory && !this.#notNow.value.has(trip.key)) {
       return { kind: 'memories', record: trip, current: read.memory };
     }
     const kind = `${kindKey(read.identity, simulated)}/`;

@@ -78,11 +78,15 @@ export class Reader {
    * What was sent into the memory before is read first: later nobody could say whether it went there.
    */
   async selectMemory(memory: number): Promise<boolean> {
-    const { runner, nextFlight, editor } = this.#parts;
-    const select = async ({ client }: TimerConnection, options: JobContext): Promise<void> => {
+    const { runner, nextFlight, editor, recovery, link } = this.#parts;
+    const select = async ({ client, identity }: TimerConnection, options: JobContext): Promise<void> => {
       const isSent = editor.baseline.peek() !== null && !editor.fresh.peek();
       if (isSent) await this.#show(await client.readProgram(options), options);
       nextFlight.leave(memory);
+      // Cut on the way, this is said until a reading shows which of the two flies next.
+      const original = editor.baseline.peek()?.memory ?? memory;
+      await recovery.leave({ job: 'select', memory }, identity, original, link.simulated.peek());
+      options.stillOn();
       await client.selectMemory(memory, options);
       await this.#show(await client.readProgram(options), options);
     };

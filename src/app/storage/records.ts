@@ -162,11 +162,11 @@ export const unfinishedSchema = v.variant('kind', [
     key,
     startedAt: date,
     identity,
-    /** The memory that was current and has to be restored, counted from 0. */
+    /** The memory that was current and has to be restored, counted from 0; means nothing after `select`. */
     original: whole(0, 254),
     /** What it was; older records do not say. */
-    job: v.exactOptional(v.picklist(['look', 'back-up', 'copy', 'restore'])),
-    /** The memory that was looked at, counted from 0. */
+    job: v.exactOptional(v.picklist(['look', 'select', 'back-up', 'copy', 'restore'])),
+    /** The memory that was looked at or selected, counted from 0. */
     memory: v.exactOptional(whole(0, 254)),
   }),
 ]);

@@ -33,7 +33,7 @@ async function loadedAgain(app: AppBench): Promise<AppBench> {
 const CUT: readonly [job: string, said: string, start: (app: AppBench) => Promise<void>][] = [
   [
     'a look',
-    `M3 of ${OTHER} may fly next: a look at it was interrupted.`,
+    recovery.mayFly(`M3 of ${OTHER}`),
     async () => {
       await lookAt('M3');
       await press('Look at M3');
@@ -95,6 +95,36 @@ describe('a job that was cut while another memory was current', () => {
     await loadedAgain(app);
     await press(en.knowledge.connect);
     expect(band()).toBeNull();
+  });
+
+  it.each([
+    ['after the timer took it', 'M3', (app: AppBench) => cutAtM3(app)],
+    [
+      'before the timer took it',
+      'M1',
+      ({ timer: { core }, adapter }: AppBench) => {
+        core.onAnswer = ({ name }) => name === 'GETSWVER' && core.memory === 0 && adapter.unplug();
+      },
+    ],
+  ])('is said after making M3 fly next, cut %s, until a reading shows that %s flies', async (_, flies, cut) => {
+    const app = await connected();
+    await lookAt('M3');
+    cut(app);
+    await press(en.look.fly('M3'));
+    await act(() => run(app.session.timer.disconnect()));
+    await idle();
+    expect(band(), 'after Disconnect').toContain(recovery.mayFly(`M3 of ${OTHER}`));
+    const after = await loadedAgain(app);
+    expect(band(), 'after a reload').toContain(recovery.mayFly(`M3 of ${OTHER}`));
+    await press(en.knowledge.connect);
+    expect([band(), after.store.unfinished.records.size]).toEqual([null, 0]);
+    expect(screen.getByRole('radio', { name: en.nextFlight.named(flies), checked: true })).toBeTruthy();
+  });
+
+  it('is not said after a memory that was made to fly next', async () => {
+    const app = await connected();
+    await fly('M3');
+    expect([band(), app.store.unfinished.records.size]).toEqual([null, 0]);
   });
 
   it('is settled by the pilot, who makes a memory fly next or forgets it', async () => {
