@@ -118,7 +118,7 @@ test('a log of 10,000 flights is scrolled to its end, and only what is near is i
   await expect.poll(async () => Math.abs((await height()) / before - 1)).toBeLessThan(0.3);
   await oldest.click();
   const form = page.getByRole('dialog', { name: 'Flight' });
-  await form.getByRole('textbox', { name: 'Result' }).fill('0,5');
+  await form.getByRole('textbox', { name: 'Result' }).fill('0,5 s');
   await page.keyboard.press('Enter');
   await form.waitFor({ state: 'hidden' });
   await rows.filter({ hasText: '0.5 s' }).waitFor();
