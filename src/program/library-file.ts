@@ -153,6 +153,7 @@ const MODEL = [
   'note',
   'servos',
   'memoryNames',
+  // A picture, in files of an earlier version. Nothing reads it.
   'photo',
   'archived',
   'changedAt',

@@ -61,8 +61,6 @@ export interface Model {
    * A memory without a name has an empty text, or the list ends before it.
    */
   readonly memoryNames: readonly string[];
-  /** A picture: a JPEG file in base64, up to 200,000 characters; null without one. */
-  readonly photo: string | null;
   /** In the archive: kept, but shown only on request. */
   readonly archived: boolean;
 }
@@ -151,7 +149,6 @@ export const LIMITS = {
   tags: 20,
   place: 100,
   round: 30,
-  photo: 200_000,
 } as const;
 
 /**
@@ -166,10 +163,6 @@ export function requireModel(value: unknown, path = 'model'): Model {
   if (timerClass !== null && (typeof timerClass !== 'string' || !/^[!-~]$/.test(timerClass))) {
     refuse('wrong-type', `${path}.timerClass`, 'one printable character, or null', timerClass);
   }
-  const photo = of.photo ?? null;
-  if (photo !== null && !/^[A-Za-z0-9+/]*={0,2}$/.test(text(photo, `${path}.photo`, LIMITS.photo))) {
-    refuse('wrong-type', `${path}.photo`, 'base64', photo);
-  }
   return {
     id: id(of.id, `${path}.id`),
     name: text(of.name, `${path}.name`, LIMITS.name, 1),
@@ -179,7 +172,6 @@ export function requireModel(value: unknown, path = 'model'): Model {
     memoryNames: list(of.memoryNames, `${path}.memoryNames`, 255).map((name, at) =>
       text(name, `${path}.memoryNames[${at}]`, LIMITS.name),
     ),
-    photo: photo as string | null,
     archived: flag(of.archived, `${path}.archived`),
   };
 }

@@ -90,7 +90,6 @@ export const model = fc.record({
     { maxLength: 4 },
   ),
   memoryNames: fc.array(words(60), { maxLength: 5 }),
-  photo: orNull(fc.constantFrom('/9j/4AAQ', '')),
   archived: fc.boolean(),
 });
 

@@ -22,7 +22,6 @@ export const MODEL: Model = {
     { duty: 'other', name: 'flaps', low: 0, high: 130, reversed: false },
   ],
   memoryNames: ['calm', '', 'fly-off'],
-  photo: 'AAAA',
   archived: false,
 };
 

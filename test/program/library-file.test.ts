@@ -73,6 +73,12 @@ describe('a library file', () => {
     expect(breach(schema, JSON.parse(example))).toBeUndefined();
   });
 
+  it('is read without the picture of a model that earlier versions wrote', () => {
+    const file = parseLibraryFile(changed('"note":', '"photo": "/9j/4AAQ", "note":'));
+    expect(file.library).toEqual(LIBRARY);
+    expect(file.ignored).toEqual([]);
+  });
+
   it('lists what the reading leaves out', () => {
     const text = changed('"slot": "1"', '"slot": "1", "comment": "x"')
       .replace('"version": 1,', '"version": 1, "$schema": "library.schema.json", "season": 2026,')
@@ -103,12 +109,12 @@ describe('a library file', () => {
     ['UTF-16 without a mark', [...TEXT].map((letter) => `${letter}\u0000`).join(''), 'bad-file encoding'],
     ['UTF-16 of the other order', [...TEXT].map((letter) => `\u0000${letter}`).join(''), 'bad-file encoding'],
     ['UTF-16 read as UTF-8', `\uFFFD\uFFFD${TEXT}`, 'bad-file encoding'],
-    ['a file that was cut', TEXT.slice(0, TEXT.indexOf('"flights"')), 'bad-file end 46:3'],
-    ['another end', `${TEXT}}`, 'bad-file text 76:1'],
-    ['a comma too many', changed('"archived": false\n', '"archived": false,\n'), 'bad-file text 19:5'],
+    ['a file that was cut', TEXT.slice(0, TEXT.indexOf('"flights"')), 'bad-file end 45:3'],
+    ['another end', `${TEXT}}`, 'bad-file text 75:1'],
+    ['a comma too many', changed('"archived": false\n', '"archived": false,\n'), 'bad-file text 18:5'],
     ['a comma too few', changed('"version": 1,', '"version": 1'), 'bad-file text 4:3'],
     ['no quotes', changed('"version"', 'version'), 'bad-file text 3:3'],
-    ['a line inside of a text', changed('Turns left', 'Turns\nleft'), 'bad-file text 26:21'],
+    ['a line inside of a text', changed('Turns left', 'Turns\nleft'), 'bad-file text 25:21'],
     ['an unknown escape', changed('\\n', '\\x'), 'bad-file text 11:34'],
     ['a number of no such form', changed('"low": 20', '"low": 020'), 'bad-file text 13:52'],
     ['a name twice', changed('"version": 1,', '"version": 1,\n  "version": 1,'), 'duplicate version 4:3'],
@@ -128,51 +134,51 @@ describe('a library file', () => {
     ['no models', changed('"models"', '"model"'), 'wrong-type models 1:1'],
     ['no name', changed('"name": "Lancer 07"', '"nam": "Lancer 07"'), 'wrong-type models[0].name 7:5'],
     ['a wrong class', changed('"timerClass": "Q"', '"timerClass": "QQ"'), 'wrong-type models[0].timerClass 10:21'],
-    ['a time as a number', changed('"0.30"', '0.30'), 'wrong-type settings[0].program.slots[1].time 36:34'],
+    ['a time as a number', changed('"0.30"', '0.30'), 'wrong-type settings[0].program.slots[1].time 35:34'],
     [
       'ends of a servo in the wrong order',
       changed('"low": 20', '"low": 96'),
       'out-of-range models[0].servos[0].low 13:51',
     ],
-    ['a finer time', changed('"0.30"', '"0.305"'), 'wrong-type settings[0].program.slots[1].time 36:34'],
-    ['a longer time', changed('"0.30"', '"655.36"'), 'out-of-range settings[0].program.slots[1].time 36:34'],
-    ['no motor stop', changed('"motorStop"', '"reserved"'), 'wrong-type settings[0].program.motorStop 29:18'],
+    ['a finer time', changed('"0.30"', '"0.305"'), 'wrong-type settings[0].program.slots[1].time 35:34'],
+    ['a longer time', changed('"0.30"', '"655.36"'), 'out-of-range settings[0].program.slots[1].time 35:34'],
+    ['no motor stop', changed('"motorStop"', '"reserved"'), 'wrong-type settings[0].program.motorStop 28:18'],
     [
       'a step too far',
       changed('[25, 15]', '[25, 256]'),
-      'out-of-range settings[0].program.slots[1].positions[1] 36:60',
+      'out-of-range settings[0].program.slots[1].positions[1] 35:60',
     ],
     [
       'a servo too many',
       changed('[25, 15]', '[25, 15, 0]'),
-      'wrong-count settings[0].program.slots[1].positions 36:55',
+      'wrong-count settings[0].program.slots[1].positions 35:55',
     ],
-    ['a servo too few', changed('[25, 15]', '[25]'), 'wrong-count settings[0].program.slots[1].positions 36:55'],
+    ['a servo too few', changed('[25, 15]', '[25]'), 'wrong-count settings[0].program.slots[1].positions 35:55'],
     [
       'slots in another order',
       changed('"slot": "1"', '"slot": "2"'),
-      'unknown-word settings[0].program.slots[1].slot 36:21',
+      'unknown-word settings[0].program.slots[1].slot 35:21',
     ],
-    ['a slot too few', changed(/ {10}\{ "slot": "3".*\n/, ''), 'unknown-word settings[0].program.slots[3].slot 38:21'],
-    ['no DT', changed(/,\n {10}\{ "slot": "DT".*\n/, '\n'), 'wrong-count settings[0].program.slots 34:18'],
-    ['a memory too many', changed('"memory": "M2"', '"memory": "M5"'), 'unknown-word settings[0].program.memory 31:19'],
-    ['M0', changed('"memory": "M2"', '"memory": "M0"'), 'unknown-word settings[0].program.memory 31:19'],
+    ['a slot too few', changed(/ {10}\{ "slot": "3".*\n/, ''), 'unknown-word settings[0].program.slots[3].slot 37:21'],
+    ['no DT', changed(/,\n {10}\{ "slot": "DT".*\n/, '\n'), 'wrong-count settings[0].program.slots 33:18'],
+    ['a memory too many', changed('"memory": "M2"', '"memory": "M5"'), 'unknown-word settings[0].program.memory 30:19'],
+    ['M0', changed('"memory": "M2"', '"memory": "M0"'), 'unknown-word settings[0].program.memory 30:19'],
     [
       'too many servos',
       changed(/"servos": 2 /, '"servos": 99 '),
-      'bad-identity settings[0].program.identity.servos 30:102',
+      'bad-identity settings[0].program.identity.servos 29:102',
     ],
     [
       'no day',
       changed('2026-11-18T11:06:40.000Z",\n      "p', '2026-02-30T11:06:40.000Z",\n      "p'),
-      'wrong-type settings[0].at 28:13',
+      'wrong-type settings[0].at 27:13',
     ],
     [
       'a day before all days',
       changed('2026-11-18T11:06:40.000Z",\n      "p', '1969-12-31T11:06:40.000Z",\n      "p'),
-      'out-of-range settings[0].at 28:13',
+      'out-of-range settings[0].at 27:13',
     ],
-    ['too much wind', changed('"wind": 1.5', '"wind": 1e999'), 'out-of-range flights[0].wind 68:15'],
+    ['too much wind', changed('"wind": 1.5', '"wind": 1e999'), 'out-of-range flights[0].wind 67:15'],
   ])('that is %s is refused with its place', (_, text, expected) => {
     expect(refused(text).replace(' undefined:undefined', '')).toBe(expected);
     expect(refused(text.replaceAll(/\r?\n/g, '\r\n')).replace(' undefined:undefined', '')).toBe(expected);
@@ -226,7 +232,7 @@ describe('a library file', () => {
       expect.objectContaining({ code: 'duplicate', field: 'settings[1].id' }),
     );
     const [before = '', entry = '', after = ''] = TEXT.split(/(?<="settings": \[\n)(.*?)(?=\n {2}\],)/s);
-    expect(refused(`${before}${entry},\n${entry}${after}`)).toMatch(/^duplicate settings\[1\]\.id 46:13$/);
+    expect(refused(`${before}${entry},\n${entry}${after}`)).toMatch(/^duplicate settings\[1\]\.id 45:13$/);
   });
 
   it('of 100 MB is refused unread, and none is written that could not be read', () => {
@@ -234,8 +240,8 @@ describe('a library file', () => {
     expect(refused('x'.repeat(100_000_000))).toMatch(/^too-large file/);
     expect(refused('x'.repeat(MAX_FILE + 1))).toMatch(/^too-large file/);
     expect(refused('x'.repeat(MAX_FILE))).toMatch(/^bad-file text/);
-    const photo = 'A'.repeat(200_000);
-    const models = Array.from({ length: MAX_FILE / photo.length }, (_, at) => ({ ...MODEL, photo, id: `m${at}` }));
+    const note = 'A'.repeat(5000);
+    const models = Array.from({ length: MAX_FILE / note.length }, (_, at) => ({ ...MODEL, note, id: `m${at}` }));
     expect(() => formatLibraryFile({ ...LIBRARY, models }, HEAD)).toThrowError(
       expect.objectContaining({ code: 'too-large', field: 'file' }),
     );

@@ -9,7 +9,6 @@ import {
 } from '../../src/program/index.js';
 import { CodecError } from '../../src/protocol/index.js';
 import { FLIGHT, MODEL, SETTING } from './library-examples.js';
-import { refusalOf } from './refusal.js';
 
 const codeOf = (work: () => unknown): string => {
   try {
@@ -55,8 +54,6 @@ describe.each([
   [requireModel, MODEL, { id: 'a b' }, 'wrong-type model.id'],
   [requireModel, MODEL, { id: '__proto__/x' }, 'wrong-type model.id'],
   [requireModel, MODEL, { timerClass: 'QQ' }, 'wrong-type model.timerClass'],
-  [requireModel, MODEL, { photo: 'x'.repeat(200_001) }, 'out-of-range model.photo'],
-  [requireModel, MODEL, { photo: 'data:image/jpeg;base64,/9j/' }, 'wrong-type model.photo'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], duty: 'flap' }] }, 'unknown-word model.servos[0].duty'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], low: 131 }] }, 'out-of-range model.servos[0].low'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], low: 96 }] }, 'out-of-range model.servos[0].low'],
@@ -85,8 +82,8 @@ describe.each([
 });
 
 test('an empty field may be missing', () => {
-  const { photo, timerClass, ...model } = MODEL;
-  expect(requireModel(model)).toEqual({ ...MODEL, photo: null, timerClass: null });
+  const { timerClass, ...model } = MODEL;
+  expect(requireModel(model)).toEqual({ ...MODEL, timerClass: null });
   const { wind, temperature, result, ...flight } = FLIGHT;
   expect(requireFlight(flight)).toEqual({ ...FLIGHT, wind: null, temperature: null, result: null });
   for (const nothing of [null, undefined]) {
@@ -106,16 +103,6 @@ test.each([
   [{ models: [], settings: [], flights: [{ ...FLIGHT, id: '' }] }, 'wrong-type flights[0].id'],
 ])('a library that is %j is refused: %s', (library, refused) => {
   expect(codeOf(() => requireLibrary(library))).toBe(refused);
-});
-
-test('a refused picture says what it must be', () => {
-  const photo = 'a picture';
-  expect(refusalOf(() => requireModel({ ...MODEL, photo }))).toEqual([
-    'wrong-type',
-    'model.photo',
-    'model.photo must be base64',
-    { value: photo },
-  ]);
 });
 
 describe('a program', () => {

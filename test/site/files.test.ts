@@ -12,7 +12,7 @@ import { newPage } from './page.js';
 
 /** A season: three models, twelve settings, thirty flights. */
 const SEASON: Library = {
-  models: ['Lancer 07', 'Vega 12', 'Pilatus'].map((name, at) => ({ ...MODEL, id: `m${at}`, name, photo: null })),
+  models: ['Lancer 07', 'Vega 12', 'Pilatus'].map((name, at) => ({ ...MODEL, id: `m${at}`, name })),
   settings: Array.from({ length: 12 }, (_, at) => ({
     ...SETTING,
     id: `s${at}`,

@@ -22,7 +22,6 @@ function modelOf(key: string, name: string) {
     note: '',
     servos: [],
     memoryNames: [MEMORY],
-    photo: null,
     archived: false,
   };
   return { key, order: 1, changedAt: 0, verified, model };

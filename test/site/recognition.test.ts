@@ -25,7 +25,7 @@ function memoriesOf(model: number) {
 
 function record(key: string, name: string, model: number, simulated = true) {
   const verified = memoriesOf(model).map((held) => (simulated ? { ...held, simulated } : held));
-  const about = { timerClass: 'Q', note: '', servos: [], memoryNames: ['calm'], photo: null, archived: false };
+  const about = { timerClass: 'Q', note: '', servos: [], memoryNames: ['calm'], archived: false };
   return { key, order: model, changedAt: THEN, verified, model: { id: key, name, ...about } };
 }
 

@@ -5,7 +5,6 @@ import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { ClassChoice } from './class-choice.js';
 import { MemoryNames } from './memory-names.js';
-import { ModelPhoto } from './model-photo.js';
 import { ModelServos } from './model-servos.js';
 import type { Places } from './places.js';
 import { TextField } from './text-field.js';
@@ -39,7 +38,6 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
         <h2>{words.model.facts}</h2>
         <div class="buttons">{places.modelButtons(record)}</div>
       </div>
-      <ModelPhoto model={model} onChange={(photo) => change({ photo })} />
       <TextField
         label={words.model.name}
         value={model.name}

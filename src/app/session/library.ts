@@ -16,7 +16,7 @@ export function newId(): string {
 
 /** A model of which only the name is known, and perhaps the class of its timer. */
 export function emptyModel(id: string, name: string, timerClass: string | null): Model {
-  return { id, name, timerClass, note: '', servos: [], memoryNames: [], photo: null, archived: false };
+  return { id, name, timerClass, note: '', servos: [], memoryNames: [], archived: false };
 }
 
 /** What a pilot keeps: models, their settings, and the log of flights. Works without a timer. Stays on this device. */

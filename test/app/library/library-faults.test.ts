@@ -31,7 +31,7 @@ async function afterReload(store: FaultyStore): Promise<ReturnType<typeof shown>
 
 const ACTIONS: Readonly<Record<string, (app: AppBench) => Promise<unknown>>> = {
   'a setting is saved': ({ session }) => session.library.keepSetting({ ...SETTING, note: 'changed' }),
-  'a photo is taken': ({ session }) => session.library.keepModel({ ...MODEL, photo: 'abcd' }),
+  'a model is changed': ({ session }) => session.library.keepModel({ ...MODEL, note: 'changed' }),
   'a flight is logged': ({ session }) => session.library.keepFlight({ ...FLIGHT, id: 'now' }),
   'models are put into another order': ({ session: { library } }) =>
     library.arrange(library.models, [OTHER.id, MODEL.id]),

@@ -34,7 +34,6 @@ export function manyRecords({ models, settings, flights }: Counts): Records {
         note: NOTE.repeat(at % 4),
         servos: [],
         memoryNames: ['calm', 'fly-off'],
-        photo: null,
         archived: at % 9 === 8,
       };
       return { key, order: at, changedAt: DAY * at, verified: [], model };

@@ -89,7 +89,7 @@ function Place({ why, place }: { readonly why: CodecError; readonly place: Place
 }
 
 /** Fields with text, whose limits count characters. */
-const TEXTS = /(?:name|note|place|round|photo|writtenBy|tags\[\d+\]|memoryNames\[\d+\])$/i;
+const TEXTS = /(?:name|note|place|round|writtenBy|tags\[\d+\]|memoryNames\[\d+\])$/i;
 /** Inside the page a date is a number of milliseconds, which tells a person nothing. */
 const DATES = /(?:^|\.)(?:at|\w+At)$/;
 
