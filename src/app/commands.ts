@@ -10,6 +10,7 @@ import { filesOf } from './library-files.js';
 import { flightMessages } from './messages/en-flights.js';
 import { guide } from './messages/en-guide.js';
 import { libraryMessages } from './messages/en-library.js';
+import { share } from './messages/en-share.js';
 import { messages, presetText, slotLabel, stepText, timerName } from './messages/index.js';
 import type { AppModels } from './models.js';
 import type { Session } from './session/session.js';
@@ -179,7 +180,7 @@ function pageCommands({ views, theme, erase, sharing }: AppModels): PaletteComma
       name: palette.theme(themes.names[name]),
       run: () => theme.choose(name),
     })),
-    { name: palette.readCode, run: () => sharing.read() },
+    { name: share.paste.title, run: () => sharing.paste() },
     { name: eraseWords.open, run: () => void erase.open() },
   ];
 }

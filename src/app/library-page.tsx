@@ -6,7 +6,7 @@ import { FlightsSection } from './flights/flights-section.js';
 import { ExportButton, LibraryFileButtons } from './library/files/file-buttons.js';
 import { LibraryView } from './library/library-view.js';
 import type { Places } from './library/places.js';
-import { ReadCodeButton, ShareButton } from './library/share/share-buttons.js';
+import { PasteLinkButton, ShareButton } from './library/share/share-buttons.js';
 import { filesOf } from './library-files.js';
 import { flightMessages } from './messages/en-flights.js';
 import type { AppModels } from './models.js';
@@ -55,7 +55,7 @@ function placesOf(models: AppModels): Places {
         </ul>
         <div class="buttons">
           <LibraryFileButtons files={files} />
-          <ReadCodeButton sharing={sharing} />
+          <PasteLinkButton sharing={sharing} />
         </div>
       </>
     ),

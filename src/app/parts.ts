@@ -25,9 +25,6 @@ export const fetchSimulated = () => import('./connect/simulated-timer.js');
 /** Loads what reads and writes the files of the library. */
 export const fetchFiles = allElse;
 
-/** Loads the reader of QR codes, for browsers without one. */
-const fetchCodeReader = () => import('qr/decode.js');
-
 /**
  * Loads all of them: after another tab has replaced this version, they are nowhere to be found. The present view comes
  * first and alone, then the program.
@@ -54,5 +51,5 @@ export async function fetchParts(): Promise<void> {
   // Most of them are in one file. Where that came late, the first of them have failed.
   for (const part of parts) if (part.hasFailed) await part.fetch();
   // They are asked for again when they are needed, and then report what is wrong.
-  await Promise.all([fetchSimulated(), fetchRule(), fetchCodeReader()]).catch(() => {});
+  await Promise.all([fetchSimulated(), fetchRule()]).catch(() => {});
 }

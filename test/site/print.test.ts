@@ -1,8 +1,10 @@
 import { expect, test } from 'vitest';
+import { share } from '../../src/app/messages/en-share.js';
 import { encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
 import { programOf } from '../app/programs.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
+import { textOfCode } from './qr.js';
 
 const wide = (name: string, functions: number, servos: number, note = ''): SharedSetting => ({
   name,
@@ -175,10 +177,7 @@ test('the QR code on a sheet is read back, and brings the setting', async () => 
   await app.page.getByRole('checkbox', { name: 'QR code' }).check();
   const buffer = await app.page.locator('.print-page .leaf-code .qr-code').screenshot();
   const reader = await app.sibling();
-  await reader.goTo('Library');
-  await reader.button('Read a QR code…').click();
-  const picture = { name: 'sheet.png', mimeType: 'image/png', buffer };
-  await reader.page.getByLabel('Picture with a QR code').setInputFiles(picture);
-  const shown = reader.page.getByRole('dialog', { name: 'A setting from a link' });
+  await reader.page.goto(await textOfCode(app.page, buffer));
+  const shown = reader.page.getByRole('dialog', { name: share.received.title });
   await expect.poll(() => shown.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:10');
 });

@@ -6,7 +6,7 @@ import { preview } from 'vite';
 /** The headers that a host can send: see docs/hosting.md. */
 const HEADERS = {
   'Content-Security-Policy': "frame-ancestors 'none'",
-  'Permissions-Policy': 'serial=(self), camera=(self)',
+  'Permissions-Policy': 'serial=(self)',
   'X-Content-Type-Options': 'nosniff',
   'Cache-Control': 'no-cache',
 };

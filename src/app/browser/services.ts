@@ -34,8 +34,6 @@ export const SERVICES = {
   BroadcastChannel: { of: 'window', made: true, now: ['postMessage', 'addEventListener'], later: [] },
   matchMedia: { of: 'window', made: true, now: [], later: [] },
   CloseWatcher: { of: 'window', made: true, now: ['addEventListener', 'destroy'], later: [] },
-  mediaDevices: { of: 'navigator', now: [], later: ['getUserMedia'] },
-  BarcodeDetector: { of: 'window', made: true, now: [], later: ['detect'] },
   // Must be called on the navigator.
   share: { of: 'navigator', made: true, now: [], later: [] },
   showSaveFilePicker: { of: 'window', made: true, now: [], later: [] },

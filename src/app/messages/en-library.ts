@@ -4,12 +4,6 @@ import { whole } from './dotted.js';
 import { knowledge } from './en-knowledge.js';
 import { plural } from './plural.js';
 
-/** Why a file is not taken as a picture. */
-export const pictureFaults = {
-  unreadable: 'This file could not be read as a picture. Choose a JPEG or PNG file.',
-  'too-large': 'This picture is too large. Choose one of at most 64 million pixels and 50 MB.',
-};
-
 /** Why a setting of the library or from a link cannot be opened now. */
 export const obstacles = {
   busy: 'This page is reading, writing or looking for a timer. Wait until it has finished.',

@@ -1,5 +1,5 @@
 import { whole } from './dotted.js';
-import { obstacles, pictureFaults } from './en-library.js';
+import { obstacles } from './en-library.js';
 import { plural } from './plural.js';
 
 /** A setting as a link and a QR code, and back. Only these dialogs need these sentences. */
@@ -53,31 +53,10 @@ export const share = {
       other: 'It has values that no timer can hold. It did not come from this page, or it was changed on the way.',
     },
   },
-  read: {
-    title: 'Read a QR code',
-    lead: 'The other device shows it under Share.',
-    camera: 'Use the camera',
-    stop: 'Stop the camera',
-    starting: 'Asking for the camera',
-    looking: 'Hold the QR code in the picture.',
-    view: 'What the camera sees',
-    image: 'Choose a picture…',
-    imageLabel: 'Picture with a QR code',
-    reading: 'Looking at the picture',
-    paste: 'Or paste a link',
+  paste: {
+    title: 'Paste a link…',
+    lead: 'The camera of a phone opens a QR code by itself. Here you can paste a link.',
     show: 'Show',
-    faults: {
-      denied:
-        'The browser does not let this page use the camera. Allow it in the settings of the browser, or choose a picture.',
-      none: 'No camera was found. Choose a picture of the QR code.',
-      taken: 'Another program uses the camera. Close that program, or choose a picture.',
-      missing: 'This browser does not let pages use a camera. Choose a picture of the QR code.',
-      failed: 'The camera could not be started. Choose a picture of the QR code.',
-      ...pictureFaults,
-      nothing: 'No QR code was found in this picture. Take it again, from closer and straight from the front.',
-      reader: 'The part of the page that reads QR codes could not be loaded. Go online and try again.',
-    },
-    other: (text: string) => `This QR code holds no setting. It says: ${text}`,
-    notLink: 'This is not a link to a setting.',
+    notLink: 'This is not a link to a program.',
   },
 };

@@ -15,7 +15,6 @@ export const views = {
   window: (view: string, name: string) => `${view} · ${name}`,
   print: 'Print…',
   share: 'Share…',
-  readCode: 'Read a QR code…',
   noTimer: {
     memories: 'Connect a timer to see its memories. Backups are below.',
     bench: 'Connect a timer to move its servos.',
@@ -54,7 +53,6 @@ export const palette = {
   compare: 'Compare two programs…',
   import: 'Import a file into the library…',
   export: 'Export all of the library…',
-  readCode: 'Read a QR code or a link…',
   help: 'Help',
   helpOn: (page: string) => `Help: ${page}`,
   goTo: (view: string) => `Go to ${view}`,

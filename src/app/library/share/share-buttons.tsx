@@ -1,4 +1,5 @@
 import type { SharedSetting } from '../../../program/index.js';
+import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
 import type { Sharing } from './sharing.js';
 
@@ -17,11 +18,11 @@ export function ShareButton({ sharing, shared }: ShareButtonProps) {
   );
 }
 
-/** Opens the dialog that reads a QR code or link. */
-export function ReadCodeButton({ sharing }: { readonly sharing: Sharing }) {
+/** Opens the dialog that takes a link. */
+export function PasteLinkButton({ sharing }: { readonly sharing: Sharing }) {
   return (
-    <button type="button" onClick={() => sharing.read()}>
-      {messages.value.views.readCode}
+    <button type="button" onClick={() => sharing.paste()}>
+      {share.paste.title}
     </button>
   );
 }

@@ -3,7 +3,7 @@ import { share } from '../../messages/en-share.js';
 import type { Session } from '../../session/session.js';
 import { Modal } from '../../ui/modal.js';
 import { SettingOffer } from './offer.js';
-import { ReadCode } from './read-code.js';
+import { PasteLink } from './paste-link.js';
 import { ReceivedSetting } from './received-setting.js';
 import type { Sharing } from './sharing.js';
 
@@ -22,20 +22,20 @@ interface SharingDialogProps {
 
 /** Sends a setting to another device, or receives one. */
 export function SharingDialog({ session, sharing, asked, page, onProgram, onLibrary }: SharingDialogProps) {
-  const { offer, received, read } = share;
+  const { offer, received, paste } = share;
   // The dialog must not interrupt: it waits while bytes move, and while another question is open.
   const isFree = useComputed(() => !session.runner.busy.value && asked.value === null);
   const current = sharing.current.value;
   const title =
     current?.step === 'offer'
       ? offer.title(current.shared.name)
-      : current?.step === 'read'
-        ? read.title
+      : current?.step === 'paste'
+        ? paste.title
         : received.title;
   return (
     <Modal open={current !== null && isFree.value} key={current?.step} title={title} onEscape={() => sharing.close()}>
       {current?.step === 'offer' && <SettingOffer sharing={sharing} shared={current.shared} page={page} />}
-      {current?.step === 'read' && <ReadCode sharing={sharing} />}
+      {current?.step === 'paste' && <PasteLink sharing={sharing} />}
       {current?.step === 'received' && (
         <ReceivedSetting key={current.link} {...{ session, sharing, onProgram, onLibrary }} link={current.link} />
       )}

@@ -7,8 +7,8 @@ export type SharingStep =
   | { readonly step: 'offer'; readonly shared: SharedSetting }
   /** A link has come in, perhaps damaged. Its setting is shown. */
   | { readonly step: 'received'; readonly link: string }
-  /** The pilot reads a QR code or pastes a link. */
-  | { readonly step: 'read' };
+  /** The pilot pastes a link. */
+  | { readonly step: 'paste' };
 
 /** The part of the window that is used. */
 export type LinkWindow = Pick<Window, 'location' | 'history' | 'addEventListener' | 'removeEventListener'>;
@@ -29,9 +29,9 @@ export class Sharing {
     this.#current.value = { step: 'received', link };
   }
 
-  /** Asks for a QR code or a link. */
-  read(): void {
-    this.#current.value = { step: 'read' };
+  /** Asks for a link. */
+  paste(): void {
+    this.#current.value = { step: 'paste' };
   }
 
   close(): void {

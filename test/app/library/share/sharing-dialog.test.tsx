@@ -1,4 +1,4 @@
-import { act, screen, within } from '@testing-library/preact';
+import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { share } from '../../../../src/app/messages/en-share.js';
 import { linkOf, sharedOf } from '../../../../src/app/session/setting-link.js';
@@ -59,6 +59,20 @@ describe('a setting that is shared', () => {
 });
 
 describe('a setting that comes by link', () => {
+  it('can be pasted with the message around it, and nothing else is taken', async () => {
+    const bench = await opened();
+    act(() => bench.sharing.paste());
+    await idle(0);
+    const field = () => dialog().getByRole('textbox', { name: share.offer.link });
+    fireEvent.input(field(), { target: { value: 'https://pilot.example/#library' } });
+    await press(share.paste.show);
+    expect(dialog().getByRole('alert').textContent).toBe(share.paste.notLink);
+    fireEvent.input(field(), { target: { value: `For Sunday: ${linkOf(SHARED, PAGE)} See you` } });
+    await press(share.paste.show);
+    expect(screen.getByRole('dialog', { name: share.received.title })).toBeTruthy();
+    expect(dialog().getByText('calm morning')).toBeTruthy();
+  });
+
   it('is shown with all its values, and nothing happens without a click', async () => {
     const bench = await opened();
     await comes(bench);

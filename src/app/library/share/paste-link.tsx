@@ -1,0 +1,41 @@
+import { useSignal } from '@preact/signals';
+import { share } from '../../messages/en-share.js';
+import { FormButtons } from '../../ui/form-buttons.js';
+import { Problem } from '../../ui/problem.js';
+import { holdsLink, type Sharing } from './sharing.js';
+import './paste-link.css';
+
+/** Takes a link to a saved program, or the message that it is in. */
+export function PasteLink({ sharing }: { readonly sharing: Sharing }) {
+  const { paste: words, offer } = share;
+  const text = useSignal('');
+  const isWrong = useSignal(false);
+  return (
+    <form
+      class="paste-link"
+      onSubmit={(event) => {
+        event.preventDefault();
+        isWrong.value = !holdsLink(text.value);
+        if (!isWrong.value) sharing.take(text.value);
+      }}
+    >
+      <p>{words.lead}</p>
+      <label>
+        {offer.link}
+        <input
+          type="text"
+          value={text.value}
+          autofocus
+          autocomplete="off"
+          spellcheck={false}
+          onInput={({ currentTarget }) => {
+            text.value = currentTarget.value;
+            isWrong.value = false;
+          }}
+        />
+      </label>
+      <Problem text={isWrong.value && words.notLink} />
+      <FormButtons label={words.show} disabled={text.value.trim() === ''} onCancel={() => sharing.close()} />
+    </form>
+  );
+}
