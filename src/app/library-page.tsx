@@ -63,7 +63,7 @@ function placesOf(models: AppModels): Places {
       <>
         <PrintButton
           keys={session.library.settings.list.value
-            .filter(({ setting }) => setting.model === key && !setting.archived)
+            .filter(({ setting }) => setting.model === key)
             .map((record) => record.key)}
           onPrint={print}
         />

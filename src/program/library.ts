@@ -130,7 +130,7 @@ export interface Flight {
   readonly note: string;
 }
 
-/** All that a pilot keeps, or a part of it. The lists are in the order that the pilot gave them. */
+/** All that a pilot keeps, or a part of it. The order of the lists means nothing. */
 export interface Library {
   /** The models. */
   readonly models: readonly Model[];

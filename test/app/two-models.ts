@@ -41,7 +41,7 @@ function settingOf(id: string, model: string, program: TimerProgram): Setting {
 
 function modelOf(name: string, held: TimerProgram): ModelRecord {
   const model = { ...emptyModel(name, name, 'Q'), memoryNames: [`${name} one`, `${name} two`] };
-  return { key: name, order: name === 'Lancer' ? 1 : 2, changedAt: 1, verified: [{ program: held, at: THEN }], model };
+  return { key: name, changedAt: 1, verified: [{ program: held, at: THEN }], model };
 }
 
 /** A library with two models of the same kind of timer, and a setting of each. */
@@ -49,8 +49,8 @@ export function twoModels(): MemoryStore {
   const store = new MemoryStore();
   store.models.records.set('Lancer', modelOf('Lancer', LANCER_HELD));
   store.models.records.set('Magpie', modelOf('Magpie', MAGPIE_HELD));
-  for (const [order, setting] of [CALM, WIND].entries())
-    store.settings.records.set(setting.id, { key: setting.id, order, changedAt: 1, setting } satisfies SettingRecord);
+  for (const setting of [CALM, WIND])
+    store.settings.records.set(setting.id, { key: setting.id, changedAt: 1, setting } satisfies SettingRecord);
   return store;
 }
 

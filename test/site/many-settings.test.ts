@@ -3,19 +3,15 @@ import { manyRecords } from '../app/library/many.js';
 import { AppPage } from './app-page.js';
 import { fillLibrary } from './library.js';
 
-it('a library of 2,000 settings draws only what is near, and more while scrolling down', async () => {
+it('a library of 2,000 settings lays out only what is near, and its search stays', async () => {
   const app = await AppPage.open();
   await fillLibrary(app, manyRecords({ models: 40, settings: 2000, flights: 0 }));
   await app.page.evaluate(() => location.assign('#library'));
   await app.reload();
   const rows = app.page.locator('.library-settings > li');
   await app.page.getByRole('searchbox').fill('fly-off séries');
-  const said = app.page.getByRole('status').filter({ hasText: /^\d+ settings$/ });
-  await said.waitFor();
-  const found = Number((await said.innerText()).split(' ')[0]);
-  expect([found > 400, await rows.count()]).toEqual([true, 60]);
-  await rows.last().scrollIntoViewIfNeeded();
-  await expect.poll(() => rows.count()).toBe(260);
+  await expect.poll(() => rows.count()).toBeGreaterThan(400);
+  expect(await rows.last().evaluate((row) => row.checkVisibility({ contentVisibilityAuto: true }))).toBe(false);
   await rows.nth(200).scrollIntoViewIfNeeded();
   await rows.nth(200).getByRole('link').click();
   await app.page.locator('.setting-page').waitFor();

@@ -725,15 +725,6 @@ export const states = {
       await page.getByRole('dialog').waitFor();
     },
   },
-  arrange: {
-    title: 'The models are put in order',
-    reach: async (page) => {
-      await fill(page);
-      await take(page, example.replaceAll(/"lancer-07"|"calm-morning"/g, '"other"').replace('Lancer 07', 'Siesta'));
-      await press(page, 'Dismiss');
-      await press(page, 'Arrange');
-    },
-  },
   pair: {
     title: 'Two programs side by side',
     reach: async (page) => {

@@ -18,7 +18,7 @@ export function KeptModelsCard({ session: { library } }: { readonly session: Ses
   const shown = library.models.list.value.filter(({ model }) => !model.archived);
   const counts = new Map<string | null, number>();
   for (const { setting } of library.settings.list.value) {
-    if (!setting.archived) counts.set(setting.model, (counts.get(setting.model) ?? 0) + 1);
+    counts.set(setting.model, (counts.get(setting.model) ?? 0) + 1);
   }
   return (
     <section class="start-card" aria-labelledby="models-title">

@@ -3,9 +3,6 @@ import { foldedText, searchFor } from '../messages/search.js';
 import type { Library } from '../session/library.js';
 import type { ModelRecord, SettingRecord } from '../storage/index.js';
 
-/** How many rows are drawn at first, and how many more each time the end of the list comes near. */
-const FIRST = 60;
-const MORE = 200;
 /** How many of the settings that were changed last are shown. */
 const LATEST = 12;
 
@@ -13,21 +10,15 @@ const LATEST = 12;
 export class Browse {
   readonly #text = signal('');
   readonly #archive = signal(false);
-  readonly #arranging = signal(false);
-  readonly #room = signal(FIRST);
   /** The text to search for. Empty: no search. */
   readonly text: ReadonlySignal<string> = this.#text;
-  /** Whether archived entries are shown, too. */
+  /** Whether archived models are shown, too. */
   readonly archive: ReadonlySignal<boolean> = this.#archive;
-  /** Whether rows can be moved. */
-  readonly arranging: ReadonlySignal<boolean> = this.#arranging;
-  /** How many rows of a list of settings are drawn. */
-  readonly room: ReadonlySignal<number> = this.#room;
-  /** The settings of each model, by its id; those of no model under null. Archived ones are included. */
+  /** The settings of each model, by its id; those of no model under null. */
   readonly byModel: ReadonlySignal<ReadonlyMap<string | null, readonly SettingRecord[]>>;
   /** The settings that the search finds; null without a search. */
   readonly found: ReadonlySignal<readonly SettingRecord[] | null>;
-  /** The settings that were changed last, of all models. Without archived ones. */
+  /** The settings that were changed last, of all models. */
   readonly latest: ReadonlySignal<readonly SettingRecord[]>;
   /** The models that are shown. */
   readonly models: ReadonlySignal<readonly ModelRecord[]>;
@@ -48,10 +39,7 @@ export class Browse {
     });
     this.models = computed(() => models.list.value.filter(({ model }) => this.#archive.value || !model.archived));
     this.latest = computed(() =>
-      settings.list.value
-        .filter(({ setting }) => !setting.archived)
-        .sort((one, other) => other.changedAt - one.changedAt)
-        .slice(0, LATEST),
+      [...settings.list.value].sort((one, other) => other.changedAt - one.changedAt).slice(0, LATEST),
     );
     this.found = computed(() => {
       if (this.#text.value.trim() === '') return null;
@@ -65,26 +53,10 @@ export class Browse {
 
   search(text: string): void {
     this.#text.value = text;
-    this.#room.value = FIRST;
   }
 
   showArchive(shown: boolean): void {
     this.#archive.value = shown;
-  }
-
-  arrange(on: boolean): void {
-    this.#arranging.value = on;
-  }
-
-  /** The end of a list has come near: draws more of it. */
-  showMore(): void {
-    this.#room.value += MORE;
-  }
-
-  /** Another list is shown: begins with few rows again. */
-  anotherList(): void {
-    this.#room.value = FIRST;
-    this.#arranging.value = false;
   }
 
   #textOf(record: SettingRecord): string {

@@ -24,7 +24,7 @@ export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
         <h2 class="library-latest">
           <span role="status">{foundText(found.length)}</span>
         </h2>
-        <SettingList {...{ session, browse }} records={found} chosen={null} withModel />
+        <SettingList session={session} records={found} chosen={null} withModel />
       </>
     );
   }
@@ -33,33 +33,14 @@ export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
     return (
       <>
         <h2 class="library-latest">{models.latest}</h2>
-        <SettingList {...{ session, browse, records }} chosen={null} withModel />
+        <SettingList {...{ session, records }} chosen={null} withModel />
       </>
     );
   }
-  if (session.library.models.list.value.length > 0) return <p class="hint library-none">{models.choose}</p>;
+  if (session.library.models.list.value.length > 0) return null;
   return (
     <div class="library-none">
-      <EmptyWords session={session} />
-      <Sample />
-    </div>
-  );
-}
-
-/** A sample of a model with settings, for the eye only. */
-function Sample() {
-  const { sample } = libraryMessages.empty;
-  return (
-    <div class="library-sample" aria-hidden="true">
-      <span class="hint">{sample.title}</span>
-      <p>
-        <b>{sample.model}</b> <span>{sample.about}</span>
-      </p>
-      {sample.settings.map(([name, dt]) => (
-        <p key={name}>
-          <span>{name}</span> <span>{dt}</span>
-        </p>
-      ))}
+      <EmptyWords />
     </div>
   );
 }

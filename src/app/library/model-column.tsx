@@ -1,14 +1,11 @@
 import { useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
-import { useEffect } from 'preact/hooks';
 import { libraryMessages } from '../messages/en-library.js';
 import { timerName } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { BackSign } from '../ui/back-sign.js';
-import { ArrangeButton } from './arrange.js';
 import type { Browse } from './browse.js';
-import { ArchiveButton } from './model-list.js';
 import { NewSettingDialog } from './new-setting-dialog.js';
 import type { Places } from './places.js';
 import { SettingList } from './setting-list.js';
@@ -34,9 +31,7 @@ export function ModelColumn(props: ModelColumnProps) {
   const { session, browse, places, model, isLoose, chosen, back, onGo, children } = props;
   const words = libraryMessages;
   const making = useSignal(false);
-  useEffect(() => browse.anotherList(), [browse]);
-  const all = browse.byModel.value.get(model?.key ?? null) ?? [];
-  const records = browse.archive.value ? all : all.filter(({ setting }) => !setting.archived);
+  const records = browse.byModel.value.get(model?.key ?? null) ?? [];
   const name = model?.model.name ?? words.models.loose;
   // With a way back, the list with the heading of the page is not beside it.
   const Heading = back ? 'h1' : 'h2';
@@ -59,15 +54,13 @@ export function ModelColumn(props: ModelColumnProps) {
                 <p class="hint">{timerName({ timerClass: model.model.timerClass })}</p>
               )}
             </div>
-            {records.length > 1 && <ArrangeButton browse={browse} />}
           </div>
           {records.length === 0 && <p class="hint">{words.model.noSettings}</p>}
-          <SettingList {...{ session, browse, records, chosen }} arranging={browse.arranging.value} />
+          <SettingList {...{ session, records, chosen }} />
           <div class="buttons">
             <button type="button" onClick={() => (making.value = true)}>
               {words.model.makeSetting}
             </button>
-            <ArchiveButton browse={browse} count={all.filter(({ setting }) => setting.archived).length} />
           </div>
           {model && places.modelSections(model)}
           {children}

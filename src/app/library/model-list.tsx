@@ -5,7 +5,6 @@ import { timerName } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
-import { Arrange, ArrangeButton } from './arrange.js';
 import type { Browse } from './browse.js';
 import { EmptyWords } from './empty-words.js';
 import { NewModelDialog } from './new-model-dialog.js';
@@ -36,10 +35,7 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
   const isEmpty = library.models.list.value.length + library.settings.list.value.length === 0;
   return (
     <section class="library-models" aria-label={words.models.title}>
-      <div class="library-head">
-        <h1>{words.title}</h1>
-        {found === null && library.models.list.value.length > 1 && <ArrangeButton browse={browse} />}
-      </div>
+      <h1>{words.title}</h1>
       <input
         type="search"
         class="library-search"
@@ -53,7 +49,7 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
         <>
           {isEmpty && alone && !library.unread.value && (
             <div class="library-empty">
-              <EmptyWords session={session} />
+              <EmptyWords />
             </div>
           )}
           <Models {...{ session, browse, chosen }} />
@@ -61,7 +57,10 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
             <button type="button" onClick={() => (making.value = true)}>
               {words.models.make}
             </button>
-            <ArchiveButton browse={browse} count={library.models.list.value.filter(isArchived).length} />
+            <ArchiveButton
+              browse={browse}
+              count={library.models.list.value.filter(({ model }) => model.archived).length}
+            />
           </div>
           <div class="library-more">{places.library}</div>
         </>
@@ -70,7 +69,7 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
           <p class="hint" role="status">
             {foundText(found.length)}
           </p>
-          <SettingList {...{ session, browse }} records={found} chosen={setting} withModel />
+          <SettingList session={session} records={found} chosen={setting} withModel />
         </>
       )}
       <NewModelDialog open={making.value} session={session} onClose={() => (making.value = false)} onMade={onGo} />
@@ -84,42 +83,31 @@ export function foundText(count: number): string {
   return count === 0 ? search.nothing : search.found(count);
 }
 
-function isArchived({ model }: ModelRecord): boolean {
-  return model.archived;
-}
-
 function Models({ session, browse, chosen }: Pick<ModelListProps, 'session' | 'browse' | 'chosen'>) {
   const words = libraryMessages;
   const models = browse.models.value;
   const loose = browse.byModel.value.get(null)?.length ?? 0;
-  const isArranging = browse.arranging.value && chosen === null;
   return (
-    <Arrange
-      on={isArranging}
-      class="library-list"
-      items={models}
-      nameOf={({ model }) => model.name}
-      onMove={(keys) => void session.library.arrange(session.library.models, keys)}
-      after={
-        loose > 0 ? (
-          <li key={NO_MODEL}>
-            <a class="library-item" href={addressOf(null)} aria-current={chosen === NO_MODEL ? 'true' : undefined}>
-              <b>{words.models.loose}</b>
-              <span>{words.models.settings(loose)}</span>
-            </a>
-          </li>
-        ) : null
-      }
-    >
-      {(record) => (
-        <ModelRow
-          record={record}
-          count={browse.byModel.value.get(record.key)?.length ?? 0}
-          isChosen={chosen === record.key}
-          isKept={!session.library.models.refused.value.has(record.key)}
-        />
+    <ul class="library-list">
+      {models.map((record) => (
+        <li key={record.key}>
+          <ModelRow
+            record={record}
+            count={browse.byModel.value.get(record.key)?.length ?? 0}
+            isChosen={chosen === record.key}
+            isKept={!session.library.models.refused.value.has(record.key)}
+          />
+        </li>
+      ))}
+      {loose > 0 && (
+        <li key={NO_MODEL}>
+          <a class="library-item" href={addressOf(null)} aria-current={chosen === NO_MODEL ? 'true' : undefined}>
+            <b>{words.models.loose}</b>
+            <span>{words.models.settings(loose)}</span>
+          </a>
+        </li>
       )}
-    </Arrange>
+    </ul>
   );
 }
 
@@ -150,8 +138,8 @@ function ModelRowContent({ record, count, isChosen, isKept }: ModelRowProps) {
   );
 }
 
-/** Shows or hides archived entries, where there are any. */
-export function ArchiveButton({ browse, count }: { readonly browse: Browse; readonly count: number }) {
+/** Shows or hides archived models, where there are any. */
+function ArchiveButton({ browse, count }: { readonly browse: Browse; readonly count: number }) {
   const { models: words } = libraryMessages;
   if (count === 0) return null;
   const isShown = browse.archive.value;

@@ -2,8 +2,7 @@ import { useSignal } from '@preact/signals';
 import { LIMITS, type Setting } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { clockText, dutyName, messages, timerName } from '../messages/index.js';
-import { newId } from '../session/library.js';
-import { beginningOf, plainName } from '../session/plain-names.js';
+import { plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
@@ -126,20 +125,6 @@ export function SettingPage(props: SettingPageProps) {
           type="button"
           class="quiet"
           onClick={() => {
-            const copy = { ...setting, id: newId(), name: copyName(setting.name) };
-            void library.keepSetting(copy);
-            onGo(addressPath(model?.key ?? null, copy.id));
-          }}
-        >
-          {words.setting.duplicate}
-        </button>
-        <button type="button" class="quiet" onClick={() => change({ archived: !setting.archived })}>
-          {setting.archived ? words.setting.unarchive : words.setting.archive}
-        </button>
-        <button
-          type="button"
-          class="quiet"
-          onClick={() => {
             library.settings.remove(record.key);
             onGo(addressPath(model?.key ?? null));
           }}
@@ -207,9 +192,4 @@ function originText({ identity, memory }: Setting['program']): string {
   const functions = identity.functions - 1;
   const timer = setting.timer(timerName(identity), firmware, functions, identity.servos);
   return memory === null ? timer : `${timer}, ${messages.value.memoryName(memory)}`;
-}
-
-function copyName(name: string): string {
-  const { setting } = libraryMessages;
-  return setting.copyName(beginningOf(name, LIMITS.name - setting.copyName('').length));
 }

@@ -20,21 +20,8 @@ export const libraryMessages = {
   readAgain: 'Try again',
   empty: {
     title: 'No model yet',
-    /** An example of how it looks. */
-    sample: {
-      title: 'Example',
-      model: 'Lancer 07',
-      about: 'F1Q · 3 settings',
-      settings: [
-        ['fly-off, calm', 'DT 3:00 min'],
-        ['windy', 'DT 2:30 min'],
-        ['trimming', 'DT 20 s'],
-      ],
-    },
     lead: 'A model holds its settings: programs with a name and notes. They are kept only on this device.',
-    hint: 'Make a model, or save the program on the screen.',
-    /** Without a program on the screen. */
-    hintWithout: 'Make a model, or read a timer and save its program.',
+    hint: 'Make a model, or read a timer and save its program.',
   },
   search: {
     label: 'Search settings',
@@ -53,22 +40,10 @@ export const libraryMessages = {
     hideArchive: 'Hide the archive',
     archived: 'archived',
     noClass: 'class not given',
-    choose: 'Choose a model',
     latest: 'Last changed',
   },
   list: {
     open: 'on the screen',
-    more: (count: number) => `Show more: ${count} left`,
-  },
-  arrange: {
-    start: 'Arrange',
-    done: 'Done',
-    hint: 'Drag a row by its handle, or use its arrows.',
-    drag: (name: string) => `Drag ${name}`,
-    up: (name: string) => `Move ${name} up`,
-    down: (name: string) => `Move ${name} down`,
-    signs: { up: '↑', down: '↓', drag: '⠿' },
-    moved: (name: string, place: number, of: number) => `${apart(name)}: ${place} of ${of}`,
   },
   model: {
     name: 'Name',
@@ -122,12 +97,8 @@ export const libraryMessages = {
       ]
         .filter(Boolean)
         .join(', '),
-    duplicate: 'Duplicate',
-    copyName: (name: string) => `${name}, copy`,
     move: 'Model',
     noModel: 'None',
-    archive: 'Archive',
-    unarchive: 'Take out of the archive',
     remove: 'Delete',
     notShown: 'It could not be opened now. Try again.',
     gone: 'This setting is not in the library any more.',

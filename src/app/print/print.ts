@@ -87,7 +87,7 @@ export class Print {
       const places = new Map(library.models.list.value.map(({ key }, at) => [key, at]));
       const place = ({ setting }: SettingRecord): number => places.get(setting.model ?? '') ?? places.size;
       return library.settings.list.value
-        .filter((record) => !record.setting.archived && isFound(foldedText(this.nameOf(record))))
+        .filter((record) => isFound(foldedText(this.nameOf(record))))
         .sort((a, b) => place(a) - place(b));
     });
   }

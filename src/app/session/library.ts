@@ -19,7 +19,16 @@ export function emptyModel(id: string, name: string, timerClass: string | null):
   return { id, name, timerClass, note: '', servos: [], memoryNames: [], archived: false };
 }
 
-/** What a pilot keeps: models, their settings, and the log of flights. Works without a timer. Stays on this device. */
+const { compare: byName } = new Intl.Collator('en', { numeric: true });
+
+function byKey(a: { readonly key: string }, b: { readonly key: string }): number {
+  return a.key < b.key ? -1 : 1;
+}
+
+/**
+ * What a pilot keeps: models, their settings, and the log of flights. Works without a timer. Stays on this device.
+ * Models stand by name; settings and flights by date, the latest first.
+ */
 export class Library {
   readonly models: Collection<ModelRecord>;
   readonly settings: Collection<SettingRecord>;
@@ -33,25 +42,21 @@ export class Library {
 
   constructor(storage: LibraryStorage) {
     this.#storage = storage;
-    const byOrder = (a: { order: number; key: string }, b: { order: number; key: string }): number =>
-      a.order - b.order || (a.key < b.key ? -1 : 1);
-    const latestFirst = (a: FlightRecord, b: FlightRecord): number =>
-      b.flight.at - a.flight.at || (a.key < b.key ? -1 : 1);
     const onRemove = (): void => this.#deleteLater();
     this.models = new Collection({
-      inOrder: byOrder,
+      inOrder: (a, b) => byName(a.model.name, b.model.name) || byKey(a, b),
       read: () => storage.models.all(),
       change: (models) => this.change({ models }),
       onRemove,
     });
     this.settings = new Collection({
-      inOrder: byOrder,
+      inOrder: (a, b) => b.setting.at - a.setting.at || byKey(a, b),
       read: () => storage.settings.all(),
       change: (settings) => this.change({ settings }),
       onRemove,
     });
     this.flights = new Collection({
-      inOrder: latestFirst,
+      inOrder: (a, b) => b.flight.at - a.flight.at || byKey(a, b),
       read: () => storage.flights.all(),
       change: (flights) => this.change({ flights }),
       onRemove,
@@ -98,13 +103,12 @@ export class Library {
     return (await Promise.all(parts)).every(Boolean);
   }
 
-  /** Saves a new model at the end of the list, or a changed one. @returns its record. */
+  /** Saves a new model, or a changed one. @returns its record. */
   async keepModel(model: Model, changes: Partial<ModelRecord> = {}): Promise<ModelRecord> {
     const before = this.models.get(model.id);
-    const order = before?.order ?? nextOrder(this.models.list.peek());
     const verified = before?.verified ?? [];
     const changedAt = changeTime(before);
-    const record = { key: model.id, order, verified, ...changes, model: withPlainNames(model), changedAt };
+    const record = { key: model.id, verified, ...changes, model: withPlainNames(model), changedAt };
     await this.models.save(record);
     return record;
   }
@@ -128,12 +132,11 @@ export class Library {
     for (const each of [this.models, this.settings, this.flights]) each.undoRemove();
   }
 
-  /** Saves a new setting at the end of the list, or a changed one. @returns its record. */
+  /** Saves a new setting, or a changed one. @returns its record. */
   async keepSetting(setting: Setting): Promise<SettingRecord> {
     const before = this.settings.get(setting.id);
-    const order = before?.order ?? nextOrder(this.settings.list.peek());
     const changedAt = changeTime(before);
-    const record = { key: setting.id, order, setting: withPlainNames(setting), changedAt };
+    const record = { key: setting.id, setting: withPlainNames(setting), changedAt };
     await this.settings.save(record);
     return record;
   }
@@ -144,23 +147,6 @@ export class Library {
     const record = { key: flight.id, flight: withPlainNames(flight), changedAt };
     await this.flights.save(record);
     return record;
-  }
-
-  /**
-   * Puts some models, or some settings, into another order.
-   * @param keys their keys in the new order.
-   */
-  async arrange<T extends ModelRecord | SettingRecord>(list: Collection<T>, keys: readonly string[]): Promise<void> {
-    const records = keys.flatMap((key) => list.get(key) ?? []);
-    const places = records.map(({ order }) => order).sort((a, b) => a - b);
-    // Two records with the same place would not keep their order.
-    const steps = places.map((place, at) => (at > 0 && place <= (places[at - 1] as number) ? null : place));
-    const isWhole = !steps.includes(null);
-    const moved = records.flatMap((record, at) => {
-      const order = isWhole ? (places[at] as number) : (places[0] as number) + at;
-      return record.order === order ? [] : [{ ...record, order }];
-    });
-    if (moved.length > 0) await list.save(...moved);
   }
 
   /** Deletes for good what was removed: ten seconds are over, or the pilot leaves the page. */
@@ -221,8 +207,4 @@ function joined<T>(changes: readonly (Change<T> | undefined)[]): Change<T> {
     put: changes.flatMap((change) => change?.put ?? []),
     gone: changes.flatMap((change) => change?.gone ?? []),
   };
-}
-
-function nextOrder(records: readonly { readonly order: number }[]): number {
-  return Math.max(0, ...records.map(({ order }) => order)) + 1;
 }

@@ -215,14 +215,10 @@ function isTurned(use: Partial<ServoUse> | null): boolean {
   return typeof low === 'number' && typeof high === 'number' && low > high;
 }
 
-/** The place in the pilot's order; smaller comes first. */
-const order = v.pipe(v.number(), v.finite());
-
 /** A model of the library, by its id. */
 export const modelSchema = v.object({
   key,
   model: v.pipe(v.unknown(), v.transform(withEndsInOrder), checked(requireModel)),
-  order,
   /** Milliseconds since 1970. */
   changedAt: date,
   /** What the memories of its timer held when they were last verified, one entry for each. */
@@ -236,7 +232,7 @@ export const modelSchema = v.object({
 export type ModelRecord = v.InferOutput<typeof modelSchema>;
 
 /** A setting of the library, by its id. */
-export const settingSchema = v.object({ key, setting: checked(requireSetting), order, changedAt: date });
+export const settingSchema = v.object({ key, setting: checked(requireSetting), changedAt: date });
 export type SettingRecord = v.InferOutput<typeof settingSchema>;
 
 /** A flight of the log, by its id. */

@@ -19,12 +19,11 @@ const TRIMMED: TimerProgram = {
 };
 
 function setting(name: string, program: TimerProgram): SettingRecord {
-  return { key: name, order: 1, changedAt: 1, setting: { ...SETTING, id: name, name, model: 'lancer', program } };
+  return { key: name, changedAt: 1, setting: { ...SETTING, id: name, name, model: 'lancer', program } };
 }
 
 const LANCER: ModelRecord = {
   key: 'lancer',
-  order: 1,
   changedAt: 1,
   verified: [{ program: CALM, at: 1_795_000_000_000 }],
   model: { ...MODEL, id: 'lancer', name: 'Lancer', memoryNames: [] },

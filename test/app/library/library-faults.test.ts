@@ -33,8 +33,6 @@ const ACTIONS: Readonly<Record<string, (app: AppBench) => Promise<unknown>>> = {
   'a setting is saved': ({ session }) => session.library.keepSetting({ ...SETTING, note: 'changed' }),
   'a model is changed': ({ session }) => session.library.keepModel({ ...MODEL, note: 'changed' }),
   'a flight is logged': ({ session }) => session.library.keepFlight({ ...FLIGHT, id: 'now' }),
-  'models are put into another order': ({ session: { library } }) =>
-    library.arrange(library.models, [OTHER.id, MODEL.id]),
   'a file is imported': async ({ session, keeping }) => {
     const files = new LibraryFiles({ library: session.library, storage: keeping.storage });
     await files.open([new File([TEXT], 'a.sidus')]);

@@ -1,11 +1,11 @@
 import { signal } from '@preact/signals';
 import { describe, expect, it } from 'vitest';
-import { Browse } from '../../../src/app/library/browse.js';
 import { LibraryFiles } from '../../../src/app/library/files/library-files.js';
 import { addressOf, NO_MODEL, placeOf } from '../../../src/app/library/place.js';
 import { asTags } from '../../../src/app/library/tags.js';
 import { Library } from '../../../src/app/session/library.js';
 import { addressAt } from '../../../src/app/shell/views.js';
+import type { ModelRecord } from '../../../src/app/storage/index.js';
 import { formatLibraryFile, LIMITS, type Model } from '../../../src/program/index.js';
 import { LAST_DATE } from '../../../src/program/require.js';
 import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
@@ -50,7 +50,7 @@ describe('the search', () => {
   it('follows what is renamed, deleted and brought back', async () => {
     const { browse, session } = await opened();
     browse.search('pelican');
-    expect(keys(browse.found.value ?? [])).toEqual(['setting-1', 'setting-4']);
+    expect(keys(browse.found.value ?? [])).toEqual(['setting-4', 'setting-1']);
     const pelican = session.library.models.get('model-1');
     if (!pelican) throw new Error('it is gone');
     void session.library.keepModel({ ...pelican.model, name: 'Osprey' });
@@ -59,24 +59,25 @@ describe('the search', () => {
     session.library.settings.remove('setting-1');
     expect(keys(browse.found.value ?? [])).toEqual(['setting-4']);
     session.library.undoRemove();
-    expect(keys(browse.found.value ?? [])).toEqual(['setting-1', 'setting-4']);
+    expect(keys(browse.found.value ?? [])).toEqual(['setting-4', 'setting-1']);
   });
 });
 
-describe('the order', () => {
-  it('is kept, also when only some are sorted, and when two had the same place', async () => {
-    const { session, store } = await opened();
-    const { library } = session;
-    await run(library.arrange(library.settings, ['setting-4', 'setting-1']));
-    const order = ['setting-0', 'setting-4', 'setting-2', 'setting-3', 'setting-1', 'setting-5'];
-    expect(keys(library.settings.list.value)).toEqual(order);
-    const next = new Library(store);
-    await run(next.load());
-    expect(keys(next.settings.list.value)).toEqual(order);
-    for (const record of library.models.list.value) await run(library.keepModel(record.model, { order: 7 }));
-    await run(library.arrange(library.models, ['model-2', 'model-0', 'model-1']));
-    expect(keys(library.models.list.value)).toEqual(['model-2', 'model-0', 'model-1']);
-  });
+it('models stand by name, settings by date, whatever order was kept before', async () => {
+  const store = new MemoryStore();
+  const { models, settings } = manyRecords({ models: 3, settings: 3, flights: 0 });
+  for (const [at, name] of ['Vega 12', 'Élan', 'Vega 2'].entries()) {
+    const record = models[at] as ModelRecord;
+    store.models.records.set(record.key, { ...record, model: { ...record.model, name }, order: at } as ModelRecord);
+  }
+  for (const [at, record] of settings.entries()) {
+    const setting = { ...record.setting, at: [5, 9, 7][at] as number };
+    store.settings.records.set(record.key, { ...record, setting });
+  }
+  const library = new Library(store);
+  await library.load();
+  expect(library.models.list.value.map(({ model }) => model.name)).toEqual(['Élan', 'Vega 2', 'Vega 12']);
+  expect(library.settings.list.value.map(({ setting }) => setting.at)).toEqual([9, 7, 5]);
 });
 
 describe('a model that is deleted', () => {
@@ -106,7 +107,7 @@ it.each([LAST_DATE, Date.now() + 1e9])(
     const library = new Library(store);
     await library.load();
     const model = library.models.list.value[0]?.model as Model;
-    await run(library.models.save({ key: model.id, model, order: 1, changedAt: at, verified: [] }));
+    await run(library.models.save({ key: model.id, model, changedAt: at, verified: [] }));
     const text = formatLibraryFile(
       { models: [model], settings: [], flights: [] },
       { writtenAt: at, writtenBy: '', facts: new Map([[model, { changedAt: at }]]) },
@@ -203,14 +204,4 @@ it('accepts tags as they are typed, each once, and no more than can be kept', ()
   expect(asTags(' calm , fly-off,, calm,')).toEqual(['calm', 'fly-off']);
   expect(asTags(Array.from({ length: 50 }, (_, at) => `tag ${at}`).join(','))).toHaveLength(LIMITS.tags);
   expect(asTags('x'.repeat(99))[0]).toHaveLength(LIMITS.tag);
-});
-
-it('draws the rows of a long list in parts', () => {
-  const store = new MemoryStore();
-  const browse = new Browse(new Library(store));
-  const first = browse.room.value;
-  browse.showMore();
-  expect(browse.room.value).toBeGreaterThan(first);
-  browse.search('calm');
-  expect(browse.room.value).toBe(first);
 });

@@ -36,7 +36,7 @@ export function manyRecords({ models, settings, flights }: Counts): Records {
         memoryNames: ['calm', 'fly-off'],
         archived: at % 9 === 8,
       };
-      return { key, order: at, changedAt: DAY * at, verified: [], model };
+      return { key, changedAt: DAY * at, verified: [], model };
     }),
     settings: Array.from({ length: settings }, (_, at) => {
       const key = `setting-${at}`;
@@ -51,7 +51,7 @@ export function manyRecords({ models, settings, flights }: Counts): Records {
         from: 'timer' as const,
         archived: at % 20 === 19,
       };
-      return { key, order: at, changedAt: DAY * at, setting };
+      return { key, changedAt: DAY * at, setting };
     }),
     flights: Array.from({ length: flights }, (_, at) => {
       const key = `flight-${at}`;

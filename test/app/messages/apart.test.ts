@@ -15,7 +15,6 @@ const SENTENCES: Readonly<Record<string, (name: string) => string>> = {
   memory: (name) => `${memoryNames.named('M2', name)} 14:32`,
   setting: (name) => knowledge.ofSetting(name, 2),
   'saved setting': (name) => libraryMessages.save.state(name, 2, 0),
-  place: (name) => libraryMessages.arrange.moved(name, 2, 5),
   model: (name) => recognition.same(name, '14:32'),
   models: (name) => recognition.several([name, '07', name]),
   import: (name) => filesMessages.import.importing(name, 2, 5),

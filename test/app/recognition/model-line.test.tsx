@@ -15,7 +15,7 @@ const THEN = new Date(2025, 10, 12, 14, 32).getTime();
 
 function record(name: string, program?: TimerProgram): ModelRecord {
   const verified = program ? [{ program, at: THEN }] : [];
-  return { key: name, order: 1, changedAt: 1, verified, model: { ...MODEL, id: name, name, memoryNames: ['calm'] } };
+  return { key: name, changedAt: 1, verified, model: { ...MODEL, id: name, name, memoryNames: ['calm'] } };
 }
 
 /** After Connect, on a device that keeps these models. */

@@ -18,17 +18,16 @@ function stored(...settings: Setting[]): MemoryStore {
   const store = new MemoryStore();
   store.models.records.set('lancer', {
     key: 'lancer',
-    order: 1,
     changedAt: 1,
     verified: [],
     model: emptyModel('lancer', 'Lancer', 'Q'),
   });
-  for (const [order, setting] of settings.entries()) keepIn(store, setting, order);
+  for (const setting of settings) keepIn(store, setting);
   return store;
 }
 
-function keepIn(store: MemoryStore, setting: Setting, order = 1): void {
-  store.settings.records.set(setting.id, { key: setting.id, order, changedAt: 1, setting });
+function keepIn(store: MemoryStore, setting: Setting): void {
+  store.settings.records.set(setting.id, { key: setting.id, changedAt: 1, setting });
 }
 
 async function opened(setting: Setting, ...more: Setting[]): Promise<AppBench> {
@@ -113,7 +112,7 @@ describe('a setting that is opened without a timer', () => {
     type(bench, DT, '2:00');
     await run(bench.session.opened.saveAs({ model: 'lancer', name: 'wind' }));
     expect([names(bench), dtOf(bench, 'calm')]).toEqual([['Lancer', 'wind'], 18000]);
-    const [, made] = bench.session.library.settings.list.value;
+    const [made] = bench.session.library.settings.list.value;
     expect(made?.setting).toMatchObject({ name: 'wind', model: 'lancer', from: 'typed' });
     expect(made?.setting.program.times[10]).toBe(12000);
   });

@@ -23,8 +23,8 @@ const OTHER = exampleMemories('Q').map(({ times, positions }) => ({
   positions: positions.map((row) => row.map((position, slot) => position + (slot % 3))),
 }));
 
-function record(name: string, verified: ModelRecord['verified'] = [], order = 1): ModelRecord {
-  return { key: name, order, changedAt: THEN, verified, model: { ...MODEL, id: name, name, memoryNames: [] } };
+function record(name: string, verified: ModelRecord['verified'] = []): ModelRecord {
+  return { key: name, changedAt: THEN, verified, model: { ...MODEL, id: name, name, memoryNames: [] } };
 }
 
 const held = (...memories: number[]) => memories.map((memory) => ({ program: HELD[memory] as TimerProgram, at: THEN }));
@@ -277,7 +277,7 @@ describe('simulated timers', () => {
     const store = new MemoryStore();
     const simulated = held(0).map((each) => ({ ...each, simulated: true }));
     store.models.records.set('Lancer 07', record('Lancer 07', held(0)));
-    store.models.records.set('Play', record('Play', simulated, 2));
+    store.models.records.set('Play', record('Play', simulated));
     const real = filled(await appBench({ store, identity: IDENTITY }));
     await run(real.session.timer.connect());
     expect([nameOf(real), real.session.recognition.choices.value.map(({ name }) => name)]).toEqual([

@@ -252,8 +252,8 @@ describe('what each older version has stored', () => {
       expect(await storage.backups.all()).toMatchObject(isFirst ? [] : [{ key: 'b', program: is }]);
       expect(await storage.unfinished.all()).toMatchObject(isFirst ? [] : [{ key: 'w', before: is, goal: is }]);
       expect(await storage.aside.all()).toEqual([]);
-      const record = { key: MODEL.id, model: MODEL, order: 1, changedAt: 5, verified: [] };
-      const setting = { key: SETTING.id, setting: SETTING, order: 1, changedAt: 5 };
+      const record = { key: MODEL.id, model: MODEL, changedAt: 5, verified: [] };
+      const setting = { key: SETTING.id, setting: SETTING, changedAt: 5 };
       const flight = { key: FLIGHT.id, flight: FLIGHT, changedAt: 5 };
       await Promise.all([storage.models.save(record), storage.settings.save(setting), storage.flights.save(flight)]);
       const next = browserStorage(own);
@@ -274,12 +274,13 @@ describe('a library of the first version', () => {
     const program = SETTING.program;
     const model = { ...MODEL, servos: [use], archived: true };
     const verified = [{ program, at: 4, simulated: true }];
-    const record = { key: MODEL.id, order: 2, changedAt: 5, verified, model: { ...model, photo: 'abcd' } };
-    const setting = { key: SETTING.id, order: 1, changedAt: 5, setting: { ...SETTING, from: 'backup' } };
+    const record = { key: MODEL.id, changedAt: 5, verified, model };
+    const setting = { key: SETTING.id, changedAt: 5, setting: { ...SETTING, from: 'backup' } };
     const flight = { key: FLIGHT.id, changedAt: 5, flight: FLIGHT };
     const backup = { key: 'b', savedAt: 1, reason: 'write', program, simulated: false, model: MODEL.id };
-    await database.put('models', record);
-    await database.put('settings', setting);
+    // It had a picture and places of its own in the lists.
+    await database.put('models', { ...record, order: 2, model: { ...model, photo: 'abcd' } });
+    await database.put('settings', { ...setting, order: 1 });
     await database.put('flights', flight);
     await database.put('backups', backup);
     database.close();
@@ -317,7 +318,7 @@ describe('an old version of the page in another tab', () => {
     // Without another visit.
     await expect.poll(() => codeOf(models.all())).toBeNull();
     expect((await ports.all()).map(({ key }) => key)).toEqual(['old', 'typed there']);
-    await models.save({ key: MODEL.id, model: MODEL, order: 1, changedAt: 5, verified: [] });
+    await models.save({ key: MODEL.id, model: MODEL, changedAt: 5, verified: [] });
     expect((await browserStorage(own).models.all()).map(({ key }) => key)).toEqual([MODEL.id]);
   });
 
@@ -332,8 +333,8 @@ describe('an old version of the page in another tab', () => {
 });
 
 describe('a change of the library', () => {
-  const model = { key: MODEL.id, model: MODEL, order: 1, changedAt: 5, verified: [] };
-  const setting = { key: SETTING.id, setting: SETTING, order: 1, changedAt: 5 };
+  const model = { key: MODEL.id, model: MODEL, changedAt: 5, verified: [] };
+  const setting = { key: SETTING.id, setting: SETTING, changedAt: 5 };
   const flight = { key: FLIGHT.id, flight: FLIGHT, changedAt: 5 };
   const named = (text: string) => ({ ...model, model: { ...MODEL, name: text } });
   const held = async ({ models, settings, flights }: Storage) =>

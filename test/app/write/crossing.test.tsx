@@ -22,7 +22,7 @@ function programOf({ times, positions }: Content): TimerProgram {
 
 function record(name: string, content: Content): ModelRecord {
   const verified = [{ program: programOf(content), at: 1_795_000_000_000 }];
-  return { key: name, order: 1, changedAt: 1, verified, model: { ...MODEL, id: name, name, memoryNames: ['calm'] } };
+  return { key: name, changedAt: 1, verified, model: { ...MODEL, id: name, name, memoryNames: ['calm'] } };
 }
 
 /** A backup of the Magpie. */

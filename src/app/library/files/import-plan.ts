@@ -122,7 +122,7 @@ export function takenOf({ entries }: Group, way: Way): readonly Taken[] {
 }
 
 /**
- * The records after an import. Present ones keep their place; new ones follow after them.
+ * The records after an import.
  * @param newId makes an id that is not in use.
  */
 export function recordsOf(
@@ -133,8 +133,6 @@ export function recordsOf(
 ): Records {
   const records = { models: [] as ModelRecord[], settings: [] as SettingRecord[], flights: [] as FlightRecord[] };
   const heldModels = byKey(held.models);
-  const heldSettings = byKey(held.settings);
-  const order = { models: lastOrder(held.models), settings: lastOrder(held.settings) };
   for (const group of groups) {
     for (const { entry, asCopy } of takenOf(group, wayOf(group))) {
       const id = asCopy ? newId() : entry.entry.id;
@@ -147,7 +145,6 @@ export function recordsOf(
         records.models.push({
           key: id,
           model,
-          order: here?.order ?? ++order.models,
           changedAt,
           verified,
         });
@@ -160,7 +157,6 @@ export function recordsOf(
         records.settings.push({
           key: id,
           setting,
-          order: heldSettings.get(id)?.order ?? ++order.settings,
           changedAt,
         });
       } else if (isOf(entry, 'flights')) {
@@ -183,10 +179,6 @@ function isOf<K extends Kind>(entry: Entry, kind: K): entry is Entry<K> {
 
 function byKey<T extends { readonly key: string }>(records: readonly T[]): ReadonlyMap<string, T> {
   return new Map(records.map((record) => [record.key, record]));
-}
-
-function lastOrder(records: readonly { readonly order: number }[]): number {
-  return records.reduce((last, { order }) => Math.max(last, order), 0);
 }
 
 /** What each memory held when it was last seen. */

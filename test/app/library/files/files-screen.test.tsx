@@ -439,17 +439,17 @@ describe('what cannot be imported', () => {
   it.each([
     ['{ "format": "sidus-timer library", "version": 2 }', 'A newer version of this page made this file.', null],
     ['{ "format": "else" }', 'This is not a library file of Sidus Timer.', null],
-    [text().slice(0, -30), 'The file is not complete: it ends too early.', 'Line\u00a072, column\u00a08.'],
-    [text().replace('"memory"', 'memory'), 'The text of the file is broken.', 'Line\u00a031, column\u00a09.'],
+    [text().slice(0, -30), 'The file is not complete: it ends too early.', 'Line\u00a071, column\u00a08.'],
+    [text().replace('"memory"', 'memory'), 'The text of the file is broken.', 'Line\u00a030, column\u00a09.'],
     [
       text().replace('"0.30"', '"700.00"'),
       'A value is out of its range. It must be 0 to 655.35.',
-      'Setting “calm morning”, function 1, time. Line\u00a036, column\u00a034.',
+      'Setting “calm morning”, function 1, time. Line\u00a035, column\u00a034.',
     ],
     [
       text().replace('"positions": [115, 115]', '"positions": [115, 1150]'),
       'A value is out of its range. It must be 0 to 255.',
-      'Setting “calm morning”, DT, S2. Line\u00a039, column\u00a064.',
+      'Setting “calm morning”, DT, S2. Line\u00a038, column\u00a064.',
     ],
     [
       text().replace('"name": "Lancer 07"', '"name": ""'),
@@ -556,7 +556,7 @@ describe('an export', () => {
     store.flights.all = () => Promise.reject(new Error('not now'));
     const six = Array.from({ length: 6 }, (_, at) => ({ ...SETTING, id: `s${at}`, name: `s${at}` }));
     for (const setting of six)
-      store.settings.records.set(setting.id, { key: setting.id, order: 1, changedAt: Date.now() - 40 * DAY, setting });
+      store.settings.records.set(setting.id, { key: setting.id, changedAt: Date.now() - 40 * DAY, setting });
     await library({}, store);
     const saved = downloads();
     await press('Export all…');
@@ -691,7 +691,7 @@ describe('the reminder to export', () => {
   async function season(changedAt: number, settings = six): Promise<AppBench> {
     const store = new MemoryStore();
     for (const setting of settings) {
-      store.settings.records.set(setting.id, { key: setting.id, order: 1, changedAt, setting });
+      store.settings.records.set(setting.id, { key: setting.id, changedAt, setting });
     }
     return library({}, store);
   }

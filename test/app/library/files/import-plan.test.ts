@@ -17,10 +17,8 @@ import { library } from '../../../fuzz/kept.js';
 import { FLIGHT, MODEL, SETTING } from '../../../program/library-examples.js';
 
 const HELD: Records = {
-  models: [
-    { key: MODEL.id, model: MODEL, order: 4, changedAt: 1000, verified: [{ program: SETTING.program, at: 10 }] },
-  ],
-  settings: [{ key: SETTING.id, setting: SETTING, order: 7, changedAt: 1000 }],
+  models: [{ key: MODEL.id, model: MODEL, changedAt: 1000, verified: [{ program: SETTING.program, at: 10 }] }],
+  settings: [{ key: SETTING.id, setting: SETTING, changedAt: 1000 }],
   flights: [{ key: FLIGHT.id, flight: FLIGHT, changedAt: 1000 }],
 };
 const NOTHING: Records = { models: [], settings: [], flights: [] };
@@ -34,7 +32,7 @@ function fileOf(records: Records, isAll = true): LibraryFile {
 /** The same with some fields of the setting changed, at another time. */
 const changed = (name: string, changedAt: number): Records => ({
   ...HELD,
-  settings: [{ key: SETTING.id, setting: { ...SETTING, name }, order: 1, changedAt }],
+  settings: [{ key: SETTING.id, setting: { ...SETTING, name }, changedAt }],
 });
 
 const standings = (groups: readonly Group[]) =>
@@ -71,7 +69,7 @@ describe('what a file would bring', () => {
     const setting = { ...HELD, models: [], flights: [] };
     const nobody = { ...SETTING, id: 's2', model: 'nobody' };
     const loose = { ...SETTING, id: 's3', model: null };
-    const more = [nobody, loose].map((each) => ({ key: each.id, setting: each, order: 1, changedAt: 1 }));
+    const more = [nobody, loose].map((each) => ({ key: each.id, setting: each, changedAt: 1 }));
     const file = fileOf({ ...setting, settings: [...setting.settings, ...more] });
     expect(groupsOf(file, HELD).map(({ id, name }) => [id, name])).toEqual([
       ['lancer-07', 'Lancer 07'],
@@ -83,21 +81,19 @@ describe('what a file would bring', () => {
 });
 
 describe('an import', () => {
-  it('brings everything back to a device that has nothing, in its order, with what is known of its timers', () => {
-    const two = { ...HELD.models[0], key: 'b', order: 1, model: { ...MODEL, id: 'b' } } as Records['models'][number];
+  it('brings everything back to a device that has nothing, with what is known of its timers', () => {
+    const two = { ...HELD.models[0], key: 'b', model: { ...MODEL, id: 'b' } } as Records['models'][number];
     const records = imported(fileOf({ ...HELD, models: [two, ...HELD.models] }), NOTHING, 'newer');
-    expect(
-      records.models.map(({ key, order, changedAt, verified }) => [key, order, changedAt, verified.length]),
-    ).toEqual([
-      ['b', 1, 1000, 1],
-      ['lancer-07', 2, 1000, 1],
+    expect(records.models.map(({ key, changedAt, verified }) => [key, changedAt, verified.length])).toEqual([
+      ['b', 1000, 1],
+      ['lancer-07', 1000, 1],
     ]);
-    expect(records.settings).toEqual([{ ...HELD.settings[0], order: 1 }]);
+    expect(records.settings).toEqual(HELD.settings);
     expect(records.flights).toEqual(HELD.flights);
   });
 
   it.each([
-    ['newer', 1001, ['calm-morning windy 7']],
+    ['newer', 1001, ['calm-morning windy']],
     ['newer', 1000, []],
     ['newer', 999, []],
     ['both', 1001, ['made calm (2)']],
@@ -107,9 +103,9 @@ describe('an import', () => {
   ] as const)('with “%s” at %i takes %j', (way, at, taken) => {
     const file = fileOf(changed(way === 'both' ? 'calm' : 'windy', at));
     const records = imported(file, HELD, way);
-    expect(
-      records.settings.map(({ key, setting, order }) => [key.replace(/-\d+$/, ''), setting.name, order].join(' ')),
-    ).toEqual(taken.map((each) => (way === 'both' ? `${each} 8` : each)));
+    expect(records.settings.map(({ key, setting }) => [key.replace(/-\d+$/, ''), setting.name].join(' '))).toEqual(
+      taken,
+    );
     expect([...records.models, ...records.flights]).toEqual([]);
     for (const { key, setting } of records.settings) expect(setting.id).toBe(key);
   });
@@ -132,24 +128,19 @@ describe('an import', () => {
     const twice = (name: string) => ['a', 'b'].map((id) => ({ ...SETTING, id, name }));
     const elsewhere = { ...SETTING, id: 'c', model: null, name: 'calm morning (2)' };
     const recordsFor = (settings: readonly (typeof SETTING)[]) =>
-      settings.map((setting, at) => ({ key: setting.id, setting, order: at + 1, changedAt: 1000 }));
+      settings.map((setting) => ({ key: setting.id, setting, changedAt: 1000 }));
     const held = { ...HELD, settings: recordsFor([...twice('calm morning'), elsewhere]) };
     const theirs = { ...held, settings: recordsFor(twice('calm morning').map((each) => ({ ...each, note: 'x' }))) };
     const names = imported(fileOf(theirs), held, 'both').settings.map(({ setting }) => setting.name);
     expect(names).toEqual(['calm morning (2)', 'calm morning (3)']);
   });
 
-  it('keeps both of a model under two names, the second after all others', () => {
+  it('keeps both of a model under two names', () => {
     const theirs = { ...HELD, models: HELD.models.map((record) => ({ ...record, model: { ...MODEL, note: 'x' } })) };
     const [copy] = imported(fileOf(theirs), HELD, 'both').models;
-    expect(copy).toMatchObject({ model: { name: 'Lancer 07 (2)', note: 'x' }, order: 5 });
+    expect(copy).toMatchObject({ model: { name: 'Lancer 07 (2)', note: 'x' } });
     expect(copy?.key).toBe(copy?.model.id);
     expect(copy?.key).not.toBe(MODEL.id);
-  });
-
-  it('leaves a model that it replaces in its place', () => {
-    const theirs = HELD.models.map((record) => ({ ...record, model: { ...MODEL, note: 'x' }, changedAt: 2000 }));
-    expect(imported(fileOf({ ...HELD, models: theirs }), HELD, 'newer').models[0]?.order).toBe(4);
   });
 
   it('recognises an entry whose name has signs that reverse the text of the file', () => {
@@ -203,7 +194,7 @@ describe('whatever a library holds', () => {
         changedAt: times[at] ?? 1,
         verified: [],
       })),
-      settings: settings.map((setting, at) => ({ key: setting.id, setting, order: at + 1, changedAt: times[at] ?? 2 })),
+      settings: settings.map((setting, at) => ({ key: setting.id, setting, changedAt: times[at] ?? 2 })),
       flights: flights.map((flight, at) => ({ key: flight.id, flight, changedAt: times[at] ?? 3 })),
     }),
   );
@@ -267,7 +258,7 @@ describe('undo', () => {
 
 describe('a part of the library', () => {
   const other = { ...SETTING, id: 'other', model: 'b' };
-  const all = { ...HELD, settings: [...HELD.settings, { key: 'other', setting: other, order: 9, changedAt: 1 }] };
+  const all = { ...HELD, settings: [...HELD.settings, { key: 'other', setting: other, changedAt: 1 }] };
 
   it('is one model with what belongs to it, or one setting with its model', () => {
     expect(partOf(all, { kind: 'all' })).toEqual(all);

@@ -142,7 +142,7 @@ describe('a setting that comes by link', () => {
 
   it('waits until the library was read, so that no model is made twice', async () => {
     const store = new MemoryStore();
-    await store.models.save({ key: MODEL.id, model: MODEL, order: 1, changedAt: 1, verified: [] });
+    await store.models.save({ key: MODEL.id, model: MODEL, changedAt: 1, verified: [] });
     const all = store.models.all.bind(store.models);
     let answer = (): void => {};
     vi.spyOn(store.models, 'all').mockImplementation(async () => {
