@@ -107,60 +107,63 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
   const hasMotor = identity.timerClass === 'Q';
   const classes = ['program-table', selection.picking.value && 'picking', intervals.value && 'by-intervals'];
   return (
-    <div
-      class={`table-box ${hasMotor ? 'with-motor' : ''} ${isLarge ? 'large' : ''}`}
-      style={{ '--rows': slots.length, '--servos': servos.length }}
-    >
-      <div class="table-scroller">
-        <table
-          ref={table}
-          class={classes.filter(Boolean).join(' ')}
-          aria-describedby="table-keys"
-          {...listeners}
-          onFocusOut={({ target, relatedTarget, currentTarget }) => {
-            const stays = relatedTarget instanceof Node && currentTarget.contains(relatedTarget);
-            // A window that was left comes back with its focus.
-            if (!stays && target !== document.activeElement) place.release();
-          }}
-          onCopy={copy}
-          onCut={cut}
-          onPaste={paste}
-        >
-          <caption class="visually-hidden">{program.tableCaption}</caption>
-          <TableHead
-            {...{ servos, onExplain }}
-            onSwitch={() => {
-              intervals.value = !intervals.value;
+    <>
+      <div
+        class={`table-box ${hasMotor ? 'with-motor' : ''} ${isLarge ? 'large' : ''}`}
+        style={{ '--rows': slots.length, '--servos': servos.length }}
+      >
+        <div class="table-scroller">
+          <table
+            ref={table}
+            class={classes.filter(Boolean).join(' ')}
+            aria-describedby="table-keys"
+            {...listeners}
+            onFocusOut={({ target, relatedTarget, currentTarget }) => {
+              const stays = relatedTarget instanceof Node && currentTarget.contains(relatedTarget);
+              // A window that was left comes back with its focus.
+              if (!stays && target !== document.activeElement) place.release();
             }}
+            onCopy={copy}
+            onCut={cut}
+            onPaste={paste}
+          >
+            <caption class="visually-hidden">{program.tableCaption}</caption>
+            <TableHead
+              {...{ servos, onExplain }}
+              onSwitch={() => {
+                intervals.value = !intervals.value;
+              }}
+            />
+            <tbody>
+              {slots.map((slot) => (
+                <Fragment key={slot}>
+                  <MotorRowBefore {...shared} slot={slot} />
+                  <ProgramRow {...shared} {...{ bench, follow, slot }} />
+                </Fragment>
+              ))}
+              <MotorRowBefore {...shared} slot={slots.length} />
+              <ThrottleRow {...{ session, identity, servos, hand, rested }} />
+            </tbody>
+          </table>
+        </div>
+        <KeysHint selection={selection} />
+        <div class="range-foot" ref={foot}>
+          <RangeBar
+            {...{ identity, selection }}
+            text={selectedText}
+            onPaste={() => void pasteCopied()}
+            onFill={fill}
+            onDone={done}
           />
-          <tbody>
-            {slots.map((slot) => (
-              <Fragment key={slot}>
-                <MotorRowBefore {...shared} slot={slot} />
-                <ProgramRow {...shared} {...{ bench, follow, slot }} />
-              </Fragment>
-            ))}
-            <MotorRowBefore {...shared} slot={slots.length} />
-            <ThrottleRow {...{ session, identity, servos, hand, rested }} />
-          </tbody>
-        </table>
+          {obstacle.value && (
+            <p class="notes bad-text" role="alert">
+              {edits.nothingDone} {obstacle.value}
+            </p>
+          )}
+        </div>
+        <EditSheet {...{ identity, hand }} standing={session.standing} />
       </div>
-      <KeysHint selection={selection} />
-      <div class="range-foot" ref={foot}>
-        <RangeBar
-          {...{ identity, selection }}
-          text={selectedText}
-          onPaste={() => void pasteCopied()}
-          onFill={fill}
-          onDone={done}
-        />
-        {obstacle.value && (
-          <p class="notes bad-text" role="alert">
-            {edits.nothingDone} {obstacle.value}
-          </p>
-        )}
-      </div>
-      <EditSheet {...{ identity, hand }} standing={session.standing} />
+      {/* Outside: the head of the table stays in sight, that of the dialog scrolls. */}
       <PasteDialog
         session={session}
         pasting={pasting}
@@ -168,7 +171,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
           pasting.value = null;
         }}
       />
-    </div>
+    </>
   );
 }
 
