@@ -1,5 +1,6 @@
 import { useCallback, useEffect, useRef } from 'preact/hooks';
 import { COMPARE } from './compare/address.js';
+import { memoryKey } from './compare/choice.js';
 import { ConnectButtons } from './connect/connect-buttons.js';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
@@ -60,6 +61,10 @@ export function App({ models }: { readonly models: AppModels }) {
         print={<PrintMemories session={session} onPrint={print} />}
         following={follow.on.value}
         onProgram={() => views.show('program')}
+        onCompare={(first, second) => {
+          models.comparedPair.show(memoryKey(first), memoryKey(second));
+          views.show('library', COMPARE);
+        }}
       />
     ),
     bench: () => <parts.bench.Part {...{ session, views, bench, follow, connect }} />,

@@ -150,6 +150,8 @@ test.each([
     await see('memories, read');
     await app.button('Compare with M1: M3').click();
     await see('memories compared');
+    await app.goTo('Memories');
+    await app.button('Copy to…: M1').click();
     await app.button('Copy M1 to M3…').click();
     await dialog.getByRole('checkbox').first().waitFor();
     await see('copy');

@@ -25,8 +25,6 @@ const ORDER = [
     'line',
     'settings',
   ],
-  // What shows two programs: memories, settings, backups.
-  ['side-by-side'],
   // Memories and bench write, too.
   ['write'],
   ['timeline'],

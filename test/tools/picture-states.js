@@ -683,13 +683,6 @@ export const states = {
       await page.getByRole('dialog').getByRole('option').first().waitFor();
     },
   },
-  compared: {
-    title: 'Two memories compared',
-    reach: async (page) => {
-      await readAll(page);
-      await press(page, 'Compare with M1: M3');
-    },
-  },
   copy: {
     title: 'Before a memory is copied',
     reach: async (page) => {

@@ -2,6 +2,8 @@ import { batch, type ReadonlySignal, signal } from '@preact/signals';
 
 /** The key of the program on the screen. */
 export const SCREEN = 'screen';
+/** @param memory counted from 0. */
+export const memoryKey = (memory: number): string => `timer/${memory}`;
 export const settingKey = (id: string): string => `setting/${id}`;
 export const backupKey = (key: string): string => `backup/${key}`;
 

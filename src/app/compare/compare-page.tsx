@@ -5,10 +5,10 @@ import { clockText, dayText, fieldInSentence, figureText, messages } from '../me
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { heldName, programName } from '../session/standing-text.js';
-import { ProgramPair } from '../side-by-side/program-pair.js';
 import { BackHead } from '../ui/back-head.js';
 import { type ComparedPair, SCREEN } from './choice.js';
 import { Compare, type Side } from './compare.js';
+import { ProgramPair } from './program-pair.js';
 import './compare-page.css';
 
 export interface ComparePageProps {

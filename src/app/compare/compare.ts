@@ -5,7 +5,7 @@ import { isOfOneShape } from '../editing/shape.js';
 import type { Session } from '../session/session.js';
 import type { Held } from '../session/standing.js';
 import type { Backup, SettingRecord } from '../storage/index.js';
-import { backupKey, type ComparedPair, SCREEN, settingKey } from './choice.js';
+import { backupKey, type ComparedPair, memoryKey, SCREEN, settingKey } from './choice.js';
 
 /** A program that can be compared. */
 export type Side =
@@ -88,7 +88,7 @@ function sidesOf({ editor, standings, library, backups, connection }: Session): 
     const held = standings.of(memory);
     const { known } = held;
     return known.state === 'read'
-      ? { kind: 'timer', key: `timer/${memory}`, memory, held, program: known.program }
+      ? { kind: 'timer', key: memoryKey(memory), memory, held, program: known.program }
       : null;
   });
   return [

@@ -1,11 +1,9 @@
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { BackupsPanel } from './backups-panel.js';
 import type { Memories } from './memories.js';
 import { MemoryCards } from './memory-cards.js';
-import { MemoryComparison } from './memory-comparison.js';
 import './memories-page.css';
 
 export interface MemoriesPageProps {
@@ -15,32 +13,21 @@ export interface MemoriesPageProps {
   readonly following: boolean;
   /** Shows the program: of the memory that was picked last, or with what was loaded into it. */
   readonly onProgram: () => void;
+  /** Shows two memories side by side, by their last readings. */
+  readonly onCompare: (first: number, second: number) => void;
   /** The button that connects a timer. */
   readonly connect: ComponentChildren;
   /** The button that prints the memories. */
   readonly print: ComponentChildren;
 }
 
-/** All memories of the timer at a glance, or two of them side by side; and the backups. */
-export function MemoriesPage({ session, memories, following, onProgram, connect, print }: MemoriesPageProps) {
+/** All memories of the timer at a glance, and the backups. */
+export function MemoriesPage(props: MemoriesPageProps) {
+  const { session, memories, following, onProgram, onCompare, connect, print } = props;
   const { overview: words, memories: all, views } = messages.value;
-  const compared = memories.compared.value;
-  const place = useRef<HTMLDivElement>(null);
-  const left = useRef<number | null>(null);
-  useEffect(() => {
-    if (compared) left.current = compared.first;
-    else if (left.current !== null) {
-      // Puts the focus back where the pilot came from.
-      place.current?.querySelector<HTMLElement>(`[data-compare='${left.current}']`)?.focus();
-      left.current = null;
-    }
-  }, [compared]);
   const baseline = session.editor.baseline.value;
-  if (baseline && compared) {
-    return <MemoryComparison session={session} memories={memories} compared={compared} />;
-  }
   return (
-    <div class="memories-page" ref={place}>
+    <div class="memories-page">
       <div class="memories-head">
         <h1>{words.title}</h1>
         {baseline && baseline.memory !== null && (
@@ -57,7 +44,7 @@ export function MemoriesPage({ session, memories, following, onProgram, connect,
         )}
       </div>
       {baseline ? (
-        <MemoryCards session={session} memories={memories} onProgram={onProgram} />
+        <MemoryCards {...{ session, memories, onProgram, onCompare }} />
       ) : (
         <>
           <p class="hint">{views.noTimer.memories}</p>

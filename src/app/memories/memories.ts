@@ -5,12 +5,6 @@ import type { Session } from '../session/session.js';
 import { MemoryJobs } from './memory-jobs.js';
 import { NotedRoundTrip } from './noted-round-trip.js';
 
-/** Two memories side by side, counted from 0. */
-export interface Compared {
-  readonly first: number;
-  readonly second: number;
-}
-
 /**
  * The memories of the connected timer: which one the pilot looks at, and which flies next.
  * Acts only when the pilot asks for it.
@@ -24,8 +18,6 @@ export class Memories {
     const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
     return this.#picked.value === current ? null : this.#picked.value;
   });
-  /** The two memories that are compared, by their last readings; null for none. */
-  readonly compared: ReadonlySignal<Compared | null>;
   /** Whether the connected timer does not say which memory is current, so that nobody knows which one to go back to. */
   readonly noWayBack: ReadonlySignal<boolean> = computed(() => {
     const { nextFlight, editor, connection } = this.#session;
@@ -33,30 +25,22 @@ export class Memories {
     return connection.value !== null && baseline?.memory === null && !nextFlight.open.value;
   });
   readonly #picked = signal<number | null>(null, { name: 'picked' });
-  readonly #compared = signal<Compared | null>(null, { name: 'compared' });
   readonly #session: Session;
   readonly #roundTrip: NotedRoundTrip;
 
   constructor(session: Session) {
     this.#session = session;
     this.#roundTrip = new NotedRoundTrip(session);
-    this.compared = this.#compared;
     this.jobs = new MemoryJobs(session, this.#roundTrip);
     session.connection.subscribe(() => {
       // The next timer may be another one.
       this.#picked.value = null;
-      this.#compared.value = null;
     });
   }
 
   /** Shows the last reading of a memory, and sends nothing. For the current memory it shows the program. */
   show(memory: number): void {
     this.#picked.value = memory;
-  }
-
-  /** Compares two memories; null ends it. */
-  compare(compared: Compared | null): void {
-    this.#compared.value = compared;
   }
 
   /** Reads a memory, restores the current one, and shows what was read. */

@@ -19,10 +19,12 @@ interface MemoryCardsProps {
   readonly memories: Memories;
   /** Shows the program of the memory that was picked last. */
   readonly onProgram: () => void;
+  /** Shows two memories side by side. */
+  readonly onCompare: (first: number, second: number) => void;
 }
 
 /** A card for each memory: its last reading, whether it flies next, and what can be done with it. */
-export function MemoryCards({ session, memories, onProgram }: MemoryCardsProps) {
+export function MemoryCards({ session, memories, onProgram, onCompare }: MemoryCardsProps) {
   const baseline = session.editor.baseline.value;
   if (!baseline) return null;
   const current = session.nextFlight.open.value ? null : baseline.memory;
@@ -32,7 +34,7 @@ export function MemoryCards({ session, memories, onProgram }: MemoryCardsProps) 
   return (
     <ul class="memory-cards">
       {all.map((each) => (
-        <Card key={each.memory} {...each} {...{ session, memories, current, count, scale, onProgram }} />
+        <Card key={each.memory} {...each} {...{ session, memories, current, count, scale, onProgram, onCompare }} />
       ))}
     </ul>
   );
@@ -49,7 +51,8 @@ interface CardProps extends MemoryCardsProps {
   readonly scale: Scale;
 }
 
-function Card({ session, memories, memory, current, count, known, scale, onProgram }: CardProps) {
+function Card({ known, scale, ...props }: CardProps) {
+  const { session, memories, memory, current } = props;
   const { overview: words, nextFlight, memoryName } = messages.value;
   const title = useId();
   // The button that reads it goes, and so does the one that makes it fly next.
@@ -76,7 +79,7 @@ function Card({ session, memories, memory, current, count, known, scale, onProgr
           )}
         </header>
         {program ? <SmallLanes {...{ program, scale }} /> : <Unread {...{ session, memories, memory, current }} />}
-        <Actions {...{ session, memories, memory, current, count, onProgram }} isRead={program !== null} />
+        <Actions {...props} isRead={program !== null} />
       </article>
     </li>
   );
@@ -139,7 +142,7 @@ interface ActionsProps extends Omit<CardProps, 'known' | 'scale'> {
   readonly isRead: boolean;
 }
 
-function Actions({ session, memories, memory, current, count, isRead, onProgram }: ActionsProps) {
+function Actions({ session, memories, memory, current, count, isRead, onProgram, onCompare }: ActionsProps) {
   const { overview: words, memories: all, memoryName } = messages.value;
   const copying = useSignal(false);
   const ready = session.runner.ready.value;
@@ -149,6 +152,8 @@ function Actions({ session, memories, memory, current, count, isRead, onProgram 
   const others = Array.from({ length: count }, (_, other) => other).filter((other) => other !== memory);
   // With the memory that flies next; that one with the first of the others.
   const against = memory === current || current === null ? others[0] : current;
+  // What is not certain has no one program to compare.
+  const canCompare = (each: number): boolean => session.standings.of(each).known.state === 'read';
   const isCopying = copying.value;
   const box = useRef<HTMLDivElement>(null);
   const drawn = useRef(isCopying);
@@ -197,13 +202,12 @@ function Actions({ session, memories, memory, current, count, isRead, onProgram 
               {words.fly}
             </button>
           )}
-          {isRead && against !== undefined && (
+          {against !== undefined && canCompare(memory) && canCompare(against) && (
             <button
               type="button"
               class="quiet"
-              data-compare={memory}
               aria-label={label(words.compareWith(memoryName(against)))}
-              onClick={() => memories.compare({ first: memory, second: against })}
+              onClick={() => onCompare(memory, against)}
             >
               {words.compareWith(memoryName(against))}
             </button>

@@ -113,11 +113,6 @@ export const overview = {
   or: ' or ',
   notCertain: 'Not certain: a write into it was interrupted. Shown as it was before that write.',
   edited: 'Shown as the timer holds it, without your changes.',
-  all: 'All memories',
-  compared: (first: string, second: string) => `${first} and ${second} compared`,
-  from: 'Memory',
-  to: 'compared with',
-  picture: (first: string, second: string) => `Timeline of ${first} and ${second}`,
   same: 'They hold the same.',
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')}.`,
 };

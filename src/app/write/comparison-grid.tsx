@@ -15,7 +15,7 @@ interface ComparisonGridProps {
 
 /** Two programs in one grid. Equal values stand once, different values twice. */
 export function ComparisonGrid({ first, second, names, replaces = false }: ComparisonGridProps) {
-  const { overview: words, program: titles } = messages.value;
+  const { write: words, program: titles } = messages.value;
   const { identity } = first;
   const servos = Array.from({ length: identity.servos }, (_, servo) => servo);
   const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
@@ -26,7 +26,7 @@ export function ComparisonGrid({ first, second, names, replaces = false }: Compa
   return (
     <div class={`comparison-grid ${replaces ? 'replaces' : ''}`}>
       <table>
-        <caption class="visually-hidden">{words.compared(...names)}</caption>
+        <caption class="visually-hidden">{words.sideBySide(names)}</caption>
         <SlotHead
           slot={
             <>

@@ -1,6 +1,7 @@
-import { act, fireEvent, screen, within } from '@testing-library/preact';
+import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
+import { comparingMessages } from '../../../src/app/messages/en-compare.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, type BenchOptions, idle } from '../bench/bench.js';
 import { button, connected, goTo, opened, press } from '../screen.js';
@@ -178,74 +179,18 @@ describe('Copy to', () => {
   });
 });
 
-describe('two memories', () => {
-  const cells = () =>
-    [...document.querySelectorAll('.comparison .difference tbody td')].map((each) => each.textContent);
-  const choose = async (name: string, memory: number): Promise<void> => {
-    fireEvent.change(screen.getByRole('combobox', { name }), { target: { value: String(memory) } });
-    await idle();
-  };
-
-  it('are compared in place of the cards, and Back leads to the cards', async () => {
-    await read();
-    document.documentElement.scrollTop = 400;
-    await press('Compare with M1: M3');
-    expect(document.documentElement.scrollTop, 'the page is at its top, wherever the button was').toBe(0);
-    expect(document.activeElement).toBe(screen.getByRole('heading', { name: 'M3 and M1 compared' }));
-    expect(screen.getByText('1 value differs.')).toBeTruthy();
-    expect(cells()).toEqual(['4:00 min', '3:00 min']);
-    expect(screen.getByRole('region', { name: 'Timeline of M3 and M1' })).toBeTruthy();
-    expect(screen.queryByRole('article')).toBeNull();
-    await goTo('bench');
-    await goTo('memories');
-    expect(
-      screen.getByRole('heading', { name: 'M3 and M1 compared' }),
-      'the comparison stays open while another view is shown',
-    ).toBeTruthy();
-    await press('All memories');
-    expect(document.activeElement).toBe(button('Compare with M1: M3'));
-  });
-
-  it('are chosen freely, and copied from any to any', async () => {
-    const { timer } = await read();
-    await press('Compare with M1: M2');
-    await choose('compared with', 3);
-    expect(cells()).toEqual(['3:30 min', '4:30 min']);
-    fireEvent.click(button('Copy M2 to M4…'));
-    await idle();
-    const dialog = within(screen.getByRole('dialog'));
-    fireEvent.click(dialog.getByRole('checkbox'));
-    await idle(0);
-    fireEvent.click(dialog.getByRole('button', { name: 'Copy' }));
-    await idle();
-    expect(timer.core.memories[3]?.times).toEqual(timer.core.memories[1]?.times);
-    expect(screen.getByText('They hold the same.')).toBeTruthy();
-  });
-
-  it('are shown as a table of the program when much differs, with the idle throttle below', async () => {
-    const { session } = await read();
-    const m2 = session.knowledge.of(1);
-    if (m2.state !== 'read') throw new Error('not read');
-    const positions = m2.program.positions.map((row) => row.map((position) => position + 1));
-    session.knowledge.read({ ...m2.program, positions, idleThrottle: 77 });
-    await press('Compare with M1: M2');
-    expect(screen.getByText('35 values differ.')).toBeTruthy();
-    const grid = within(screen.getByRole('table', { name: 'M2 and M1 compared' }));
-    const row = (name: string) =>
-      [...(grid.getByRole('rowheader', { name }).parentElement?.children ?? [])].map(({ textContent }) => textContent);
-    expect(row('Motor stop')).toEqual(['Motor stop', '10.0 s', '']);
-    expect(row('Start')).toEqual(['Start', '', 'M2 16 M1 15', 'M2 16 M1 15', 'M2 16 M1 15']);
-    expect(row('DT')[1]).toBe('M2 3:30 min M1 3:00 min');
-    expect(row('Idle throttle')).toEqual(['Idle throttle', 'M2 77 M1 30', '']);
-  });
-
-  it('can be read there when one was not read', async () => {
-    await atMemories();
-    await press('Compare with M2: M1');
-    expect(screen.getByText('M2 has not been read')).toBeTruthy();
-    await press('Look at M2');
-    expect(cells()).toEqual(['3:00 min', '3:30 min']);
-  });
+it('are compared on the page of comparisons, with the one that flies next, once both were read', async () => {
+  await atMemories();
+  expect(screen.queryByRole('button', { name: /^Compare with/ })).toBeNull();
+  cleanup();
+  await read();
+  await press(`${en.overview.compareWith('M1')}: M3`);
+  expect(screen.getByRole('heading', { name: comparingMessages.compare.title })).toBe(document.activeElement);
+  const chosen = screen
+    .getAllByRole<HTMLSelectElement>('combobox')
+    .map(({ selectedOptions }) => selectedOptions[0]?.text);
+  expect(chosen).toEqual([expect.stringContaining('M3'), expect.stringContaining('M1')]);
+  expect(screen.getByText(en.overview.differs(1))).toBeTruthy();
 });
 
 it('keeps the focus when a backup is deleted, and when that is undone', async () => {
