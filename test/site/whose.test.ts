@@ -46,7 +46,6 @@ test('values of one model over the timer of another keep their name, on paper, i
   await app.page.evaluate((to) => void location.assign(to), LINK_MARK + encodeLink(WIND));
   await app.button('Keep in the library').click();
   await app.page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
-  await app.goTo('Program');
   await app.trySimulated('F1Q');
   await app.button('Save to library…').click();
   const dialog = app.page.getByRole('dialog');
