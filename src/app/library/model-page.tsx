@@ -4,7 +4,6 @@ import { plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { ClassChoice } from './class-choice.js';
-import { MemoryNames } from './memory-names.js';
 import { ModelServos } from './model-servos.js';
 import type { Places } from './places.js';
 import { TextField } from './text-field.js';
@@ -54,7 +53,6 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
         lines={3}
         onSave={(note) => change({ note })}
       />
-      <MemoryNames session={session} record={record} onChange={(memoryNames) => change({ memoryNames })} />
       <ModelServos session={session} record={record} onChange={(servos) => change({ servos })} />
       <div class="buttons">
         <button type="button" class="quiet" onClick={() => change({ archived: !model.archived })}>

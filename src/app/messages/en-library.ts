@@ -54,8 +54,6 @@ export const libraryMessages = {
     facts: 'About this model',
     noSettings: 'No setting yet. Open a program and save it here, or make a new one.',
     makeSetting: 'New setting…',
-    memories: 'Names of its memories',
-    memoriesHint: 'Your names for them, such as “calm” or “fly-off”. The page shows them wherever it shows this timer.',
     servos: 'Servos',
     servosHint: 'What each servo moves, and between which steps.',
     servosUnknown: 'Not known yet.',
