@@ -181,6 +181,6 @@ function pageCommands({ views, theme, erase, sharing }: AppModels): PaletteComma
       run: () => theme.choose(name),
     })),
     { name: share.paste.title, run: () => sharing.paste() },
-    { name: eraseWords.open, run: () => void erase.open() },
+    { name: eraseWords.open, run: () => erase.open() },
   ];
 }

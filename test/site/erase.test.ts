@@ -53,8 +53,8 @@ test('everything that the page keeps is deleted, and nothing of another program 
   await page.route('**/*', (route) =>
     route.fulfill({ body: '<!doctype html><title>Empty</title>', contentType: 'text/html' }),
   );
-  await app.button('Delete everything on this device…').click();
-  await app.button('Delete everything').click();
+  await app.button(en.erase.open).click();
+  await app.button(en.erase.start).click();
   expect(await forgotten, 'the right to use the port is given back').toBe(0);
   await page.waitForFunction(() => document.title === 'Empty');
   const { settings, ...rest } = await kept(app);

@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from 'playwright';
 import { describe, expect, inject, onTestFinished, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { formatLibraryFile, type Library, parseLibraryFile } from '../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
@@ -145,8 +146,8 @@ test('a season goes into one file, the device is emptied, and the file brings al
   expect(before).toEqual(SEASON);
 
   await app.goTo('Settings');
-  await app.button('Delete everything on this device…').click();
-  await Promise.all([page.waitForEvent('load'), app.button('Delete everything').click()]);
+  await app.button(en.erase.open).click();
+  await Promise.all([page.waitForEvent('load'), app.button(en.erase.start).click()]);
   await page.evaluate(() => location.assign('#library'));
   await app.text('No model yet').waitFor();
   const text = formatLibraryFile(before, { writtenAt: Date.now(), writtenBy: 'a test' });

@@ -1,5 +1,5 @@
 import type { Lack } from '../browser/doors.js';
-import type { SHELVES, StorageErrorCode } from '../storage/index.js';
+import type { StorageErrorCode } from '../storage/index.js';
 import { plural } from './plural.js';
 
 /** For when the browser does not store, or give back, what it should. */
@@ -56,42 +56,16 @@ export const removedFromLibrary = {
   undo: 'Undo',
 };
 
-const places = {
-  storage: 'the library, drafts, backups and notes of writes',
-  settings: 'colours, presets and other choices',
-  ports: 'the right to use serial ports',
-  offline: 'the page for use without a network',
-};
-
 /** Deletes everything that this device keeps. */
 export const erase = {
   open: 'Delete everything on this device…',
-  title: 'Delete everything on this device',
-  lead: 'This is deleted from this browser, in all its tabs. It cannot be undone. What timers hold stays as it is.',
-  /** In this order: first what nobody can get again. */
-  counts: {
-    models: (count: string) => `Models: ${count}`,
-    settings: (count: string) => `Settings of the library: ${count}`,
-    flights: (count: string) => `Flights: ${count}`,
-    drafts: (count: string) => `Edits that are not written: ${count}`,
-    backups: (count: string) => `Backups: ${count}`,
-    unfinished: (count: string) => `Notes of interrupted writes: ${count}`,
-    ports: (count: string) => `Adapters with their settings: ${count}`,
-    aside: (count: string) => `Records that could not be read: ${count}`,
-  } satisfies Record<(typeof SHELVES)[number], (count: string) => string>,
-  unknown: 'not known',
-  /** Always deleted, whatever is kept. */
-  rest: [
-    'Colours, presets and other choices',
-    'The right to use serial ports',
-    'This page, kept for use without a network',
-  ],
+  lead: 'This deletes all models, programs, flights, backups, unwritten changes and choices of this page from this browser. It cannot be undone. Timers keep what they hold.',
   uncertain:
     'A write was interrupted, and it is not known what that timer holds. Without the note of that write this page cannot warn you: read that timer before you fly.',
   start: 'Delete everything',
   running: 'Deleting',
-  failed: (left: readonly (keyof typeof places)[]) =>
-    `This could not be deleted: ${left.map((place) => places[place]).join(', ')}. Close other tabs of this page and try again, or delete its data in the settings of the browser.`,
+  failed:
+    'Not everything could be deleted. Close other tabs of this page and try again, or delete its data in the settings of the browser.',
 };
 
 /** For a page that is shown inside another page. */

@@ -4,28 +4,26 @@ import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { ClosingButtons } from '../write/dialog-steps.js';
 import { UncertainNote } from '../write/uncertain-note.js';
-import type { Erase, KeptCounts } from './erase.js';
+import type { Erase } from './erase.js';
 
-/** Shows what would be deleted from this device, and asks once. */
+/** Says what would be deleted from this device, and asks once. */
 export function EraseDialog({ session, erase }: { readonly session: Session; readonly erase: Erase }) {
   const { erase: words } = messages.value;
-  const current = erase.current.value;
+  const step = erase.current.value;
   return (
     <Modal
-      open={current !== null}
-      title={words.title}
+      open={step !== null}
+      title={words.open}
       head={<UncertainNote session={session} />}
-      held={current?.step === 'running'}
+      held={step === 'running'}
       onEscape={() => erase.dismiss()}
     >
-      {current?.step === 'review' && (
-        <Review erase={erase} counts={current.counts} uncertain={session.knowledge.uncertain.value.length > 0} />
-      )}
-      {current?.step === 'running' && <p role="status">{words.running}</p>}
-      {current?.step === 'failed' && (
+      {step === 'review' && <Review erase={erase} uncertain={session.knowledge.uncertain.value.length > 0} />}
+      {step === 'running' && <p role="status">{words.running}</p>}
+      {step === 'failed' && (
         <>
           <div class="notice bad" role="alert">
-            <p>{words.failed(current.left)}</p>
+            <p>{words.failed}</p>
           </div>
           <ClosingButtons onClose={() => erase.dismiss()} />
         </>
@@ -36,26 +34,15 @@ export function EraseDialog({ session, erase }: { readonly session: Session; rea
 
 interface ReviewProps {
   readonly erase: Erase;
-  readonly counts: KeptCounts;
   /** Whether the content of some memory is uncertain: that would be forgotten, too. */
   readonly uncertain: boolean;
 }
 
-function Review({ erase, counts, uncertain }: ReviewProps) {
+function Review({ erase, uncertain }: ReviewProps) {
   const { erase: words } = messages.value;
-  // Lines that say 0 would hide those that say what is lost.
-  const kept = (Object.keys(words.counts) as (keyof KeptCounts)[]).filter((shelf) => counts[shelf] !== 0);
   return (
     <>
       <p>{words.lead}</p>
-      <ul>
-        {kept.map((shelf) => (
-          <li key={shelf}>{words.counts[shelf](String(counts[shelf] ?? words.unknown))}</li>
-        ))}
-        {words.rest.map((each) => (
-          <li key={each}>{each}</li>
-        ))}
-      </ul>
       {uncertain && (
         <div class="notice bad" role="alert">
           <p>{words.uncertain}</p>

@@ -1,21 +1,12 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { Session } from '../session/session.js';
-import { SHELVES, type Storage, withinLimit } from '../storage/index.js';
+import { type Storage, withinLimit } from '../storage/index.js';
 
-/** What the browser keeps outside of the page's storage. */
-type KeptOutside = 'settings' | 'ports' | 'offline';
+/** How that is emptied which the browser keeps outside of the page's storage. */
+export type Erasers = Readonly<Record<'settings' | 'ports' | 'offline', () => Promise<void>>>;
 
-/** How each of these is emptied. */
-export type Erasers = Readonly<Record<KeptOutside, () => Promise<void>>>;
-
-/** How many records of each kind are kept; null where the browser does not say. */
-export type KeptCounts = Readonly<Record<(typeof SHELVES)[number], number | null>>;
-
-export type EraseStep =
-  | { readonly step: 'review'; readonly counts: KeptCounts }
-  | { readonly step: 'running' }
-  /** Parts that could not be deleted. */
-  | { readonly step: 'failed'; readonly left: readonly (KeptOutside | 'storage')[] };
+/** `failed`: a part could not be deleted. */
+export type EraseStep = 'review' | 'running' | 'failed';
 
 /**
  * How long each part may take, in milliseconds. A slow and busy device needs time, and the pilot has asked for this and
@@ -41,36 +32,31 @@ export class Erase {
     this.#reload = reload;
   }
 
-  /** Shows what would be deleted. */
-  async open(): Promise<void> {
-    const counted = SHELVES.map(async (shelf) => {
-      const records = await this.#storage[shelf].all().catch(() => null);
-      return [shelf, records?.length ?? null] as const;
-    });
-    const counts = Object.fromEntries(await Promise.all(counted)) as KeptCounts;
-    this.#current.value = { step: 'review', counts };
+  /** Asks the pilot first. */
+  open(): void {
+    this.#current.value = 'review';
   }
 
   dismiss(): void {
-    if (this.#current.value?.step !== 'running') this.#current.value = null;
+    if (this.#current.value !== 'running') this.#current.value = null;
   }
 
   /** Deletes everything and starts again. If a part could not be deleted, says so and stays. */
   async start(): Promise<void> {
-    if (this.#current.value?.step !== 'review') return;
-    this.#current.value = { step: 'running' };
+    if (this.#current.value !== 'review') return;
+    this.#current.value = 'running';
     // What a job leaves behind on a timer is the last thing to be forgotten.
     await this.#session.runner.still();
     await this.#session.timer.disconnect();
     // Nothing may be left that would be stored again.
     this.#session.editor.clear();
-    const left: (KeptOutside | 'storage')[] = [];
-    const jobs = [
-      ['storage', () => this.#storage.erase()] as const,
-      ...(Object.entries(this.#erasers) as [KeptOutside, () => Promise<void>][]),
-    ];
-    for (const [place, erase] of jobs) await withinLimit(erase, ERASE_LIMIT).catch(() => left.push(place));
-    if (left.length === 0) this.#reload();
-    this.#current.value = left.length === 0 ? null : { step: 'failed', left };
+    let isGone = true;
+    for (const erase of [() => this.#storage.erase(), ...Object.values(this.#erasers)]) {
+      await withinLimit(erase, ERASE_LIMIT).catch(() => {
+        isGone = false;
+      });
+    }
+    if (isGone) this.#reload();
+    this.#current.value = isGone ? null : 'failed';
   }
 }

@@ -67,7 +67,7 @@ export function SettingsView(props: SettingsViewProps) {
       <section class="setting">
         <h2>{words.kept}</h2>
         <div class="buttons">
-          <button type="button" onClick={() => void erase.open()}>
+          <button type="button" onClick={() => erase.open()}>
             {eraseWords.open}
           </button>
         </div>

@@ -1,6 +1,7 @@
 import { act, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
+import { en } from '../../../src/app/messages/en.js';
 import type { Backup } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { MODEL } from '../../program/library-examples.js';
@@ -197,14 +198,14 @@ describe('an unreadable record', () => {
 });
 
 describe('everything on this device', () => {
-  const dialog = () => within(screen.getByRole('dialog', { name: 'Delete everything on this device' }));
+  const dialog = () => within(screen.getByRole('dialog', { name: en.erase.open }));
 
   it('waits for a job, so that no note of a write goes before its end was seen', async () => {
     const reload = vi.fn();
     const bench = await connectedBench({ reload });
     let end = (): void => {};
     const job = bench.session.runner.run('write', () => new Promise<void>((resolve) => (end = resolve)));
-    await run(bench.erase.open());
+    bench.erase.open();
     const erasing = bench.erase.start();
     await idle();
     expect([bench.session.runner.job.value?.stopping, reload.mock.calls.length]).toEqual([false, 0]);
@@ -225,24 +226,13 @@ describe('everything on this device', () => {
     await idle();
     render(<App models={bench.models} />);
     act(() => bench.models.views.show('settings'));
-    await press('Delete everything on this device…');
-    expect(
-      dialog()
-        .getAllByRole('listitem')
-        .map(({ textContent }) => textContent),
-      'only what there is',
-    ).toEqual([
-      'Edits that are not written: 1',
-      'Adapters with their settings: 1',
-      'Colours, presets and other choices',
-      'The right to use serial ports',
-      'This page, kept for use without a network',
-    ]);
+    await press(en.erase.open);
+    expect(dialog().getByText(en.erase.lead)).toBeTruthy();
     expect(dialog().queryByRole('alert')).toBeNull();
     expect([bench.store.drafts.records.size, reload.mock.calls.length], 'nothing is deleted before the answer').toEqual(
       [1, 0],
     );
-    await press('Delete everything');
+    await press(en.erase.start);
     await idle();
     expect([bench.store.drafts.records.size, bench.store.ports.records.size]).toEqual([0, 0]);
     expect(done).toEqual(['settings', 'ports', 'offline']);
@@ -259,12 +249,11 @@ describe('everything on this device', () => {
     await run(bench.session.timer.disconnect());
     render(<App models={bench.models} />);
     act(() => bench.models.views.show('settings'));
-    await press('Delete everything on this device…');
-    expect(dialog().getByText('Notes of interrupted writes: 1')).toBeTruthy();
-    expect(dialog().getByRole('alert').textContent).toMatch(/read that timer before you fly/);
+    await press(en.erase.open);
+    expect(dialog().getByRole('alert').textContent).toBe(en.erase.uncertain);
   });
 
-  it('is named when it could not be deleted, and the page stays', async () => {
+  it('stays, with the page, when a part of it could not be deleted, and that is said', async () => {
     const reload = vi.fn();
     const fine = async () => {};
     const bench = await appBench({
@@ -274,13 +263,10 @@ describe('everything on this device', () => {
     bench.store.broken = true;
     render(<App models={bench.models} />);
     act(() => bench.models.views.show('settings'));
-    await press('Delete everything on this device…');
-    expect(dialog().getByText('Backups: not known')).toBeTruthy();
-    await press('Delete everything');
+    await press(en.erase.open);
+    await press(en.erase.start);
     await idle();
-    expect(dialog().getByRole('alert').textContent).toMatch(
-      /could not be deleted: the library, drafts, backups and notes of writes, the right to use serial ports, the page for use without/,
-    );
+    expect(dialog().getByRole('alert').textContent).toBe(en.erase.failed);
     expect(reload).not.toHaveBeenCalled();
   });
 });

@@ -1,5 +1,6 @@
 import { act, screen } from '@testing-library/preact';
 import { expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { button, connected, goTo, press, type } from '../screen.js';
 
@@ -40,10 +41,10 @@ it.each<[dialog: string, open: (app: AppBench) => Promise<void>]>([
   ['Read and keep all memories', () => press('Read and keep all…')],
   ['Share', () => press('Share…')],
   [
-    'Delete everything on this device',
+    en.erase.open,
     async () => {
       await goTo('settings');
-      await press('Delete everything on this device…');
+      await press(en.erase.open);
     },
   ],
   ['Save to library', () => press('Save to library…')],

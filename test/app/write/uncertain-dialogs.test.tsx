@@ -1,5 +1,6 @@
 import { fireEvent, screen } from '@testing-library/preact';
 import { afterEach, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { type TimerProgram, withValue } from '../../../src/program/index.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { connected, field, goTo, press, type } from '../screen.js';
@@ -37,10 +38,10 @@ const DIALOGS: readonly [title: string, open: (app: AppBench) => Promise<unknown
     },
   ],
   [
-    'Delete everything on this device',
+    en.erase.open,
     async () => {
       await goTo('settings');
-      await press('Delete everything on this device…');
+      await press(en.erase.open);
     },
   ],
 ];
