@@ -1,6 +1,6 @@
 import { useCallback, useEffect, useRef } from 'preact/hooks';
 import { COMPARE } from './compare/address.js';
-import { memoryKey } from './compare/choice.js';
+import { backupKey, memoryKey } from './compare/choice.js';
 import { ConnectButtons } from './connect/connect-buttons.js';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
@@ -33,6 +33,10 @@ export function App({ models }: { readonly models: AppModels }) {
     },
     [models, views],
   );
+  const compare = (first: string, second: string | null): void => {
+    models.comparedPair.show(first, second);
+    views.show('library', COMPARE);
+  };
   const printProgram = useCallback(() => print(), [print]);
   // The title that the page came with.
   const title = useRef(document.title);
@@ -61,10 +65,8 @@ export function App({ models }: { readonly models: AppModels }) {
         print={<PrintMemories session={session} onPrint={print} />}
         following={follow.on.value}
         onProgram={() => views.show('program')}
-        onCompare={(first, second) => {
-          models.comparedPair.show(memoryKey(first), memoryKey(second));
-          views.show('library', COMPARE);
-        }}
+        onCompare={(first, second) => compare(memoryKey(first), memoryKey(second))}
+        onCompareBackup={({ key }) => compare(backupKey(key), null)}
       />
     ),
     bench: () => <parts.bench.Part {...{ session, views, bench, follow, connect }} />,

@@ -11,8 +11,8 @@ import { filesOf } from './library-files.js';
 import { flightMessages } from './messages/en-flights.js';
 import type { AppModels } from './models.js';
 import { PrintButton } from './print/print-button.js';
-import { ModelBackups } from './recognition/model-backups.js';
 import { sharedOf } from './session/setting-link.js';
+import { BackupList } from './write/backup-list.js';
 
 /** The library, with what other features put into it. */
 export function LibraryPage({ models }: { readonly models: AppModels }) {
@@ -73,8 +73,9 @@ function placesOf(models: AppModels): Places {
     modelSections: (record) => (
       <>
         <FlightsSection {...flightsOf} of={{ model: record.key }} />
-        <ModelBackups
-          {...{ session, record }}
+        <BackupList
+          session={session}
+          of={record}
           following={follow.on.value}
           onLoad={() => views.show('program')}
           onCompare={({ key }) => sideBySide(backupKey(key))}

@@ -13,11 +13,11 @@ import { modelMessages } from '../../src/app/messages/en-which-model.js';
 import { messages } from '../../src/app/messages/index.js';
 import { Print } from '../../src/app/print/print.js';
 import { memoryKey, ON_SCREEN, PrintOrder } from '../../src/app/print/print-order.js';
-import { ModelBackups } from '../../src/app/recognition/model-backups.js';
 import { KnownLine } from '../../src/app/shell/known-line.js';
 import { SettingLine } from '../../src/app/shell/setting-line.js';
 import { StripModel } from '../../src/app/shell/strip-model.js';
 import type { ModelRecord } from '../../src/app/storage/index.js';
+import { BackupList } from '../../src/app/write/backup-list.js';
 import { decodeLink } from '../../src/program/index.js';
 import { type AppBench, run } from './bench/bench.js';
 import { BACKUP, CALM, DT, LANCER_HELD, lancerBench, type, WIND } from './two-models.js';
@@ -123,7 +123,7 @@ function placesOf(bench: AppBench) {
   saveSetting.dismiss();
   const backupsOf = (key: string): string => {
     const record = session.library.models.get(key) as ModelRecord;
-    return drawn(<ModelBackups {...{ session, record }} following={false} onLoad={() => {}} onCompare={() => {}} />);
+    return drawn(<BackupList session={session} of={record} following={false} onLoad={() => {}} onCompare={() => {}} />);
   };
   flights.flying();
   const flown = session.library.flights.get(flights.logged.value)?.flight ?? null;
@@ -253,7 +253,7 @@ describe('every place that names a model or says what a timer holds', () => {
     ] as const) {
       const isNow = name === own && (standing === 'read' || standing === 'verified');
       const { modelBackups } = comparingMessages;
-      if (!isNow) expect(text).not.toContain(modelBackups.same);
+      if (!isNow) expect(text).not.toContain(modelBackups.same(modelBackups.now));
     }
 
     // A flight is of the timer, and of a setting only where the timer holds all of it.

@@ -113,11 +113,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
   expect(await memories()).toEqual([before[0], before[1], before[0], before[3]]);
   expect(await app.bench(({ adapter }) => adapter.timer.core.memory), 'M1 is current again').toBe(0);
 
-  await app.page
-    .getByRole('listitem')
-    .filter({ hasText: '4 memories' })
-    .getByRole('button', { name: 'Restore all…' })
-    .click();
+  await app.button('Restore all 4…').click();
   const restore = job('Restore a backup');
   await restore.getByRole('button', { name: 'Restore' }).click();
   await restore.getByText(/^M4 verified /).waitFor();

@@ -1,7 +1,8 @@
 import type { ComponentChildren } from 'preact';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { BackupsPanel } from './backups-panel.js';
+import type { Backup } from '../storage/index.js';
+import { BackupList } from '../write/backup-list.js';
 import type { Memories } from './memories.js';
 import { MemoryCards } from './memory-cards.js';
 import './memories-page.css';
@@ -15,6 +16,8 @@ export interface MemoriesPageProps {
   readonly onProgram: () => void;
   /** Shows two memories side by side, by their last readings. */
   readonly onCompare: (first: number, second: number) => void;
+  /** Shows a backup beside the program on the screen. */
+  readonly onCompareBackup: (backup: Backup) => void;
   /** The button that connects a timer. */
   readonly connect: ComponentChildren;
   /** The button that prints the memories. */
@@ -23,7 +26,7 @@ export interface MemoriesPageProps {
 
 /** All memories of the timer at a glance, and the backups. */
 export function MemoriesPage(props: MemoriesPageProps) {
-  const { session, memories, following, onProgram, onCompare, connect, print } = props;
+  const { session, memories, following, onProgram, onCompare, onCompareBackup, connect, print } = props;
   const { overview: words, memories: all, views } = messages.value;
   const baseline = session.editor.baseline.value;
   return (
@@ -56,7 +59,14 @@ export function MemoriesPage(props: MemoriesPageProps) {
           {words.edited} {all.edited}
         </p>
       )}
-      <BackupsPanel session={session} memories={memories} following={following} onLoad={onProgram} />
+      <BackupList
+        session={session}
+        of={null}
+        following={following}
+        onLoad={onProgram}
+        onCompare={onCompareBackup}
+        onRestore={(backups) => void memories.jobs.open({ kind: 'restore', backups })}
+      />
     </div>
   );
 }

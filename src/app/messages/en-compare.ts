@@ -27,22 +27,12 @@ const compare = {
   openFirst: (name: string) => `Open ${name} to take values into it`,
 };
 
-/** The backups of a model, on its page. */
+/** How a backup differs from what its timer holds. */
 const modelBackups = {
-  title: 'Backups',
-  empty: 'Before each write, the page keeps here what the timer of this model holds.',
-  hint: 'All backups of the last two days stay, one for each of the 30 days before, and one for each earlier month.',
-  same: 'as the timer holds it now',
-  differs: (count: number) => `${plural(count, 'value differs', 'values differ')} from what it holds now`,
-  sameThen: (when: string) => `as the timer held it ${when}`,
-  differsThen: (count: number, when: string) =>
-    `${plural(count, 'value differs', 'values differ')} from what it held ${when}`,
-  simulated: (count: number) => `Of simulated timers (${count})`,
-  load: 'Load into the table',
-  loadOf: (what: string) => `Load into the table: ${what}`,
-  compareOf: (what: string) => `Compare: ${what}`,
-  cannot: 'It does not fit the connected timer.',
-  more: (count: number) => `Show ${count} more`,
+  /** @param when `now`, or the day of the last reading. */
+  same: (when: string) => `as in the timer ${when}`,
+  differs: (count: number, when: string) => `${plural(count, 'value differs', 'values differ')} from the timer ${when}`,
+  now: 'now',
 };
 
 /** Comparisons. The parts of the page that show them load these sentences. */

@@ -50,7 +50,7 @@ export const memories = {
   copyTo: (from: string) => `Copy ${from} to`,
   copy: (from: string, to: string) => `Copy ${from} to ${to}…`,
   edited: 'Changes that have not been written are not copied.',
-  restoreAll: 'Restore all…',
+  restoreAll: (count: number) => `Restore all ${count}…`,
   plans: {
     'back-up': {
       title: 'Read and keep all memories',

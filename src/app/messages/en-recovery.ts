@@ -48,13 +48,4 @@ export const backups = {
   title: 'Backups',
   empty: 'Before each write, this page keeps here what the timer holds.',
   reasons: { write: 'before a write', memories: 'all memories' },
-  entry: (timer: string, memory: string) => `${timer}, ${memory}`,
-  set: (timer: string, count: number) => `${timer}, ${plural(count, 'memory', 'memories')}`,
-  show: 'Load into the table',
-  showOf: (memory: string) => `Load ${memory} into the table`,
-  remove: 'Delete',
-  /** @param reason null for a set, whose name says it. */
-  origin: (time: string, reason: string | null, simulated: boolean) =>
-    [time, reason, simulated && 'simulated'].filter(Boolean).join(' · '),
-  otherLayout: 'For a timer of another layout.',
 };

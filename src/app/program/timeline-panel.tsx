@@ -2,6 +2,7 @@ import { computed, type ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { differences, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
+import { dotted } from '../messages/dotted.js';
 import { dateText, dutyName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Standing } from '../session/standing.js';
@@ -136,7 +137,7 @@ interface CompareWithProps {
 }
 
 function CompareWith({ session, program, isTrial, isDrawn, chosen, onChoose }: CompareWithProps) {
-  const { timeline, backups: words, memoryName, recovery } = messages.value;
+  const { timeline, backups: words, header, memoryName, recovery } = messages.value;
   const isMade = session.editor.madeAt.value !== null;
   const fitting = session.backups.list.value
     .filter((backup) => sameLayout(backup.program.identity, program.identity))
@@ -147,7 +148,7 @@ function CompareWith({ session, program, isTrial, isDrawn, chosen, onChoose }: C
     if (!backup) return key === HELD ? heldName : timeline.compareNothing;
     const { savedAt, reason, simulated, program } = backup;
     const memory = program.memory === null ? recovery.unknownMemory : memoryName(program.memory);
-    return `${memory} · ${words.origin(dateText(savedAt), words.reasons[reason], simulated)}`;
+    return dotted([memory, dateText(savedAt), words.reasons[reason], simulated && header.simulated]);
   };
   return (
     <label class="timeline-choice">

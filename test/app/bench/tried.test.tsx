@@ -4,13 +4,14 @@ import { ComparedPair } from '../../../src/app/compare/choice.js';
 import { Compare } from '../../../src/app/compare/compare.js';
 import { sideName } from '../../../src/app/compare/compare-page.js';
 import { setValues } from '../../../src/app/editing/edit.js';
+import { whole } from '../../../src/app/messages/dotted.js';
 import { bench as benchWords } from '../../../src/app/messages/en-bench.js';
 import { comparingMessages } from '../../../src/app/messages/en-compare.js';
 import { knowledge as words } from '../../../src/app/messages/en-knowledge.js';
 import { Print } from '../../../src/app/print/print.js';
 import { PrintOrder } from '../../../src/app/print/print-order.js';
-import { ModelBackups } from '../../../src/app/recognition/model-backups.js';
 import type { Backup, ModelRecord } from '../../../src/app/storage/index.js';
+import { BackupList } from '../../../src/app/write/backup-list.js';
 import { LANCER_HELD, lancerConnected, S2, twoModels } from '../two-models.js';
 import { idle, run } from './bench.js';
 
@@ -35,9 +36,9 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
   const record = session.library.models.get('Lancer') as ModelRecord;
   const backups = (): string => {
     const { container, unmount } = render(
-      <ModelBackups {...{ session, record }} following={true} onLoad={() => {}} onCompare={() => {}} />,
+      <BackupList {...{ session }} of={record} following={true} onLoad={() => {}} onCompare={() => {}} />,
     );
-    const text = [...container.querySelectorAll('.model-backup')].at(-1)?.textContent ?? '';
+    const text = [...container.querySelectorAll('.backup')].at(-1)?.textContent ?? '';
     unmount();
     return text;
   };
@@ -46,7 +47,8 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
     return timer ? sideName(session, timer).replaceAll('\u00a0', ' ') : '';
   };
   const sheet = () => new Print(session, new PrintOrder(), 'https://example.org/').copies.value[0]?.sheet;
-  const { same } = comparingMessages.modelBackups;
+  const { modelBackups } = comparingMessages;
+  const same = whole(modelBackups.same(modelBackups.now));
   expect(backups()).toContain(same);
 
   session.safety.confirm();
@@ -68,7 +70,7 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
   expect(session.standing.value.sure).toBe('now');
   expect([backups().includes(same), backups()]).toEqual([
     false,
-    expect.stringContaining(comparingMessages.modelBackups.differs(1)),
+    expect.stringContaining(modelBackups.differs(1, modelBackups.now)),
   ]);
   expect(side()).not.toContain(words.asLastRead);
   expect(sheet()?.origin).toContain(words.readAt('').trim());

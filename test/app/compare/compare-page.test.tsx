@@ -1,5 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { whole } from '../../../src/app/messages/dotted.js';
+import { comparingMessages } from '../../../src/app/messages/en-compare.js';
 import type { ModelRecord, SettingRecord } from '../../../src/app/storage/index.js';
 import { differences, type TimerProgram } from '../../../src/program/index.js';
 import { exampleMemories } from '../../../src/simulator/index.js';
@@ -170,17 +172,19 @@ describe('values of the other program', () => {
 });
 
 describe('the backups of a model', () => {
+  const { modelBackups } = comparingMessages;
+
   it('stand on its page with what differs from now, and are loaded from there', async () => {
     const bench = await page(true);
     await bench.session.backups.add(TRIMMED, 'write', false);
     await bench.session.backups.add(CALM, 'write', false);
     bench.models.views.show('library', 'lancer');
     await idle(0);
-    const rows = [...document.querySelectorAll('.model-backup')].map(({ textContent }) => textContent);
+    const rows = [...document.querySelectorAll('.backup')].map(({ textContent }) => textContent);
     expect(rows).toHaveLength(2);
-    expect(rows[0]).toContain('as the timer holds it now');
-    expect(rows[1]).toContain('3 values differ from what it holds now');
-    fireEvent.click(screen.getAllByRole('button', { name: /^Load into the table: M1/ })[1] as HTMLElement);
+    expect(rows[0]).toContain(whole(modelBackups.same(modelBackups.now)));
+    expect(rows[1]).toContain(modelBackups.differs(3, modelBackups.now));
+    fireEvent.click(screen.getAllByRole('button', { name: /^Open: M1/ })[1] as HTMLElement);
     await idle(0);
     expect([bench.models.views.shown.value, bench.editor.changes.value.length]).toEqual(['program', 3]);
   });
@@ -198,8 +202,8 @@ describe('the backups of a model', () => {
     await bench.session.backups.load();
     bench.models.views.show('library', 'lancer');
     await idle(0);
-    expect(document.querySelector('.model-backup')?.textContent).toMatch(/3 values differ from what it held /);
-    fireEvent.click(screen.getByRole('button', { name: /^Load into the table: M1/ }));
+    expect(document.querySelector('.backup')?.textContent).toContain(modelBackups.differs(3, ''));
+    fireEvent.click(screen.getByRole('button', { name: /^Open: M1/ }));
     await idle(0);
     expect([bench.editor.madeAt.value === null, bench.editor.working.value?.times[10]]).toEqual([false, 24_000]);
   });
