@@ -3,7 +3,7 @@
  * @module
  */
 
-export type { EventHandler, Listener, ListenerOptions } from './events.js';
+export type { EventHandler } from './events.js';
 export { MockSerialPort } from './port.js';
 export { MockSerial } from './serial.js';
 export type {
