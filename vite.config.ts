@@ -4,6 +4,7 @@ import { resolve } from 'node:path';
 import preact from '@preact/preset-vite';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
+import { connectionPage } from './test/tools/connection-page.js';
 import { licences, ownWorkOnly } from './test/tools/licences.js';
 
 const root = import.meta.dirname;
@@ -133,7 +134,16 @@ export default defineConfig({
   define: {
     'import.meta.env.VITE_VERSION': JSON.stringify(version),
   },
-  plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, firstPicture, securityPolicy, font, licences(root), offline],
+  plugins: [
+    preact({ include: [/\.tsx$/] }),
+    whereBuilt,
+    firstPicture,
+    securityPolicy,
+    font,
+    licences(root),
+    connectionPage(),
+    offline,
+  ],
   build: {
     outDir: '../../dist/site',
     emptyOutDir: true,

@@ -3,6 +3,7 @@ import { dirname, join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { FIRST_VERSIONS } from '../src/app/browser/platform.js';
 import { longComments } from './tools/columns.js';
+import { connectionHtml } from './tools/connection-page.js';
 import { root } from './tools/pack.js';
 import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
@@ -73,13 +74,27 @@ describe('the docs', () => {
   });
 
   it('name the browsers that reach a timer as the page does', () => {
-    const text = readFileSync(join(root, 'docs/using-the-page.md'), 'utf8');
-    const { chrome, opera, firefox, android, androidBluetooth, androidCable } = FIRST_VERSIONS;
-    expect(text).toContain(`Chrome and Edge ${chrome} or later, Opera ${opera} or later, Firefox ${firefox} or later`);
-    expect(text).toContain(
-      `Chrome ${android} or later. Chrome ${androidBluetooth} to ${android - 1} over Bluetooth only.`,
+    const { android, androidBluetooth, androidCable } = FIRST_VERSIONS;
+    for (const file of ['docs/using-the-page.md', 'docs/connection.md']) {
+      const text = readFileSync(join(root, file), 'utf8').replace(/\s+/g, ' ');
+      expect(text).toContain(
+        `Chrome ${android} or later. Chrome ${androidBluetooth} to ${android - 1} over Bluetooth only.`,
+      );
+      expect(text).toContain(`A cable needs Android ${androidCable}`);
+    }
+  });
+
+  it('become the page of the connection, with each heading, step and line to copy', () => {
+    const made = connectionHtml('# A title\n\nTwo\nlines.\n\n## Part\n\n- One `x`\n  more:\n\n      a <b>\n\n- Two\n');
+    expect(made.slice(made.indexOf('<body>'))).toBe(
+      '<body>\n<h1>A title</h1>\n<p>Two lines.</p>\n<h2>Part</h2>\n<ul>\n<li>One <code>x</code> more:\n' +
+        '<pre><code>a &lt;b&gt;</code></pre></li>\n<li>Two</li>\n</ul>\n</body>\n</html>\n',
     );
-    expect(text).toContain(`A cable needs Android ${androidCable} `);
+    const text = readFileSync(join(root, 'docs/connection.md'), 'utf8');
+    const whole = connectionHtml(text);
+    expect(whole.match(/<li>/g)?.length).toBe(text.match(/^- /gm)?.length);
+    expect(whole.match(/<pre>/g)?.length).toBe(text.match(/\n\n {6}/g)?.length);
+    expect(() => connectionHtml('| a | table |')).toThrow('a form that its page does not know');
   });
 
   it('name tests that are there for what the page says', () => {

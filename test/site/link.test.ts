@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { edited, edits, held } from './edited.js';
 
@@ -77,7 +78,7 @@ describe('the adapter comes back', () => {
 });
 
 describe('the port is taken', () => {
-  test('by another program: the page says what to do, with a rule for this adapter to copy', async () => {
+  test('by another program: the page says what to do, with a command to copy and a link to all steps', async () => {
     const app = await AppPage.open({
       bench: { granted: true },
       permissions: ['clipboard-read', 'clipboard-write'],
@@ -92,13 +93,14 @@ describe('the port is taken', () => {
     await app.button('Connect').click();
     await app.says('This page tries again for 15 seconds.');
     await app.text('Close other programs and tabs that talk to the timer').waitFor();
-    await app.page.getByText('What to do').first().click();
-    const rule = app.page.getByRole('listitem').filter({ hasText: 'allow only this kind of adapter' });
-    await rule.getByRole('button', { name: /Copy/ }).first().click();
-    await rule.getByText('Copied').first().waitFor();
-    const copied = await app.page.evaluate(() => navigator.clipboard.readText());
-    expect(copied).toContain('ATTRS{idVendor}=="0403"');
-    expect(copied).toContain('ATTRS{idProduct}=="6001"');
+    await app.page.getByText(en.help.title).first().click();
+    const linux = app.page.getByRole('listitem').filter({ hasText: en.help.steps.linux });
+    await linux.getByRole('button', { name: en.copy }).click();
+    await linux.getByText(en.copied).waitFor();
+    expect(await app.page.evaluate(() => navigator.clipboard.readText())).toBe('sudo usermod -a -G dialout $USER');
+    const all = app.page.getByRole('link', { name: en.help.page }).first();
+    const page = await app.page.request.get(new URL((await all.getAttribute('href')) ?? '', app.page.url()).href);
+    expect(await page.text()).toContain('brltty');
     await app.bench((bench) => bench.setBusy(false));
     await app.connect();
   });

@@ -424,7 +424,7 @@ export const states = {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
       await page.getByText(/^No answer for 1[0-9]\s/).waitFor();
-      await page.getByText('If it still does not answer').click();
+      await page.getByText('What to do').click();
     },
   },
   refused: {

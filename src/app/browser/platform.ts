@@ -74,45 +74,24 @@ function systemOf({ userAgent, userAgentData, maxTouchPoints = 0 }: Nameplate): 
   return /Linux|X11/.test(userAgent) ? 'linux' : 'other';
 }
 
-/** Why a browser has no Web Serial, where its name tells. */
-export type UnsupportedReason =
-  | 'chrome-old'
-  | 'edge-old'
-  | 'opera-old'
-  | 'brave'
-  | 'firefox-old'
-  | 'firefox-mobile'
-  | 'safari'
-  | 'ios'
-  | 'android';
+/** Why a browser has no Web Serial, where its name tells more than that. */
+export type UnsupportedReason = 'brave' | 'ios' | 'android';
 
 /**
- * The first versions with Web Serial. Every sentence that names one takes it from here;
- * `docs/using-the-page.md` says the same.
+ * The first versions with all or a part of Web Serial on Android. The sentence takes them from here;
+ * `docs/using-the-page.md` and `docs/connection.md` say the same.
  */
 export const FIRST_VERSIONS = {
-  chrome: 89,
-  edge: 89,
-  // Opera counts its own versions: Opera 75 is Chromium 89.
-  opera: 75,
-  firefox: 151,
-  /** Chrome on Android, all of Web Serial. */
+  /** Chrome, all of Web Serial. */
   android: 148,
-  /** Chrome on Android, over Bluetooth only. */
+  /** Chrome, over Bluetooth only. */
   androidBluetooth: 138,
   /** Android itself, for an adapter on a cable. */
   androidCable: 17,
 } as const;
 
-const TOO_OLD = { chrome: 'chrome-old', edge: 'edge-old', opera: 'opera-old', firefox: 'firefox-old' } as const;
-
-/** @returns null when the name does not tell: an unknown browser, or one that should have it. */
-export function whyUnsupported({ system, browser, version }: Platform): UnsupportedReason | null {
-  if (system === 'ios') return 'ios';
-  if (system === 'android') return browser === 'firefox' ? 'firefox-mobile' : 'android';
-  if (browser === 'brave') return browser;
-  // Safari runs on a Mac. On Linux, a related browser uses the same name.
-  if (browser === 'safari') return system === 'mac' ? 'safari' : null;
-  if (browser === 'other' || version === null) return null;
-  return version < FIRST_VERSIONS[browser] ? TOO_OLD[browser] : null;
+/** @returns null when the name does not tell: an old browser, an unknown one, or one that should have it. */
+export function whyUnsupported({ system, browser }: Platform): UnsupportedReason | null {
+  if (system === 'ios' || system === 'android') return system;
+  return browser === 'brave' ? browser : null;
 }

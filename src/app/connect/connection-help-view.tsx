@@ -1,6 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import { type Platform, whyUnsupported } from '../browser/platform.js';
+import { unsupported } from '../messages/en-browsers.js';
 import { messages, type Said } from '../messages/index.js';
 import { CopyText } from '../ui/copy-text.js';
 import { type HelpCode, type HelpStep, helpFor } from './connection-help.js';
@@ -15,62 +16,55 @@ interface ConnectionHelpProps {
   readonly rateSet: boolean;
 }
 
+/** The steps for every system: docs/connection.md, put there by the build. */
+const ALL_STEPS = 'help/connection.html';
+
 /** What to do, step by step, folded up under the notice. */
 export function ConnectionHelp(props: ConnectionHelpProps) {
-  const { code } = props;
-  const { help } = messages.value;
   useEffect(() => () => document.documentElement.removeAttribute('data-help'), []);
-  if (adviceFor(props).here.length === 0) return null;
+  if (stepsFor(props).length === 0) return null;
   return (
-    <details key={code} class="help" onToggle={({ currentTarget }) => keepInSight(currentTarget)}>
-      <summary>{code === 'still-waiting' ? help.titleStill : help.title}</summary>
+    <details key={props.code} class="help" onToggle={({ currentTarget }) => keepInSight(currentTarget)}>
+      <summary>{messages.value.help.title}</summary>
       <HelpSteps {...props} />
     </details>
   );
 }
 
-/** What to do, step by step: first for this system, then the others, folded up. */
+/** What to do on this system, and a link to the steps for every other. */
 export function HelpSteps(props: ConnectionHelpProps) {
-  const { on, systems } = messages.value.help;
-  const { here, elsewhere } = adviceFor(props);
+  const { help } = messages.value;
+  const steps = stepsFor(props);
   return (
     <>
-      <Steps steps={here} />
-      {elsewhere.map(({ system, steps }) => (
-        <details key={system}>
-          <summary>{on(systems[system])}</summary>
-          <Steps steps={steps} />
-        </details>
-      ))}
+      {steps.length > 0 && (
+        <ol>
+          {steps.map(({ code, copy }) => (
+            <li key={code}>
+              <p>{help.steps[code]}</p>
+              {copy !== undefined && <CopyText text={copy} />}
+            </li>
+          ))}
+        </ol>
+      )}
+      <p>
+        <a href={ALL_STEPS} target="_blank" rel="noreferrer">
+          {help.page}
+        </a>
+      </p>
     </>
   );
 }
 
-function adviceFor({ code, ...situation }: ConnectionHelpProps) {
+function stepsFor({ code, ...situation }: ConnectionHelpProps): readonly HelpStep[] {
   return helpFor(code, { ...situation, address: location.href });
 }
 
 /** The sentence about a failed connection. Without Web Serial it is about this browser. */
 export function connectionSaid(code: ConnectionErrorCode, platform: Platform): Said {
-  const { connection, help } = messages.value;
+  const { connection } = messages.value;
   const reason = code === 'unsupported' ? whyUnsupported(platform) : null;
-  return reason ? help.unsupported[reason] : connection[code];
-}
-
-function Steps({ steps }: { readonly steps: readonly HelpStep[] }) {
-  const { help } = messages.value;
-  return (
-    <ol>
-      {steps.map(({ code, copy }) => (
-        <li key={code}>
-          <p>{help.steps[code]}</p>
-          {copy.map((text) => (
-            <CopyText key={text} text={text} />
-          ))}
-        </li>
-      ))}
-    </ol>
-  );
+  return reason ? unsupported[reason] : connection[code];
 }
 
 /** The help opens in the head of the page, which scrolls away while it is as long as this. It must stay in sight. */

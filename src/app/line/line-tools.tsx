@@ -31,7 +31,10 @@ export function LineTools({ session, view }: { readonly session: Session; readon
           </>
         )}
         {used && (
-          <CopyButton label={line.copy} text={() => captureText(view.found.value, captureNotes(view.found.value))} />
+          <CopyButton
+            label={messages.value.copy}
+            text={() => captureText(view.found.value, captureNotes(view.found.value))}
+          />
         )}
         {live && (
           <button type="button" disabled={view.all.value.length === 0} onClick={() => save(view)}>

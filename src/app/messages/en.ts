@@ -165,6 +165,8 @@ export const en = {
   },
   cancel: 'Cancel',
   close: 'Close',
+  copy: 'Copy',
+  copied: 'Copied.',
   dismiss: 'Dismiss',
   open: 'Open',
   save: 'Save',

@@ -12,7 +12,6 @@ interface CopyButtonProps {
 
 /** Copies a text. Where the browser does not allow it, shows the text, selected, so that the pilot can copy it. */
 export function CopyButton({ label, text }: CopyButtonProps) {
-  const { line } = messages.value;
   const { copied, refused, copy, forget } = useCopy(text);
   return (
     <span class="copy-button">
@@ -20,7 +19,7 @@ export function CopyButton({ label, text }: CopyButtonProps) {
       <button type="button" onClick={() => void copy()} onBlur={() => copied.value && forget()}>
         {label}
       </button>
-      <span role="status">{copied.value && line.copied}</span>
+      <span role="status">{copied.value && messages.value.copied}</span>
       {refused.value !== null && <ByHand text={refused.value} onClose={forget} />}
     </span>
   );

@@ -8,14 +8,13 @@ import './copy-text.css';
  * A click on the line selects it, for when there is no clipboard.
  */
 export function CopyText({ text }: { text: string }) {
-  const words = messages.value.help;
+  const { copy: label, copied: done, line: words } = messages.value;
   const line = useRef<HTMLElement>(null);
   const id = useId();
   const mark = (): void => {
     if (line.current) getSelection()?.selectAllChildren(line.current);
   };
   const { copied, refused, copy, forget } = useCopy(() => text, mark);
-  const done = copied.value ? words.copied : refused.value === null ? null : words.marked;
   return (
     <div class="copy-text">
       {/* biome-ignore lint/a11y/useKeyWithClickEvents: the button beside it does the same by keyboard */}
@@ -23,11 +22,9 @@ export function CopyText({ text }: { text: string }) {
         {text}
       </code>
       <button type="button" aria-describedby={id} onClick={() => void copy()} onBlur={forget}>
-        {done ?? words.copy}
+        {label}
       </button>
-      <span class="visually-hidden" role="status">
-        {done}
-      </span>
+      <span role="status">{copied.value ? done : refused.value !== null && words.copyByHand}</span>
     </div>
   );
 }

@@ -1,5 +1,6 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { guide } from '../../../src/app/messages/en-guide.js';
 import { settings } from '../../../src/app/messages/en-settings.js';
 import { TABS_BELOW } from '../../../src/app/ui/use-query.js';
@@ -145,7 +146,7 @@ it('a symptom of the connection has the same steps as the page shows when it hap
   const { models } = await opened();
   await look(models, 'trouble');
   const symptom = within(screen.getByText('The timer does not answer').closest('details') as HTMLElement);
-  expect(symptom.getByText(/^The timer falls asleep after one or two minutes\./)).toBeTruthy();
+  expect(symptom.getByText(en.help.steps.battery)).toBeTruthy();
 });
 
 it('the settings lead to the help where the links to the views have no room for it', async () => {
