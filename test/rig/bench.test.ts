@@ -82,12 +82,9 @@ describe('servos that follow', () => {
     await pilot.sees(en.bench.triedAndWaiting(2, 0));
     await expect.poll(stand).toEqual([5, [65, 70, 65]]);
 
-    // Or for the switch.
-    await pilot.goTo('bench');
-    await pilot.page.getByRole('switch', { name: en.bench.going }).click();
-    await pilot.goTo('program');
     await pilot.field('DT, S3').fill('12');
     await pilot.field('DT, S3').blur();
+    await pilot.button(en.bench.bring('DT')).click();
     await pilot.sees(en.bench.triedAndWaiting(3, 0));
     await expect.poll(stand).toEqual([10, [115, 115, 12]]);
 

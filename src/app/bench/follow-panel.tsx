@@ -15,7 +15,7 @@ interface FollowSwitchProps {
   readonly identity: Identity;
 }
 
-/** The switches, and what to do with the positions that were tried. */
+/** The switch, and what to do with the positions that were tried. */
 export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
   const { bench: words } = messages.value;
   const on = follow.on.value;
@@ -44,14 +44,6 @@ export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
             </button>
           </div>
         </div>
-      )}
-      {on && (
-        <>
-          <Switch on={follow.going.value} onClick={() => follow.setGoing(!follow.going.value)}>
-            {words.going}
-          </Switch>
-          <p class="hint">{words.goingHint}</p>
-        </>
       )}
       {on && follow.hasEarlier.value && <p class="hint">{words.followPending}</p>}
       {(on || open) && <p role="status">{words.tried(tried.length)}</p>}

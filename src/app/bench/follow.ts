@@ -38,8 +38,6 @@ const BESIDE: ReadonlySet<JobKind> = new Set(['bench', 'frame']);
 export class Follow {
   /** Whether the servos follow. */
   readonly on: ReadonlySignal<boolean>;
-  /** Whether the servos also go to each function that is edited. Off whenever following begins. */
-  readonly going: ReadonlySignal<boolean>;
   /** Whether the timer is being read and backed up, which comes before following. */
   readonly starting: ReadonlySignal<boolean>;
   /** Whether the backup could not be kept: the page asks whether to follow all the same. */
@@ -55,7 +53,6 @@ export class Follow {
   /** The positions that were tried and not yet kept or put back. */
   readonly trials: Trials;
   readonly #following = signal<Following | null>(null, { name: 'following' });
-  readonly #going = signal(false, { name: 'going' });
   /** Stands for the start in progress; another one is another object. */
   readonly #start = signal<object | null>(null, { name: 'start' });
   /** What the timer holds, while no backup of it could be kept. */
@@ -76,7 +73,6 @@ export class Follow {
     this.#edits = new FollowedEdits(editor);
     this.trials = session.trials;
     this.on = computed(() => this.#following.value !== null);
-    this.going = this.#going;
     this.ended = this.#ended;
     this.starting = computed(() => this.#start.value !== null);
     this.unkept = computed(() => this.#unkept.value !== null);
@@ -140,12 +136,6 @@ export class Follow {
   /** The pilot does not want to follow without a backup. */
   cancelUnkept(): void {
     this.#unkept.value = null;
-  }
-
-  /** Sets whether the servos go to each function that is edited. Only while they follow. */
-  setGoing(on: boolean): void {
-    this.#edits.forgetLastSlot();
-    this.#going.value = on && this.on.value;
   }
 
   /**
@@ -215,7 +205,6 @@ export class Follow {
     this.#edits.end();
     batch(() => {
       this.#following.value = null;
-      this.#going.value = false;
       this.#wanted.value = null;
       this.#ended.value = reason && { reason, held, unlike };
     });
@@ -278,7 +267,6 @@ export class Follow {
     const isDue = (slot: number | null): boolean => due.some(({ field }) => field.slot === slot);
     const at = this.#bench.stand.at.value;
     if (this.#wanted.value !== null) return this.#wanted.value;
-    if (this.#going.value && isDue(this.#edits.lastSlot)) return this.#edits.lastSlot;
     return isDue(at) ? at : null;
   }
 

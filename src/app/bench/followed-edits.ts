@@ -28,7 +28,6 @@ export class FollowedEdits {
   readonly #editor: Editor;
   /** The wanted program at the last call of `note()`. */
   #seen: TimerProgram | null = null;
-  #lastSlot: number | null = null;
   #typing: ReturnType<typeof setTimeout> | undefined;
   readonly #changedAt = new Map<string, number>();
 
@@ -36,20 +35,9 @@ export class FollowedEdits {
     this.#editor = editor;
   }
 
-  /** The function that was edited last; null for none, or for several at once. */
-  get lastSlot(): number | null {
-    return this.#lastSlot;
-  }
-
-  /** Forgets which function was edited last. */
-  forgetLastSlot(): void {
-    this.#lastSlot = null;
-  }
-
   /** Begins: later edits are followed. */
   begin(): void {
     this.#seen = this.#editor.working.peek();
-    this.#lastSlot = null;
     this.#touched.value = new Set();
   }
 
@@ -66,9 +54,6 @@ export class FollowedEdits {
     if (!working || !before || before === working || !sameLayout(before.identity, working.identity)) return;
     const changed = differences(before, working).map(({ field }) => field);
     for (const field of changed) this.#changedAt.set(fieldKey(field), performance.now());
-    const slots = new Set(changed.flatMap((field) => (field.kind === 'position' ? [field.slot] : [])));
-    // After a paste over several functions the servos must not run through all of them.
-    if (slots.size > 0) this.#lastSlot = slots.size === 1 ? ([...slots][0] ?? null) : null;
     this.#touched.value = new Set([...this.#touched.peek(), ...changed.map(fieldKey)]);
   }
 

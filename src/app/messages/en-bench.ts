@@ -37,8 +37,6 @@ export const bench = {
   unkept: 'This device could not keep a backup. Without it you cannot bring back what the timer holds now.',
   followUnkept: 'Follow without a backup',
   stopFollowing: 'Stop following',
-  going: 'Go to the function I edit',
-  goingHint: 'The servos move there, and the page does not ask first. This switches off when following stops.',
   followPending: 'Earlier edits are not sent: they wait for Write.',
   timesWait: 'Times wait for Write.',
   ended: {

@@ -333,23 +333,6 @@ describe('servos that follow', () => {
     );
   });
 
-  it('go to the edited function only when that is switched on', async () => {
-    const app = await opened();
-    const going = () => screen.queryByRole('switch', { name: 'Go to the function I edit' });
-    expect(going()).toBeNull();
-    await flip();
-    expect(going()?.getAttribute('aria-checked')).toBe('false');
-    fireEvent.click(going() as HTMLElement);
-    await idle();
-    expect(going()?.getAttribute('aria-checked')).toBe('true');
-    await type('Function 4, S2', '70');
-    expect([positions(app), isMarked('Function 4')]).toEqual([[70, 70], true]);
-    await flip();
-    await press('Keep it');
-    await flip();
-    expect(going()?.getAttribute('aria-checked')).toBe('false');
-  });
-
   it('do not count what waits for a write', async () => {
     await opened();
     await press('Function 4');

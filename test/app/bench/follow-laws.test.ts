@@ -12,7 +12,7 @@ type Act =
   | { readonly do: 'edit'; readonly servo: number; readonly slots: readonly number[]; readonly value: number }
   | { readonly do: 'type'; readonly servo: number; readonly slot: number; readonly text: string }
   | { readonly do: 'move' | 'bring'; readonly slot: number }
-  | { readonly do: 'going' | 'safe'; readonly on: boolean }
+  | { readonly do: 'safe'; readonly on: boolean }
   | { readonly do: 'deaf'; readonly answers: number }
   | { readonly do: 'select'; readonly memory: number }
   | {
@@ -44,7 +44,6 @@ const act: fc.Arbitrary<Act> = fc.oneof(
   fc.record({ do: fc.constant('edit' as const), servo, slots: fc.uniqueArray(slot, { minLength: 1 }), value }),
   fc.record({ do: fc.constant('type' as const), servo, slot: few, text: value.map(String) }),
   { arbitrary: fc.record({ do: fc.constantFrom('move' as const, 'bring' as const), slot: few }), weight: 4 },
-  { arbitrary: fc.record({ do: fc.constant('going' as const), on: fc.boolean() }), weight: 3 },
   fc.record({ do: fc.constant('safe' as const), on: fc.constantFrom(true, true, true, false) }),
   fc.record({ do: fc.constant('deaf' as const), answers: fc.integer({ min: 1, max: 4 }) }),
   fc.record({ do: fc.constant('select' as const), memory: fc.nat(1) }),
@@ -68,9 +67,6 @@ class Judge {
   #moved: number | null = null;
   /** A click under a row, until the servos no longer follow. */
   #brought: number | null = null;
-  /** The function of the last edit since the switch is on. */
-  #edited: number | null = null;
-  #going = false;
   #safe = true;
   /** Where a movement was acknowledged, with nothing since that could have moved the servos. */
   #at: number | null = null;
@@ -86,12 +82,6 @@ class Judge {
   acts(act: Act, isOn: boolean): void {
     this.#moved = act.do === 'move' ? act.slot : null;
     if (act.do === 'bring' && isOn) this.#brought = act.slot;
-    if (act.do === 'going') {
-      this.#going = act.on && isOn;
-      this.#edited = null;
-    }
-    if (act.do === 'edit') this.#edited = this.#going && act.slots.length === 1 ? (act.slots[0] ?? null) : null;
-    if (act.do === 'type') this.#edited = this.#going ? act.slot : null;
     if (act.do === 'safe') this.#safe = act.on;
     if (['stop', 'hide', 'unplug'].includes(act.do) || !this.#safe) this.ends();
   }
@@ -99,12 +89,9 @@ class Judge {
   /** The servos no longer follow, as the page says. */
   ends(): void {
     this.#brought = null;
-    this.#edited = null;
-    this.#going = false;
   }
 
-  /** @param undone the page has undone an edit: to which function it belonged is not followed here. */
-  judges({ session }: AppBench, undone: boolean): void {
+  judges({ session }: AppBench): void {
     const entries = session.log.entries.value.filter(({ number }) => number > this.#seen);
     this.#seen = session.log.newest.value;
     for (const { direction, frame } of entries) {
@@ -118,7 +105,7 @@ class Judge {
         }
         continue;
       }
-      if (code === COMMANDS.MOVETOFUNC.request) this.#explains(data[0] as number, undone);
+      if (code === COMMANDS.MOVETOFUNC.request) this.#explains(data[0] as number);
       const slot = data[0] ?? -1;
       // Fences and readings in between move nothing.
       if ((code - 0x61) % 2 === 0) this.#asked = { code, slot };
@@ -129,19 +116,17 @@ class Judge {
     }
   }
 
-  #explains(slot: number, undone: boolean): void {
+  #explains(slot: number): void {
     expect(this.#safe, `the servos moved to function ${slot} although nobody had said that it is safe`).toBe(true);
     const isAgain = this.#stored && this.#at === slot;
-    const isEdited = this.#edited === slot || (undone && this.#going);
-    const why = { isAgain, moved: this.#moved === slot, brought: this.#brought === slot, isEdited };
+    const why = { isAgain, moved: this.#moved === slot, brought: this.#brought === slot };
     expect(Object.values(why).some(Boolean), `the servos moved to function ${slot} although nobody asked for it`).toBe(
       true,
     );
     if (isAgain) return;
     // One click, one movement.
     if (why.moved) this.#moved = null;
-    else if (why.brought) this.#brought = null;
-    else this.#edited = null;
+    else this.#brought = null;
   }
 }
 
@@ -158,7 +143,6 @@ function perform(app: AppBench, act: Act, lose: (answers: number) => void): void
     editor.apply(setValues({ code: 'change', params: {} }, values));
   } else if (act.do === 'move') void bench.moveTo(act.slot);
   else if (act.do === 'bring') follow.bring(act.slot);
-  else if (act.do === 'going') follow.setGoing(act.on);
   else if (act.do === 'safe') act.on ? session.safety.confirm() : session.safety.withdraw();
   else if (act.do === 'deaf') lose(act.answers);
   else if (act.do === 'select') void session.reader.selectMemory(act.memory);
@@ -188,7 +172,7 @@ function losing({ timer: { core } }: AppBench): (answers: number) => void {
   };
 }
 
-it('every movement on the wire comes from a click or the switch, and the servos stand where the page says', async () => {
+it('every movement on the wire comes from a click, and the servos stand where the page says', async () => {
   await fc.assert(
     fc.asyncProperty(fc.array(step, { minLength: 5, maxLength: 40 }), setMoves, async (steps, moves) => {
       localStorage.clear();
@@ -202,12 +186,11 @@ it('every movement on the wire comes from a click or the switch, and the servos 
         judge.acts(act, app.follow.on.value);
         perform(app, act, lose);
         await vi.advanceTimersByTimeAsync(ms);
-        judge.judges(app, act.do === 'undo');
+        judge.judges(app);
         const isOn = app.follow.on.value;
         if ((wasOn && !isOn) || app.session.connection.value !== connection) judge.ends();
         wasOn = isOn;
         connection = app.session.connection.value;
-        expect(app.follow.going.value && !isOn, 'the servos still follow although the switch is off').toBe(false);
         const at = app.bench.stand.at.value;
         if (at === null || app.session.runner.busy.value) continue;
         const { core } = app.timer;
@@ -215,7 +198,7 @@ it('every movement on the wire comes from a click or the switch, and the servos 
       }
       void app.follow.stop();
       await idle();
-      judge.judges(app, false);
+      judge.judges(app);
       if (app.session.connection.value) {
         expect(app.editor.baseline.value?.positions).toEqual(app.timer.core.content.positions);
       }

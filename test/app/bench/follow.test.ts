@@ -203,58 +203,11 @@ describe('servos that follow', () => {
   });
 });
 
-describe('going to the function that is edited', () => {
-  async function going(options: BenchOptions = {}): Promise<AppBench> {
-    const app = await following(options);
-    app.follow.setGoing(true);
-    return app;
-  }
-
-  it('moves the servos there before and after the value', async () => {
-    const app = await going();
-    set(app, [position(0, 6), 7]);
-    await idle();
-    expect(told(app)).toEqual(['M6', 'S6.0=7', 'M6']);
-    set(app, [position(0, 6), 8]);
-    await idle();
-    expect(told(app).slice(3)).toEqual(['S6.0=8', 'M6']);
-  });
-
-  it('goes only to the last one when the pilot is quicker than the servos', async () => {
-    const app = await going({ latency: 50 });
-    for (const slot of [1, 2, 3, 5, 6]) {
-      set(app, [position(0, slot), 7]);
-      await vi.advanceTimersByTimeAsync(10);
-    }
-    await idle();
-    expect(told(app)).toEqual(['M1', 'S1.0=7', 'M1', 'M6', 'S6.0=7', 'M6']);
-    expect([...app.follow.awaited.value]).toEqual([2, 3, 5]);
-  });
-
-  it('does not send them through all the functions of a paste', async () => {
-    const app = await going();
-    set(app, ...[5, 6, 7].map((slot): [ProgramField, number] => [position(0, slot), 7]));
-    await idle();
-    expect([told(app), [...app.follow.awaited.value]]).toEqual([[], [5, 6, 7]]);
-  });
-
-  it('goes nowhere for what was edited before it was switched on', async () => {
-    const app = await following();
-    set(app, [position(0, 6), 7]);
-    await idle();
-    app.follow.setGoing(true);
-    await idle();
-    expect(told(app)).toEqual([]);
-  });
-
-  it('is off whenever the servos begin to follow, and cannot be switched on before', async () => {
-    const app = await going();
-    await run(app.follow.stop());
-    app.follow.setGoing(true);
-    expect(app.follow.going.value).toBe(false);
-    await run(app.follow.start());
-    expect([app.follow.on.value, app.follow.going.value]).toEqual([true, false]);
-  });
+it('servos are not sent to another function by an edit there', async () => {
+  const app = await following();
+  set(app, [position(0, 6), 7]);
+  await idle();
+  expect([told(app), [...app.follow.awaited.value]]).toEqual([[], [6]]);
 });
 
 describe('following ends', () => {
