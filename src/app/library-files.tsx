@@ -7,7 +7,7 @@ const made = new WeakMap<AppModels, LibraryFiles>();
 /** Export and import. Built on first use: the page works before this part is loaded. */
 export function filesOf(models: AppModels): LibraryFiles {
   const { session, keeping } = models;
-  const files = made.get(models) ?? new LibraryFiles({ library: session.library, storage: keeping.storage });
+  const files = made.get(models) ?? new LibraryFiles({ library: session.library, kept: keeping.kept });
   made.set(models, files);
   return files;
 }

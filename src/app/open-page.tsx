@@ -113,13 +113,7 @@ async function work(root: HTMLElement, theme: Theme, tab: OneTab, lacks: readonl
   document.addEventListener('visibilitychange', () => document.hidden || keeping.tryAgain());
   onWake(() => session.link.recheck());
   followDay();
-  const onMissing = (): void => keeping.lack('offline');
-  try {
-    const { isKept: onKept } = installation;
-    registerOffline({ onUpdateReady: update.offer, whenFree: update.whenFree, onKept, onMissing });
-  } catch {
-    onMissing();
-  }
+  tried(() => registerOffline({ onUpdateReady: update.offer, whenFree: update.whenFree, onKept: installation.isKept }));
 }
 
 /** Does what takes long before the pilot waits for it. */

@@ -1,7 +1,8 @@
 import { render, screen } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../src/app/app.js';
-import { SHELF_CALLS, SHELVES, StorageError } from '../../src/app/storage/index.js';
+import { en } from '../../src/app/messages/en.js';
+import { SHELF_CALLS, SHELVES } from '../../src/app/storage/index.js';
 import type { ProgramField } from '../../src/program/index.js';
 import { type AppBench, appBench, type BenchOptions, connectedBench, idle, MemoryStore, run } from './bench/bench.js';
 
@@ -55,14 +56,14 @@ async function left(): Promise<MemoryStore> {
 }
 
 describe('a storage that does not answer', () => {
-  it('is reported after three seconds, and not before', async () => {
+  it('is reported after five seconds, and not before', async () => {
     const store = new MemoryStore();
     hold(store, () => new Promise(() => {}));
     await drawn({ store });
-    await idle(2900);
-    expect(screen.queryByText(/Its storage does not answer/)).toBeNull();
+    await idle(4900);
+    expect(screen.queryByText(en.keeping.notKnown, { exact: false })).toBeNull();
     await idle(100);
-    expect(screen.getByText(/Its storage does not answer/)).toBeTruthy();
+    expect(screen.getByText(en.keeping.notKnown, { exact: false })).toBeTruthy();
   });
 
   it('does not prevent reading, typing and writing', async () => {
@@ -93,10 +94,10 @@ describe('a storage that does not answer', () => {
     const answer = delay(store);
     const bench = await drawn({ store });
     await idle();
-    expect([bench.editor.working.value, bench.keeping.storage.value]).toEqual([null, 'slow']);
+    expect([bench.editor.working.value, bench.keeping.kept.value]).toEqual([null, null]);
     answer();
     await idle();
-    expect([bench.editor.textOf(S1), bench.keeping.storage.value]).toEqual(['7', null]);
+    expect([bench.editor.textOf(S1), bench.keeping.kept.value]).toEqual(['7', true]);
     expect(screen.getByText('Your changes are back.')).toBeTruthy();
   });
 
@@ -117,17 +118,22 @@ describe('a storage that does not answer', () => {
   });
 });
 
-describe('what the storage says', () => {
-  it.each([
-    ['newer', /A newer version of this page has changed its storage\. Load the page again/],
-    ['blocked', /Another tab holds an older version/],
-    ['full', /Its storage is full/],
-    ['missing', /It has no storage for this page/],
-    ['failed', /Its storage fails/],
-  ] as const)('has its own sentence: %s', async (code, sentence) => {
-    const store = new MemoryStore();
-    hold(store, () => Promise.reject(new StorageError(code, 'as a browser does')));
-    await drawn({ store });
-    expect(screen.getByText(sentence)).toBeTruthy();
-  });
+it('a storage that refuses does not keep, and that is said', async () => {
+  const store = new MemoryStore();
+  hold(store, () => Promise.reject(new DOMException('as a browser does', 'QuotaExceededError')));
+  const bench = await drawn({ store });
+  expect(bench.keeping.kept.value).toBe(false);
+  expect(screen.getByText(en.keeping.notKept, { exact: false })).toBeTruthy();
+});
+
+it.each([
+  ['tabs', en.keeping.oneTab, en.keeping.notKept],
+  ['settings', en.keeping.notKept, en.keeping.oneTab],
+  ['emptied', en.keeping.emptied, en.keeping.notKept],
+] as const)('a browser that lacks “%s” is told apart from a storage that refuses', async (lack, said, other) => {
+  const bench = await drawn({});
+  bench.keeping.lack(lack);
+  await idle(0);
+  expect(screen.getByText(said, { exact: false })).toBeTruthy();
+  expect(screen.queryByText(other, { exact: false })).toBeNull();
 });

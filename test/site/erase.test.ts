@@ -92,7 +92,7 @@ test('when the browser deletes everything that it kept, the page stays, says so,
   const { app, empty } = await withLibrary();
   await app.page.evaluate(() => void Object.assign(window, { stays: true }));
   await empty('all');
-  await app.says(en.keeping.lacks.emptied);
+  await app.says(en.keeping.emptied);
   const downloading = app.page.waitForEvent('download');
   await app.button(en.keeping.export).click();
   const { library } = parseLibraryFile(await readFile(await (await downloading).path(), 'utf8'));
@@ -108,7 +108,7 @@ test('when the browser deletes what it kept, the page says so, and keeps what is
   const note = page.getByRole('article', { name: 'calm' }).getByRole('textbox', { name: 'Note' });
   await note.fill('after that');
   await note.blur();
-  await app.says(en.keeping.lacks.emptied);
+  await app.says(en.keeping.emptied);
   await app.button(en.keeping.export).waitFor();
   const { hash } = new URL(page.url());
   await app.reload();

@@ -184,14 +184,13 @@ describe('the page starts all the same', () => {
 
   test('after a later version has stored data in another way', async () => {
     const app = await AppPage.open({ bench: {}, before: () => void indexedDB.open('sidus-timer', 99) });
-    await app.says('A newer version of this page has changed its storage.');
+    await app.says(en.keeping.notKept);
     await app.connect();
   });
 
-  const refusals: [how: string, sentence: string, before: () => void][] = [
+  const refusals: [how: string, before: () => void][] = [
     [
       'at once',
-      'It has no storage for this page, or its storage is switched off.',
       () => {
         IDBFactory.prototype.open = () => {
           throw new DOMException('The storage is off.', 'SecurityError');
@@ -200,7 +199,6 @@ describe('the page starts all the same', () => {
     ],
     [
       'when it is written to',
-      'Its storage is full.',
       () => {
         IDBObjectStore.prototype.put = () => {
           throw new DOMException('The storage is full.', 'QuotaExceededError');
@@ -211,11 +209,11 @@ describe('the page starts all the same', () => {
 
   test.for(refusals)(
     'where the browser refuses to store, %s: typed text stays while the page is open',
-    async ([, sentence, before]) => {
+    async ([, before]) => {
       const app = await AppPage.open({ bench: {}, before });
       await app.connect();
       await app.type('Function 2, S1', '7');
-      await app.says(sentence);
+      await app.says(en.keeping.notKept);
       await app.fly('M2');
       await app.fly('M1');
       await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
@@ -237,8 +235,8 @@ describe('the page starts all the same', () => {
     });
     await app.connect();
     await app.type('Function 2, S1', '7');
-    await app.says('Make room on this device and come back to this page');
+    await app.says(en.keeping.notKept);
     await app.page.evaluate(() => dispatchEvent(new Event('room')) && dispatchEvent(new Event('focus')));
-    await app.text('Its storage is full.').waitFor({ state: 'detached' });
+    await app.text(en.keeping.notKept).waitFor({ state: 'detached' });
   });
 });

@@ -4,7 +4,7 @@ import { SERVICES, type ServiceName, type Uses } from '../../src/app/browser/ser
 import { en } from '../../src/app/messages/en.js';
 import { newPage, newProfile, STORED } from './page.js';
 
-const { lacks, storage } = en.keeping;
+const { notKept, oneTab, title } = en.keeping;
 
 /** A fault of one service in the browser: of the whole service, or of one call. */
 interface Fault {
@@ -125,7 +125,7 @@ async function works(page: Page): Promise<void> {
   await field.fill('4:00');
   await field.press('Enter');
   await expect.poll(() => field.inputValue()).toBe('4:00');
-  const said = page.getByText(en.keeping.title);
+  const said = page.getByText(title);
   const keptOrSaid = async (): Promise<boolean> =>
     (await page.evaluate(() => window.keptTimes())).includes(24_000) || (await said.isVisible());
   await expect.poll(keptOrSaid, { message: 'the edit is kept, or the page says that it is not' }).toBe(true);
@@ -135,11 +135,10 @@ async function works(page: Page): Promise<void> {
 type Sentence = readonly [sentence: string | null, ...calls: (string | null)[]];
 const NOTHING: Sentence = [null];
 const SAID: Partial<Record<ServiceName, Sentence>> = {
-  locks: [lacks.tabs, null, 'request'],
-  indexedDB: [storage.missing, null, 'open'],
-  localStorage: [lacks.settings, null, 'setItem', 'removeItem'],
-  sessionStorage: [lacks.settings, null, 'setItem', 'removeItem'],
-  serviceWorker: [lacks.offline, null, 'register', 'controller', 'addEventListener'],
+  locks: [oneTab, null, 'request'],
+  indexedDB: [notKept, null, 'open'],
+  localStorage: [notKept, null, 'setItem', 'removeItem'],
+  sessionStorage: [notKept, null, 'setItem', 'removeItem'],
 };
 
 /**
@@ -268,5 +267,5 @@ test('a storage that never answers is reported, and the page works', async () =>
     };
   });
   await works(page);
-  await page.getByRole('status').filter({ hasText: storage.slow }).waitFor();
+  await page.getByRole('status').filter({ hasText: en.keeping.notKnown }).waitFor();
 });

@@ -5,7 +5,6 @@ import { withValues } from '../editing/edit.js';
 import type { JobContext, JobKind } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import type { Trials } from '../session/trials.js';
-import { withinLimit } from '../storage/limit.js';
 import type { Bench } from './bench.js';
 import type { Ended, EndReason } from './ended.js';
 import { FollowedEdits, type Position } from './followed-edits.js';
@@ -114,7 +113,7 @@ export class Follow {
       if (!(await this.#session.reader.read()) || isOff()) return;
       const before = editor.baseline.value;
       if (!before) return;
-      const kept = await withinLimit(() => backups.add(before, 'write', simulated.value)).then(
+      const kept = await backups.add(before, 'write', simulated.value).then(
         () => true,
         () => false,
       );

@@ -1,11 +1,11 @@
-import { answerOf, service } from './services.js';
+import { attempt, service } from './services.js';
 
 /**
  * Copies a text.
  * @throws the error of the browser when it does not allow copying, or does not answer soon.
  */
 export function copyText(text: string): Promise<void> {
-  return answerOf(async () => await here().writeText(text));
+  return attempt(async () => await here().writeText(text));
 }
 
 /**

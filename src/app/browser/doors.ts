@@ -3,10 +3,9 @@ import { service, tried } from './services.js';
 
 /**
  * What the browser may lack for this page, besides its storage. `tabs`: it does not say whether another tab works.
- * `settings` are small choices. `offline`: the page kept for use without a network. `emptied`: what its storage held
- * until it was deleted.
+ * `settings` are small choices, and what was tried on the bench. `emptied`: what its storage held until it was deleted.
  */
-export type Lack = 'tabs' | 'settings' | 'offline' | 'emptied';
+export type Lack = 'tabs' | 'settings' | 'emptied';
 
 /** The part of a media query that the page uses. */
 export type Query = Pick<MediaQueryList, 'matches' | 'addEventListener' | 'removeEventListener'>;

@@ -1,9 +1,7 @@
-import { answerOf, nameplate, service } from './services.js';
+import { nameplate, service } from './services.js';
 
 /** How often a page that stays open looks for a new version, in milliseconds. */
 const LOOK_AGAIN = 3_600_000;
-/** How long the worker's script may take to arrive, in milliseconds. After that the page says that it is not kept. */
-const FETCHED = 10_000;
 
 export interface OfflineOptions {
   /** A new version waits; `take` starts it in place of this one. Called again for each that replaces a waiting one. */
@@ -15,18 +13,13 @@ export interface OfflineOptions {
   readonly whenFree: (callback: () => void) => void;
   /** This version is completely kept for use without a network. */
   readonly onKept: () => void;
-  /** The browser does not keep the page for use without a network. */
-  readonly onMissing: () => void;
 }
 
 /** Keeps the page for use without a network, and offers its new versions. Does nothing in development. */
-export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: OfflineOptions): void {
+export function registerOffline({ onUpdateReady, whenFree, onKept }: OfflineOptions): void {
   if (!import.meta.env.PROD) return;
   const serviceWorker = service('serviceWorker');
-  if (!serviceWorker) {
-    onMissing();
-    return;
-  }
+  if (!serviceWorker) return;
 
   // The first worker ever takes over a page of its own version. Every later worker brings a newer page.
   let replacing = serviceWorker.controller !== null;
@@ -34,16 +27,14 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
   if (replacing) onKept();
   serviceWorker.addEventListener('controllerchange', () => {
     // The browser has deleted what it kept for this page: what is on the screen may be all that is left of it.
-    if (serviceWorker.controller === null) onMissing();
-    else if (replacing) whenFree(() => location.reload());
+    if (serviceWorker.controller === null) return;
+    if (replacing) whenFree(() => location.reload());
     else onKept();
     replacing = true;
   });
 
   const register = async (): Promise<void> => {
-    const registering = serviceWorker.register(workerAddress());
-    answerOf(() => registering, FETCHED).catch(failed);
-    const registration = await registering;
+    const registration = await serviceWorker.register(workerAddress());
     const takeWaiting = (): void => {
       replacing = true;
       registration.waiting?.postMessage({ type: 'SKIP_WAITING' });
@@ -63,10 +54,7 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
     await registration.update();
   };
   // Without a network, or where nothing may be kept, the page works all the same.
-  const failed = (): void => {
-    if (serviceWorker.controller === null && nameplate().onLine) onMissing();
-  };
-  const start = (): void => void register().catch(failed);
+  const start = (): void => void register().catch(() => {});
   if (document.readyState === 'complete') start();
   else addEventListener('load', start, { once: true });
 }

@@ -1,6 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
-import { answerOf, type Service, service, tried } from './services.js';
+import { attempt, type Service, service, tried } from './services.js';
 
 /** The part of `navigator.locks` that the page uses. */
 export type Locks = Service<'locks'>;
@@ -82,13 +82,13 @@ export class OneTab {
    */
   async begin(): Promise<'alone' | 'other' | 'unknown'> {
     try {
-      if (await answerOf(() => this.#take({ ifAvailable: true }), ANSWER_WAIT)) return 'alone';
+      if (await attempt(() => this.#take({ ifAvailable: true }), ANSWER_WAIT)) return 'alone';
     } catch {
       return 'unknown';
     }
     this.#queue();
     try {
-      await answerOf(() => this.free, RELOAD_WAIT);
+      await attempt(() => this.free, RELOAD_WAIT);
       return 'alone';
     } catch {
       this.#say({ kind: 'who' });

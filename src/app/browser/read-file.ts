@@ -1,4 +1,4 @@
-import { answerOf } from './services.js';
+import { attempt } from './services.js';
 
 /** A file of more bytes is not even read: a library of 20 million characters has at most three bytes for each. */
 const LARGEST = 60_000_000;
@@ -13,7 +13,7 @@ export async function textOfFile(file: Blob): Promise<{ text: string } | { unrea
   if (file.size > LARGEST) return { unreadable: 'too-large' };
   let bytes: ArrayBuffer;
   try {
-    bytes = await answerOf(() => file.arrayBuffer(), PATIENCE);
+    bytes = await attempt(() => file.arrayBuffer(), PATIENCE);
   } catch {
     return { unreadable: 'gone' };
   }

@@ -1,5 +1,5 @@
 import { PATIENCE } from './read-file.js';
-import { answerOf, service } from './services.js';
+import { attempt, service } from './services.js';
 
 /** How long a browser may take to begin a download, in milliseconds. */
 const BEGUN = 10_000;
@@ -61,13 +61,13 @@ async function writeAfter(
   steps: Promise<unknown>[],
 ): Promise<void> {
   const begin = <T>(step: () => Promise<T>): Promise<T> =>
-    answerOf(() => {
+    attempt(() => {
       const begun = step();
       steps.push(begun);
       return begun;
     }, PATIENCE);
   // An earlier write that hangs holds this one up no longer than a step of its own would.
-  await answerOf(() => before, PATIENCE);
+  await attempt(() => before, PATIENCE);
   const opening = file.createWritable();
   try {
     const stream = await begin(() => opening);

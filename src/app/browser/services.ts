@@ -81,17 +81,30 @@ export function tried<T>(work: () => T): NonNullable<T> | null {
 /** How long a browser may take for something quick, in milliseconds. */
 const MOMENT = 3000;
 
+/** The error of {@link attempt} when no answer has come in time. It may still come. */
+export class NoAnswer extends Error {
+  override readonly name = 'NoAnswer';
+}
+
 /**
- * Waits for a quick answer of the browser.
+ * Waits for an answer of the browser, which may leave a question open for ever. A late answer is ignored.
+ * @param ask an error that it throws counts as a rejection.
  * @param ms how long to wait, in milliseconds. Default: 3 s.
- * @throws the error of the browser, or an Error when it has not answered by then.
+ * @param signs how many signs of life have come so far: after each the time begins anew. Default: there are none.
+ * @throws the error of the browser, or {@link NoAnswer}.
  */
-export function answerOf<T>(ask: () => Promise<T>, ms = MOMENT): Promise<T> {
+export function attempt<T>(ask: () => Promise<T>, ms = MOMENT, signs = () => 0): Promise<T> {
   return new Promise((resolve, reject) => {
-    const giveUp = setTimeout(() => reject(new Error('the browser does not answer')), ms);
+    let timer: ReturnType<typeof setTimeout>;
+    const wait = (): void => {
+      const before = signs();
+      const look = (): void => (signs() === before ? reject(new NoAnswer(`no answer within ${ms} ms`)) : wait());
+      timer = setTimeout(look, ms);
+    };
+    wait();
     const asked = async (): Promise<T> => ask();
     asked()
       .then(resolve, reject)
-      .finally(() => clearTimeout(giveUp));
+      .finally(() => clearTimeout(timer));
   });
 }

@@ -1,3 +1,5 @@
+import { attempt } from './services.js';
+
 /** A file of the built page: its address relative to the page, and the checksum of its bytes (`sha256-...`). */
 export interface SiteFile {
   readonly url: string;
@@ -65,8 +67,9 @@ export class SiteCache {
     let kept: Response | undefined;
     let whole: boolean;
     try {
-      cache = await soon(caches.open(this.#name));
-      kept = await soon(cache.match(address));
+      cache = await attempt(() => caches.open(this.#name), KEPT_WAIT);
+      const opened = cache;
+      kept = await attempt(() => opened.match(address), KEPT_WAIT);
       whole = request.mode !== 'navigate' || (await this.#mend(cache));
     } catch {
       // The cache does not open: works as if there were no worker.
@@ -85,7 +88,7 @@ export class SiteCache {
 
   /** @returns whether everything that the page needs to draw is there now. */
   async #mend(cache: Cache): Promise<boolean> {
-    const kept = new Set((await soon(cache.keys())).map(({ url }) => url));
+    const kept = new Set((await attempt(() => cache.keys(), KEPT_WAIT)).map(({ url }) => url));
     const missing = [...this.#files.keys()].filter((address) => NEEDED.test(address) && !kept.has(address));
     const mended = await Promise.allSettled(missing.map((address) => this.#fetch(cache, address)));
     return mended.every(({ status }) => status === 'fulfilled');
@@ -115,12 +118,4 @@ function hash(text: string): string {
     b = Math.imul(b ^ code, 0x85ebca6b) ^ a;
   }
   return [a, b].map((part) => (part >>> 0).toString(16).padStart(8, '0')).join('');
-}
-
-/** The result, if it comes in time. */
-function soon<T>(work: Promise<T>): Promise<T> {
-  return new Promise((resolve, reject) => {
-    setTimeout(reject, KEPT_WAIT, new Error('the cache does not answer'));
-    work.then(resolve, reject);
-  });
 }

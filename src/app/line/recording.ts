@@ -9,7 +9,7 @@ import {
   parseCapture,
 } from '../../protocol/index.js';
 import { PATIENCE } from '../browser/read-file.js';
-import { answerOf } from '../browser/services.js';
+import { attempt } from '../browser/services.js';
 import { describeFrame, frameName } from '../messages/frame-text.js';
 import { type LineRecord, recorder } from '../session/line-record.js';
 import { plainName } from '../session/plain-names.js';
@@ -56,7 +56,7 @@ const BARE = [COMMANDS.GETLOWRPM.reply, COMMANDS.SETMEMORY.request, COMMANDS.SET
 /** @throws RecordingError */
 export async function readRecording(file: File): Promise<Recording> {
   if (file.size > LARGEST) throw new RecordingError('too-large');
-  const text = await answerOf(() => file.text(), PATIENCE).catch((error: unknown) => {
+  const text = await attempt(() => file.text(), PATIENCE).catch((error: unknown) => {
     throw new RecordingError('unreadable', 0, error);
   });
   return parseRecording(plainName(file.name), text);

@@ -1,29 +1,14 @@
-import type { Lack } from '../browser/doors.js';
-import type { StorageErrorCode } from '../storage/index.js';
 import { plural } from './plural.js';
 
 /** For when the browser does not store, or give back, what it should. */
 export const keeping = {
   title: 'This browser does not keep everything.',
+  notKept:
+    'What you type, backups and the note of an interrupted write last only while this page is open. Export the library. Then close other tabs of this page, or make room on this device.',
+  notKnown: 'The browser does not say whether it keeps what you do. Take it as not kept, and export the library.',
+  oneTab: 'Use one tab of this page only.',
+  emptied: 'The browser has deleted what it kept for this page. Export what you still see.',
   export: 'Export the library…',
-  storage: {
-    slow: 'Its storage does not answer. Until it does, what you type, backups and the note of an interrupted write are kept only while this page is open.',
-    blocked:
-      'Another tab holds an older version of this page. Close it and load this page again. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
-    full: 'Its storage is full. Make room on this device and come back to this page: then it tries again. Until then, what you type, new backups and the note of an interrupted write are kept only while this page is open.',
-    newer:
-      'A newer version of this page has changed its storage. Load the page again to get that version. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
-    missing:
-      'It has no storage for this page, or its storage is switched off. What you type, backups and the note of an interrupted write are kept only while this page is open.',
-    failed:
-      'Its storage fails. When you come back to this page, it tries again. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
-  } satisfies Record<StorageErrorCode, string>,
-  lacks: {
-    tabs: 'Use one tab of this page only.',
-    settings: 'Colours, presets and other choices last only while this page is open.',
-    emptied: 'The browser has deleted what it kept for this page. Export what you still see.',
-    offline: 'The page itself is not kept: you cannot open it without a network.',
-  } satisfies Record<Lack, string>,
 };
 
 /** Stored data that cannot be read. */

@@ -1,5 +1,5 @@
 import { copiedText } from '../browser/clipboard.js';
-import { answerOf } from '../browser/services.js';
+import { attempt } from '../browser/services.js';
 import { formatTable } from '../editing/clipboard-table.js';
 import type { Editor } from '../editing/editor.js';
 import { messages } from '../messages/index.js';
@@ -61,7 +61,7 @@ export function tableClipboard({ editor, selection, onPaste, onObstacle }: Clipb
       if (range && text !== '') onPaste({ range, text });
     });
     // The browser may be asking the pilot; an answer that comes later is welcome, too.
-    await answerOf(() => asked).catch(() => onObstacle(words.clipboardClosed));
+    await attempt(() => asked).catch(() => onObstacle(words.clipboardClosed));
   };
   return { selectedText, copy, cut, paste, pasteCopied };
 }

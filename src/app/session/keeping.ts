@@ -1,17 +1,17 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { Lack } from '../browser/doors.js';
-import type { StorageCall, StorageErrorCode, StorageWatch } from '../storage/index.js';
+import type { StorageCall, StorageWatch } from '../storage/index.js';
 
 /** What the browser keeps for this page, judged by what it does: each call of the storage reports here. */
 export class Keeping implements StorageWatch {
-  /** Why nothing is stored or given back at present; null while all is well. */
-  readonly storage: ReadonlySignal<StorageErrorCode | null>;
+  /** Whether all is stored and given back; null when the storage does not answer, so that it is not known. */
+  readonly kept: ReadonlySignal<boolean | null>;
   /** What else this browser does not have. */
   readonly lacks: ReadonlySignal<readonly Lack[]>;
   /** Whether the pilot has read about everything that is wrong, and wants to see it no longer. */
   readonly dismissed: ReadonlySignal<boolean>;
-  /** What fails, by shelf and by what was asked of it. */
-  readonly #failing = signal<ReadonlyMap<string, StorageErrorCode>>(new Map());
+  /** What fails or does not answer, by shelf and by what was asked of it. */
+  readonly #failing = signal<ReadonlyMap<string, false | null>>(new Map());
   readonly #lacks = signal<ReadonlySet<Lack>>(new Set());
   readonly #seen = signal('');
   readonly #now: ReadonlySignal<string>;
@@ -21,13 +21,21 @@ export class Keeping implements StorageWatch {
   /** @param lacks what was missing when the page opened. */
   constructor(lacks: readonly Lack[] = []) {
     this.#lacks.value = new Set(lacks);
-    this.storage = computed(() => [...this.#failing.value.values()][0] ?? null);
+    this.kept = computed(() => {
+      const all = [...this.#failing.value.values()];
+      return all.includes(false) ? false : all.length === 0 || null;
+    });
     this.lacks = computed(() => [...this.#lacks.value]);
-    this.#now = computed(() => [this.storage.value, ...this.lacks.value].join(' '));
+    this.#now = computed(() => [String(this.kept.value), ...this.lacks.value].join(' '));
     this.dismissed = computed(() => this.#seen.value === this.#now.value);
   }
 
-  answered(shelf: string, kind: StorageCall): void {
+  heard(shelf: string, kind: StorageCall, kept: boolean | null): void {
+    if (kept) this.#works(shelf, kind);
+    else this.#failing.value = new Map(this.#failing.peek()).set(`${shelf} ${kind}`, kept);
+  }
+
+  #works(shelf: string, kind: StorageCall): void {
     if (kind === 'change') {
       this.#onKept?.();
       this.#onKept = null;
@@ -41,11 +49,6 @@ export class Keeping implements StorageWatch {
     this.#onReturn();
   }
 
-  failed(shelf: string, kind: StorageCall, code: StorageErrorCode): void {
-    const key = `${shelf} ${kind}`;
-    if (this.#failing.peek().get(key) !== code) this.#failing.value = new Map(this.#failing.peek()).set(key, code);
-  }
-
   /** Calls back once, as soon as the storage has kept something. */
   onKept(callback: () => void): void {
     this.#onKept = callback;
@@ -53,7 +56,7 @@ export class Keeping implements StorageWatch {
 
   /** The pilot comes back to the page, and may have made room in the meantime. */
   tryAgain(): void {
-    if (this.storage.peek()) this.#onReturn();
+    if (this.kept.peek() !== true) this.#onReturn();
   }
 
   lack(what: Lack): void {

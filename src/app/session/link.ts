@@ -13,7 +13,7 @@ import {
   type TimerConnection,
   TimerLink,
 } from '../../serial/index.js';
-import { answerOf } from '../browser/services.js';
+import { attempt } from '../browser/services.js';
 import type { Keeper, PortRecord } from '../storage/index.js';
 import { kindKey } from './record-keys.js';
 import { secondsWaited } from './wait-clock.js';
@@ -120,7 +120,7 @@ export class Link {
   /** Looks again which ports are plugged in. The ports used last come first. */
   async refresh(): Promise<void> {
     if (!this.#options.surroundings.serial) return;
-    const ports = await answerOf(() => this.#link.ports(), PORTS_LIMIT).catch(() => []);
+    const ports = await attempt(() => this.#link.ports(), PORTS_LIMIT).catch(() => []);
     const usedAt = ({ key }: KnownPort): number => this.#records.peek().get(key)?.usedAt ?? 0;
     this.#ports.value = [...ports].sort((a, b) => usedAt(b) - usedAt(a));
   }

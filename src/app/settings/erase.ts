@@ -1,6 +1,7 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
+import { attempt } from '../browser/services.js';
 import type { Session } from '../session/session.js';
-import { type Storage, withinLimit } from '../storage/index.js';
+import type { Storage } from '../storage/index.js';
 
 /** How that is emptied which the browser keeps outside of the page's storage. */
 export type Erasers = Readonly<Record<'settings' | 'ports' | 'offline', () => Promise<void>>>;
@@ -52,7 +53,7 @@ export class Erase {
     this.#session.editor.clear();
     let isGone = true;
     for (const erase of [() => this.#storage.erase(), ...Object.values(this.#erasers)]) {
-      await withinLimit(erase, ERASE_LIMIT).catch(() => {
+      await attempt(erase, ERASE_LIMIT).catch(() => {
         isGone = false;
       });
     }

@@ -16,15 +16,21 @@ interface KeepingNoticeProps {
 /** What this browser does not keep; nothing while all is well. */
 export function KeepingNotice({ keeping, library, onExport }: KeepingNoticeProps) {
   const { keeping: words, dismiss } = messages.value;
-  const storage = keeping.storage.value;
+  const kept = keeping.kept.value;
   const lacks = keeping.lacks.value;
-  if ((!storage && lacks.length === 0) || keeping.dismissed.value) return null;
-  const mayBeLost = storage !== null || lacks.includes('emptied');
+  if ((kept && lacks.length === 0) || keeping.dismissed.value) return null;
+  const isNotKept = kept === false || lacks.includes('settings');
+  const said = [
+    isNotKept && words.notKept,
+    kept === null && !isNotKept && words.notKnown,
+    lacks.includes('emptied') && words.emptied,
+    lacks.includes('tabs') && words.oneTab,
+  ].filter(Boolean);
+  const mayBeLost = lacks.includes('emptied') || isNotKept || kept === null;
   return (
     <div class="notice bad">
       <p>
-        <strong>{words.title}</strong> {storage && words.storage[storage]}{' '}
-        {lacks.map((lack) => words.lacks[lack]).join(' ')}
+        <strong>{words.title}</strong> {said.join(' ')}
       </p>
       {mayBeLost && [library.models, library.settings, library.flights].some(({ list }) => list.value.length > 0) && (
         <button type="button" onClick={onExport}>

@@ -4,7 +4,6 @@ import * as v from 'valibot';
 import { service } from '../browser/services.js';
 import { whenIdle } from '../browser/when-idle.js';
 import { withPresentNames } from './former-names.js';
-import { StorageError } from './limit.js';
 import type { AsideRecord } from './records.js';
 
 const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside', 'models', 'settings', 'flights'] as const;
@@ -67,9 +66,10 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
     opened = undefined;
   };
   const open = (): Promise<IDBPDatabase<Schema>> => {
+    let isBlocked = false;
     // Where storage is switched off, opening may throw at once instead of rejecting later.
     const opening = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
-      if (!service('indexedDB')) return reject(new StorageError('missing', 'the browser has no storage for this page'));
+      if (!service('indexedDB')) return reject(new Error('the browser has no storage for this page'));
       let isEmpty = false;
       openDB<Schema>(name, VERSION, {
         async upgrade(database, before, _, change) {
@@ -82,7 +82,10 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
             for await (const entry of change.objectStore(store)) await entry.update(withPresentNames(entry.value));
           }
         },
-        blocked: () => reject(new StorageError('blocked', 'another tab holds an older version of the storage')),
+        blocked: () => {
+          isBlocked = true;
+          reject(new Error('another tab holds an older version of the storage'));
+        },
         blocking: (_, version, event) => {
           (event.target as IDBDatabase).close();
           // A newer version of this page changes the storage; the next use says so. What a tab deletes stays closed.
@@ -99,9 +102,9 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
         wasOpen = true;
       }, reject);
     });
-    opening.catch((cause) => {
+    opening.catch(() => {
       // It may be over with the next try. An opening that is blocked goes on by itself.
-      if (opened === opening && StorageError.of(cause).code !== 'blocked') opened = undefined;
+      if (opened === opening && !isBlocked) opened = undefined;
     });
     return opening;
   };

@@ -21,7 +21,7 @@ import {
 } from './records.js';
 
 export type { Change, Keeper } from './database.js';
-export { type StorageCall, StorageError, type StorageErrorCode, type StorageWatch, withinLimit } from './limit.js';
+export type { StorageCall, StorageWatch } from './limit.js';
 export type {
   AsideRecord,
   Backup,
@@ -108,7 +108,7 @@ export function browserStorage(name = 'sidus-timer', onEmptied?: () => void): St
   };
 }
 
-/** The same storage, but each call ends in time, with its result or a StorageError. */
+/** The same storage, but each call ends in time, with its result or an error. */
 export function limited(storage: Storage, watch: StorageWatch): Storage {
   const inTime = <T extends { readonly key: string }>(keeper: Keeper<T>, name: string): Keeper<T> => {
     const questions = new StorageQuestions(watch, name);

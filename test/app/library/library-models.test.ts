@@ -113,7 +113,7 @@ it.each([LAST_DATE, Date.now() + 1e9])(
       { writtenAt: at, writtenBy: '', facts: new Map([[model, { changedAt: at }]]) },
     );
     await run(library.keepModel({ ...model, note: 'typed here' }));
-    const files = new LibraryFiles({ library, storage: signal(null) });
+    const files = new LibraryFiles({ library, kept: signal(true) });
     await run(files.open([new File([text], 'a')]));
     await run(files.take());
     const next = new Library(store);
@@ -135,7 +135,7 @@ it('a model that was just deleted, and comes back from a file, stays', async () 
   };
   const text = formatLibraryFile(held, { writtenAt: 1, writtenBy: '' });
   library.removeModel('model-0');
-  const files = new LibraryFiles({ library, storage: signal(null) });
+  const files = new LibraryFiles({ library, kept: signal(true) });
   await run(files.open([new File([text], 'a')]));
   await run(files.take());
   expect([keys(models.list.value), keys(settings.list.value)]).toEqual([['model-0'], ['setting-0']]);

@@ -103,19 +103,19 @@ it('a backup and the note of a write that found no room are kept once there is r
   const { editor, backups, knowledge } = session;
   const before = editor.working.value as TimerProgram;
   store.before = (door) => (door.endsWith('.save') ? FAULTS['is full']() : undefined);
-  const added = backups.add(before, 'write', false).catch(({ code }) => code);
+  const added = backups.add(before, 'write', false).catch(({ name }) => name);
   const begun = knowledge.begin(before, { ...before, idleThrottle: 7 });
   await idle();
-  expect([await added, await begun, keeping.storage.value]).toEqual(['full', false, 'full']);
+  expect([await added, await begun, keeping.kept.value]).toEqual(['QuotaExceededError', false, false]);
   keeping.tryAgain();
   await idle();
-  expect(keeping.storage.value).toBe('full');
+  expect(keeping.kept.value).toBe(false);
   store.before = () => undefined;
   keeping.tryAgain();
   await idle();
   expect([...store.backups.records.values()]).toEqual(backups.list.value);
   expect([...store.unfinished.records.values()]).toMatchObject([{ kind: 'write', goal: { idleThrottle: 7 } }]);
-  expect(keeping.storage.value).toBeNull();
+  expect(keeping.kept.value).toBe(true);
 });
 
 it('a program that the pilot has closed stays closed while the storage is tried again', async () => {
@@ -128,7 +128,7 @@ it('a program that the pilot has closed stays closed while the storage is tried 
   store.fail('change', 'is full');
   void session.library.keepModel(MODEL).catch(() => {});
   await idle(1000);
-  expect([keeping.storage.value, editor.working.value]).toEqual(['full', null]);
+  expect([keeping.kept.value, editor.working.value]).toEqual([false, null]);
   keeping.tryAgain();
   await idle();
   expect(editor.working.value).toBeNull();

@@ -149,7 +149,7 @@ describe('a write', () => {
     vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
     onTestFinished(() => void vi.useRealTimers());
     const store = new MemoryStore();
-    const { knowledge } = await page(store, limited(store, { answered: () => {}, failed: () => {} }));
+    const { knowledge } = await page(store, limited(store, { heard: () => {} }));
     store.unfinished.save = () => new Promise(() => {});
     store.unfinished.all = () => new Promise(() => {});
     let kept: boolean | null = null;

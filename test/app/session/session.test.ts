@@ -419,7 +419,7 @@ describe('another memory', () => {
     const bench = await connectedBench({ store });
     bench.editor.type(S1, '7');
     await idle();
-    expect(bench.keeping.storage.value).toBe('full');
+    expect(bench.keeping.kept.value).toBe(false);
     await run(bench.session.reader.selectMemory(1));
     await run(bench.session.reader.selectMemory(0));
     expect(bench.editor.textOf(S1)).toBe('7');
@@ -602,7 +602,7 @@ describe('after a reload', () => {
     const store = new MemoryStore();
     store.broken = true;
     const bench = await appBench({ store });
-    expect(bench.keeping.storage.value).toBe('full');
+    expect(bench.keeping.kept.value).toBe(false);
     await run(bench.session.timer.connect());
     expect(status(bench)).toBe('on');
   });

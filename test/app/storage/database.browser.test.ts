@@ -2,7 +2,7 @@ import { deleteDB, openDB, unwrap } from 'idb';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { cdp } from 'vitest/browser';
 import { openStorage, Shelf } from '../../../src/app/storage/database.js';
-import { browserStorage, limited, type Storage, StorageError } from '../../../src/app/storage/index.js';
+import { browserStorage, limited, type Storage } from '../../../src/app/storage/index.js';
 import { backupSchema, portSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
 import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 
@@ -72,7 +72,7 @@ describe('the storage of the browser', () => {
     database.close();
   });
 
-  it('reports with a code that a newer version of the page has been here', async () => {
+  it('refuses when a newer version of the page has been here', async () => {
     const own = name();
     await new Promise<void>((resolve, reject) => {
       const opening = indexedDB.open(own, 9);
@@ -84,7 +84,7 @@ describe('the storage of the browser', () => {
     });
     const { ports } = browserStorage(own);
     const failed = await ports.all().catch((error) => error);
-    expect(StorageError.of(failed).code).toBe('newer');
+    expect(failed.name).toBe('VersionError');
     await deleteDB(own);
     expect(await ports.all(), 'it can be opened as soon as the reason is gone').toEqual([]);
   });
@@ -103,7 +103,7 @@ describe('the storage of the browser', () => {
     expect(await shelf.all()).toEqual([PORT]);
     const newer = await openDB(own, 9);
     const failed = await shelf.save({ ...PORT, key: 'a' }).catch((error) => error);
-    expect(StorageError.of(failed).code).toBe('newer');
+    expect(failed.name).toBe('VersionError');
     newer.close();
   });
 
@@ -302,21 +302,21 @@ describe('an old version of the page in another tab', () => {
     await old.put('ports', { ...PORT, key: 'old' });
     return old;
   }
-  const codeOf = (asked: Promise<unknown>) =>
+  const isGiven = (asked: Promise<unknown>) =>
     asked.then(
-      () => null,
-      (cause) => StorageError.of(cause).code,
+      () => true,
+      () => false,
     );
 
-  it('that keeps the storage open is named as the reason, continues, and loses nothing', async () => {
+  it('that keeps the storage open goes on, and loses nothing', async () => {
     const own = name();
     const old = await oldTab(own, false);
     const { models, ports } = browserStorage(own);
-    expect(await Promise.all([codeOf(models.all()), codeOf(ports.all())])).toEqual(['blocked', 'blocked']);
+    expect(await Promise.all([isGiven(models.all()), isGiven(ports.all())])).toEqual([false, false]);
     await old.put('ports', { ...PORT, key: 'typed there' });
     old.close();
     // Without another visit.
-    await expect.poll(() => codeOf(models.all())).toBeNull();
+    await expect.poll(() => isGiven(models.all())).toBe(true);
     expect((await ports.all()).map(({ key }) => key)).toEqual(['old', 'typed there']);
     await models.save({ key: MODEL.id, model: MODEL, changedAt: 5, verified: [] });
     expect((await browserStorage(own).models.all()).map(({ key }) => key)).toEqual([MODEL.id]);
@@ -327,8 +327,8 @@ describe('an old version of the page in another tab', () => {
     const old = await oldTab(own, true);
     const { models, ports } = browserStorage(own);
     expect([await models.all(), (await ports.all()).map(({ key }) => key)]).toEqual([[], ['old']]);
-    expect(await codeOf(old.put('ports', PORT))).toBe('failed');
-    expect(await codeOf(openDB(own, 4)), 'an old page that loads again is refused').toBe('newer');
+    expect(await isGiven(old.put('ports', PORT))).toBe(false);
+    expect(await isGiven(openDB(own, 4)), 'an old page that loads again is refused').toBe(false);
   });
 });
 
@@ -360,7 +360,7 @@ describe('a change of the library', () => {
 
   it('is sent at once when the page is left, after those that wait for their turn', async () => {
     const own = name();
-    const storage = limited(browserStorage(own), { answered: () => {}, failed: () => {} });
+    const storage = limited(browserStorage(own), { heard: () => {} });
     await storage.change({ models: { put: [model] } });
     const sent = [1, 2, 3].map((each) => storage.change({ models: { put: [named(`typed ${each}`)] } }));
     dispatchEvent(new PageTransitionEvent('pagehide'));

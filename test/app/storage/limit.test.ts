@@ -1,8 +1,8 @@
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { attempt, NoAnswer } from '../../../src/app/browser/services.js';
 import { limited, SHELF_CALLS, SHELVES } from '../../../src/app/storage/index.js';
-import { StorageError, type StorageErrorCode, withinLimit } from '../../../src/app/storage/limit.js';
 import { MemoryStore } from '../bench/bench.js';
 
 beforeEach(() => {
@@ -15,26 +15,31 @@ function watched(promise: Promise<unknown>): { said: unknown } {
   const seen: { said: unknown } = { said: 'open' };
   promise.then(
     (value) => Object.assign(seen, { said: value }),
-    (error) => Object.assign(seen, { said: error instanceof StorageError ? error.code : error }),
+    (error) => Object.assign(seen, { said: error instanceof NoAnswer ? 'slow' : error }),
   );
   return seen;
 }
 
-describe('a request to the storage', () => {
-  it('returns its answer, and no clock keeps running', async () => {
-    expect(await withinLimit(Promise.resolve(7))).toBe(7);
-    expect(await withinLimit(async () => 8)).toBe(8);
+describe('an attempt', () => {
+  it('gives the answer or the error of the browser, and no clock keeps running', async () => {
+    expect(await attempt(async () => 8)).toBe(8);
+    const no = new TypeError('no');
+    expect(await attempt(() => Promise.reject(no)).catch((error) => error)).toBe(no);
+    const thrown = attempt(() => {
+      throw no;
+    });
+    expect(await thrown.catch((error) => error)).toBe(no);
     expect(vi.getTimerCount()).toBe(0);
   });
 
-  it('has five seconds, or the given time', async () => {
-    const usual = watched(withinLimit(new Promise(() => {})));
-    const short = watched(withinLimit(() => new Promise(() => {}), 100));
+  it('has three seconds, or the given time', async () => {
+    const usual = watched(attempt(() => new Promise(() => {})));
+    const short = watched(attempt(() => new Promise(() => {}), 100));
     await vi.advanceTimersByTimeAsync(99);
     expect([usual.said, short.said]).toEqual(['open', 'open']);
     await vi.advanceTimersByTimeAsync(1);
     expect([usual.said, short.said]).toEqual(['open', 'slow']);
-    await vi.advanceTimersByTimeAsync(4899);
+    await vi.advanceTimersByTimeAsync(2899);
     expect(usual.said).toBe('open');
     await vi.advanceTimersByTimeAsync(1);
     expect(usual.said).toBe('slow');
@@ -43,49 +48,28 @@ describe('a request to the storage', () => {
   it.each<[what: string, settle: (resolve: () => void, reject: (error: Error) => void) => void]>([
     ['comes', (resolve) => resolve()],
     ['fails', (_, reject) => reject(new Error('late'))],
-  ])('is ignored when it %s later', async (_, settle) => {
+  ])('is over when its answer %s later', async (_, settle) => {
     let end = (): void => {};
-    const work = new Promise<void>((resolve, reject) => {
-      end = () => settle(resolve, reject);
-    });
-    const late = watched(withinLimit(work, 10));
+    const late = watched(
+      attempt(() => new Promise<void>((resolve, reject) => (end = () => settle(resolve, reject))), 10),
+    );
     await vi.advanceTimersByTimeAsync(10);
     end();
     await vi.advanceTimersByTimeAsync(0);
     expect(late.said).toBe('slow');
   });
-
-  it.each<[StorageErrorCode, unknown]>([
-    ['full', new DOMException('no room', 'QuotaExceededError')],
-    ['newer', new DOMException('version 9', 'VersionError')],
-    ['missing', new DOMException('not here', 'SecurityError')],
-    ['failed', new TypeError('no')],
-    ['blocked', new StorageError('blocked', 'another tab')],
-    ['failed', new DOMException('the disk', 'UnknownError')],
-    ['failed', 'a text'],
-  ])('fails with a code: %s', async (code, cause) => {
-    const rejected = await withinLimit(Promise.reject(cause)).catch((error) => error);
-    const thrown = await withinLimit(() => {
-      throw cause;
-    }).catch((error) => error);
-    expect([rejected, thrown]).toMatchObject([{ code }, { code }]);
-    expect(rejected).toBeInstanceOf(StorageError);
-    expect(vi.getTimerCount()).toBe(0);
-  });
 });
 
 it('every call of every shelf of the storage goes through it', async () => {
   const store = new MemoryStore();
-  const storage = limited(store, { answered: () => {}, failed: () => {} });
+  const storage = limited(store, { heard: () => {} });
   expect(Object.keys(storage), 'every shelf goes through the limit').toEqual([...SHELVES, 'change', 'erase']);
   for (const shelf of SHELVES) {
     expect(Object.keys(storage[shelf])).toEqual(Object.keys(SHELF_CALLS));
     for (const call of Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[]) {
       const calls = store[shelf] as Record<typeof call, (given: never) => unknown>;
       const spy = vi.spyOn(calls, call).mockReturnValue(new Promise<never>(() => {}));
-      const said = watched(
-        limited(store, { answered: () => {}, failed: () => {} })[shelf][call]({ key: 'a' } as never),
-      );
+      const said = watched(limited(store, { heard: () => {} })[shelf][call]({ key: 'a' } as never));
       await vi.advanceTimersByTimeAsync(5000);
       expect(
         [said.said, spy.mock.calls.length],
@@ -102,17 +86,13 @@ it('every call of every shelf of the storage goes through it', async () => {
 it('after one without an answer, the next ones wait only briefly until one answers', async () => {
   const store = new MemoryStore();
   const told: unknown[] = [];
-  const { drafts } = limited(store, {
-    answered: (_, kind) => told.push(kind),
-    failed: (_, __, code) => told.push(code),
-  });
+  const { drafts } = limited(store, { heard: (_, kind, kept) => told.push(kept ? kind : kept) });
   const spy = vi.spyOn(store.drafts, 'all').mockReturnValue(new Promise(() => {}));
   const first = watched(drafts.all());
-  await vi.advanceTimersByTimeAsync(2999);
+  await vi.advanceTimersByTimeAsync(4999);
   expect(told).toEqual([]);
   await vi.advanceTimersByTimeAsync(1);
-  expect(told, '“slow” is reported before the call is given up').toEqual(['slow']);
-  await vi.advanceTimersByTimeAsync(2000);
+  expect(told).toEqual([null]);
   const second = watched(drafts.all());
   await vi.advanceTimersByTimeAsync(250);
   expect([first.said, second.said]).toEqual(['slow', 'slow']);
@@ -128,7 +108,7 @@ it('after one without an answer, the next ones wait only briefly until one answe
 it('is not slow while it answers one of many changes after the other, and is when one is left without an answer', async () => {
   const store = new MemoryStore();
   const told: unknown[] = [];
-  const { flights } = limited(store, { answered: () => {}, failed: (_, __, code) => told.push(code) });
+  const { flights } = limited(store, { heard: (_, __, kept) => kept || told.push(kept) });
   let begun = 0;
   vi.spyOn(store.flights, 'remove').mockImplementation(
     () => new Promise((resolve) => ++begun < 60 && setTimeout(resolve, 500)),
@@ -139,7 +119,7 @@ it('is not slow while it answers one of many changes after the other, and is whe
   // The time of those that wait begins anew with each answer, so it may be over at different moments.
   await vi.advanceTimersByTimeAsync(10_000);
   expect(many.slice(59).map(({ said }) => said)).toEqual(['slow', 'slow', 'slow']);
-  expect(told).toEqual(['slow', 'slow', 'slow']);
+  expect(told).toEqual([null, null, null]);
   expect(begun).toBe(60);
 });
 
@@ -147,7 +127,7 @@ it('keeps nothing of what the changes gave back', async () => {
   setFlagsFromString('--expose-gc');
   const collect: () => void = runInNewContext('gc');
   const store = new MemoryStore();
-  const { drafts } = limited(store, { answered: () => {}, failed: () => {} });
+  const { drafts } = limited(store, { heard: () => {} });
   let given: WeakRef<object> | undefined;
   // No spy: it would keep each result itself.
   store.drafts.remove = async () => {

@@ -136,7 +136,7 @@ it('a write between two layouts is refused', () => {
 });
 
 describe('a model', () => {
-  const stored = (servos: unknown) => ({ key: 'm', model: { ...MODEL, servos }, order: 1, changedAt: 5, verified: [] });
+  const stored = (servos: unknown) => ({ key: 'm', model: { ...MODEL, servos }, changedAt: 5, verified: [] });
   const [use] = MODEL.servos;
 
   it('that was kept with the ends of a servo in the wrong order is read with them in order', () => {

@@ -6,7 +6,6 @@ import { type ChosenFile, chooseFile, saveFile, writeFile } from '../../browser/
 import { version } from '../../browser/version.js';
 import { type Library, newId } from '../../session/library.js';
 import { plainName } from '../../session/plain-names.js';
-import type { StorageErrorCode } from '../../storage/index.js';
 import { ExportMarks } from './export-marks.js';
 import { type EntryCounts, type Group, type Kind, type Records, recordsOf, type Way } from './import-plan.js';
 import { lookInto, undoOf } from './import-work.js';
@@ -66,8 +65,8 @@ interface Done {
 
 export interface LibraryFilesParts {
   readonly library: Library;
-  /** Why the browser refuses its storage; null while all is well. */
-  readonly storage: ReadonlySignal<StorageErrorCode | null>;
+  /** Whether the browser keeps and gives back all; null when it does not answer. */
+  readonly kept: ReadonlySignal<boolean | null>;
 }
 
 /** Exports the library to files, and imports files. */
@@ -170,16 +169,12 @@ export class LibraryFiles {
    * and might overwrite it with something older.
    */
   get shut(): boolean {
-    const { storage } = this.#parts;
-    // Without a storage nothing can be hidden in it.
-    if (storage.value === 'missing') return false;
-    return this.#unread.length > 0 || (storage.value !== null && storage.value !== 'full');
+    return this.#unread.length > 0 || this.#parts.kept.value === null;
   }
 
   /** What the browser keeps, perhaps, and does not give. */
   get #unread(): Kind[] {
-    const { library, storage } = this.#parts;
-    if (storage.value === 'missing') return [];
+    const { library } = this.#parts;
     return (['models', 'settings', 'flights'] as const).filter((kind) => library[kind].failed.value);
   }
 

@@ -424,15 +424,14 @@ describe('an import', () => {
 
 it('a file is not imported while a list has not been read, also when the storage answers again', async () => {
   const { session } = await library();
-  const storage = signal(null);
-  const files = new LibraryFiles({ library: session.library, storage });
+  const kept = signal(true);
+  const files = new LibraryFiles({ library: session.library, kept });
   expect(files.shut).toBe(false);
   const store = new MemoryStore();
   store.models.all = () => Promise.reject(new Error('not now'));
   const unseen = new Library(store);
   await unseen.load();
-  expect(new LibraryFiles({ library: unseen, storage }).shut).toBe(true);
-  expect(new LibraryFiles({ library: unseen, storage: signal('missing' as const) }).shut).toBe(false);
+  expect(new LibraryFiles({ library: unseen, kept }).shut).toBe(true);
 });
 
 describe('what cannot be imported', () => {
