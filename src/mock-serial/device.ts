@@ -1,5 +1,16 @@
+import type { Cable } from './cable.js';
 import { networkError, READ_ERROR_KINDS } from './errors.js';
-import type { InputSignals, MockDevice, OpenedOptions, ReadErrorKind, SetSignals, WriteErrorKind } from './types.js';
+import type { Receiver } from './receiver.js';
+import type { Transmitter } from './transmitter.js';
+import type {
+  FollowsWay,
+  InputSignals,
+  MockDevice,
+  OpenedOptions,
+  ReadErrorKind,
+  SetSignals,
+  WriteErrorKind,
+} from './types.js';
 import { integer, oneOf } from './web-idl.js';
 
 const WRITE_ERROR_KINDS: readonly string[] = ['system', 'lost'] satisfies WriteErrorKind[];
@@ -7,17 +18,10 @@ const WRITE_ERROR_KINDS: readonly string[] = ['system', 'lost'] satisfies WriteE
 /** What lies between the device and the page, as far as the device can reach it. */
 export interface PortSide {
   readonly outputSignals: SetSignals;
-  readonly breakComesLast: boolean;
-  readonly cable: {
-    sendToPage(bytes: Uint8Array): void;
-    behindToPage(callback: () => void, onCut?: () => void): void;
-  };
-  readonly receiver: {
-    readonly lost: number;
-    fail(kind: ReadErrorKind): void;
-    mark(tell: (kept: boolean) => void): void;
-  };
-  readonly transmitter: { pull(): void; failNext(error: WriteErrorKind | Error, after: number): void };
+  readonly follows: FollowsWay;
+  readonly cable: Cable;
+  readonly receiver: Receiver;
+  readonly transmitter: Transmitter;
   setInputSignals(signals: Partial<InputSignals>): void;
 }
 
@@ -83,9 +87,9 @@ export class Device implements MockDevice {
 
   error(kind: ReadErrorKind): void {
     oneOf(kind, READ_ERROR_KINDS, 'kind');
-    const { cable, receiver, breakComesLast } = this.#port;
+    const { cable, receiver, follows } = this.#port;
     const follow = (): void => cable.behindToPage(() => receiver.fail(kind));
-    if (kind === 'break' && breakComesLast) queueMicrotask(follow);
+    if (kind === 'break' && follows('breakComesLast')) queueMicrotask(follow);
     else follow();
   }
 

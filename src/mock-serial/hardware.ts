@@ -6,7 +6,7 @@ import { normalizeInfo } from './filters.js';
 import { Receiver } from './receiver.js';
 import { Transmitter } from './transmitter.js';
 import type {
-  ChromiumWays,
+  FollowsWay,
   InputSignals,
   OpenedOptions,
   OutputSignals,
@@ -18,7 +18,7 @@ import type {
 /** The options of a plugged port, with the browser's ways that it follows. */
 export interface HardwareOptions extends PlugOptions {
   readonly clock: Clock;
-  readonly ways: ChromiumWays;
+  readonly follows: FollowsWay;
 }
 
 /**
@@ -55,7 +55,12 @@ export class Hardware {
       { toDevice: (bytes) => this.device.arrive(bytes), toPage: (bytes) => this.receiver.push(bytes) },
       options,
     );
-    this.transmitter = new Transmitter(this.cable, () => this.device.waits, options.ways);
+    this.transmitter = new Transmitter(this.cable, () => this.device.waits, options.follows);
+  }
+
+  /** The browser's ways that it follows. */
+  get follows(): FollowsWay {
+    return this.#options.follows;
   }
 
   /** Whether the browser finds it again without help, and calls it the same port. */
@@ -70,11 +75,6 @@ export class Hardware {
     this.#isLeft = true;
     device.moveTo(hardware);
     return hardware;
-  }
-
-  /** Whether bytes that follow a break overtake it. */
-  get breakComesLast(): boolean {
-    return this.#options.ways.breakComesLast === true;
   }
 
   get outputSignals(): SetSignals {
@@ -97,15 +97,15 @@ export class Hardware {
   open(options: OpenedOptions): void {
     if (!this.plugged || this.forgotten || this.device.busy) throw networkError('Failed to open serial port.');
     this.cable.setRate(options);
-    const { backpressure = false, ways } = this.#options;
-    const isPatient = options.flowControl === 'hardware' || backpressure || ways.bufferNeverOverruns === true;
-    this.receiver.open(options.bufferSize, isPatient, ways.forgottenStreamReturns === true && this.#wasForgotten);
+    const { backpressure = false, follows } = this.#options;
+    const isPatient = options.flowControl === 'hardware' || backpressure || follows('bufferNeverOverruns');
+    this.receiver.open(options.bufferSize, isPatient, follows('forgottenStreamReturns') && this.#wasForgotten);
     this.#wasForgotten = false;
     this.transmitter.open(options.bufferSize);
     this.#output = {
       ...this.#output,
       dataTerminalReady: true,
-      ...(ways.openRaisesRts && { requestToSend: true }),
+      ...(follows('openRaisesRts') && { requestToSend: true }),
     };
     this.device.setOpened(options);
   }

@@ -2,7 +2,7 @@ import { invalidState, networkError } from './errors.js';
 import { ConnectionTarget } from './events.js';
 import type { Hardware } from './hardware.js';
 import { checkOpenOptions, convertOpenOptions } from './open-options.js';
-import type { ChromiumWays, InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } from './types.js';
+import type { InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } from './types.js';
 import { asInterface, dictionary } from './web-idl.js';
 
 /**
@@ -22,16 +22,14 @@ export class MockSerialPort extends ConnectionTarget {
   /** The other end of the port. */
   readonly device: MockDevice;
   readonly #hardware: Hardware;
-  readonly #ways: ChromiumWays;
   /** Whether a browser would end the tab at the next touch of `readable`: see `ChromiumWays.failedCloseKills`. */
   #isDeadly = false;
   /** The standard's [[state]]. */
   #state: 'closed' | 'opening' | 'opened' | 'closing' = 'closed';
 
   /** Use `MockSerial.plug`. */
-  constructor(hardware: Hardware, serial: ConnectionTarget, ways: ChromiumWays) {
+  constructor(hardware: Hardware, serial: ConnectionTarget) {
     super(serial);
-    this.#ways = ways;
     this.#hardware = hardware;
     this.device = hardware.device;
   }
@@ -48,7 +46,7 @@ export class MockSerialPort extends ConnectionTarget {
   get readable(): ReadableStream<Uint8Array> | null {
     if (this.#isDeadly)
       throw new Error('Chromium kills the tab here: close() had failed before because writable was locked.');
-    if (this.#state === 'closing' && this.#ways.closingHidesReadable) return null;
+    if (this.#state === 'closing' && this.#hardware.follows('closingHidesReadable')) return null;
     const { receiver } = this.#hardware;
     return receiver.stream ?? (this.#state === 'opened' ? receiver.createStream() : null);
   }
@@ -99,7 +97,7 @@ export class MockSerialPort extends ConnectionTarget {
     if (readable?.locked) throw new TypeError('Cannot close the port while its readable is locked.');
     const cancelled = readable?.cancel();
     if (writable?.locked) {
-      this.#isDeadly = this.#ways.failedCloseKills === true && readable !== null;
+      this.#isDeadly = this.#hardware.follows('failedCloseKills') && readable !== null;
       throw new TypeError('Cannot close the port while its writable is locked.');
     }
     this.#isDeadly = false;

@@ -3,7 +3,7 @@ import { announce, ConnectionTarget } from './events.js';
 import { convertRequestOptions, offered } from './filters.js';
 import { Hardware } from './hardware.js';
 import { MockSerialPort } from './port.js';
-import type { ChromiumWays, MockSerialOptions, PlugOptions, PortInfo, PortRequestOptions } from './types.js';
+import type { FollowsWay, MockSerialOptions, PlugOptions, PortInfo, PortRequestOptions } from './types.js';
 import { asInterface } from './web-idl.js';
 
 /**
@@ -32,15 +32,16 @@ export class MockSerial extends ConnectionTarget {
    */
   userActivation: boolean;
   readonly #clock: Clock;
-  readonly #ways: ChromiumWays;
+  readonly #follows: FollowsWay;
   readonly #ports = new Map<MockSerialPort, Hardware>();
   #choice: MockSerialPort | null = null;
 
   /** @param options the clock, user activation, and ways of Chromium. Default: none of these. */
   constructor(options: MockSerialOptions = {}) {
-    const ways = waysOf(options.chromium);
-    super(null, ways.onceNeverFires);
-    this.#ways = ways;
+    const { chromium = false } = options;
+    const follows: FollowsWay = (way) => (typeof chromium === 'object' ? chromium[way] === true : chromium);
+    super(null, follows('onceNeverFires'));
+    this.#follows = follows;
     this.#clock = options.clock ?? realClock;
     this.userActivation = options.userActivation ?? false;
   }
@@ -52,7 +53,7 @@ export class MockSerial extends ConnectionTarget {
    */
   plug(info: PortInfo = {}, options: PlugOptions = {}): MockSerialPort {
     const clock = options.clock ?? this.#clock;
-    return this.#bring(new Hardware(info, { ...options, clock, ways: this.#ways }));
+    return this.#bring(new Hardware(info, { ...options, clock, follows: this.#follows }));
   }
 
   /**
@@ -126,7 +127,7 @@ export class MockSerial extends ConnectionTarget {
   }
 
   #bring(hardware: Hardware): MockSerialPort {
-    const port = new MockSerialPort(hardware, this, this.#ways);
+    const port = new MockSerialPort(hardware, this);
     this.#ports.set(port, hardware);
     this.#announce('connect', port);
     return port;
@@ -142,21 +143,4 @@ export class MockSerial extends ConnectionTarget {
     if (!this.#hardware(port).granted) return;
     queueMicrotask(() => announce(port, type));
   }
-}
-
-const ALL_WAYS: ChromiumWays = {
-  firstLostWriteResolves: true,
-  bufferNeverOverruns: true,
-  onceNeverFires: true,
-  lostWriteEndsStream: true,
-  failedCloseKills: true,
-  closingHidesReadable: true,
-  breakComesLast: true,
-  forgottenStreamReturns: true,
-  openRaisesRts: true,
-};
-
-function waysOf(chromium: boolean | ChromiumWays = false): ChromiumWays {
-  if (typeof chromium === 'object') return chromium;
-  return chromium ? ALL_WAYS : {};
 }

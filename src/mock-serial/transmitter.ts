@@ -1,6 +1,6 @@
 import type { Cable } from './cable.js';
 import { streamError } from './errors.js';
-import type { ChromiumWays, WriteErrorKind } from './types.js';
+import type { FollowsWay, WriteErrorKind } from './types.js';
 
 /** A write, close or abort of the stream in progress. There is never more than one. */
 interface Operation {
@@ -43,14 +43,13 @@ export class Transmitter {
   #gone = false;
   /** The next write resolves although the device is gone, as in Chromium. */
   #spared = false;
-  readonly #ways: ChromiumWays;
+  readonly #follows: FollowsWay;
   #onEnded: (() => void)[] = [];
   #capacity = 0;
   /** Bytes from the page that have not left: those in `#waiting`, and on a free cable those on the wire. */
   #held = 0;
   #waiting: Uint8Array[] = [];
   readonly #departures = new Set<() => void>();
-  #reading = false;
   #stream: WritableStream<Uint8Array> | null = null;
   #controller: WritableStreamDefaultController | null = null;
   #operation: Operation | null = null;
@@ -61,10 +60,10 @@ export class Transmitter {
   /**
    * @param deviceWaits whether the device waits for bytes that it has not been sent.
    */
-  constructor(cable: Cable, deviceWaits: () => boolean, ways: ChromiumWays) {
+  constructor(cable: Cable, deviceWaits: () => boolean, follows: FollowsWay) {
     this.#cable = cable;
     this.#deviceWaits = deviceWaits;
-    this.#ways = ways;
+    this.#follows = follows;
   }
 
   /** The standard's [[writable]]. */
@@ -125,7 +124,7 @@ export class Transmitter {
     this.#gone = true;
     this.#discard();
     if (this.#operation) this.#failed();
-    else this.#spared = this.#ways.firstLostWriteResolves === true;
+    else this.#spared = this.#follows('firstLostWriteResolves');
   }
 
   /** Fails the stream at once. */
@@ -155,7 +154,7 @@ export class Transmitter {
     bytesOf(chunk);
     if (this.#spared) {
       this.#spared = false;
-      if (this.#ways.lostWriteEndsStream) queueMicrotask(() => this.#endByItself());
+      if (this.#follows('lostWriteEndsStream')) queueMicrotask(() => this.#endByItself());
       return;
     }
     let done = 0;
@@ -260,29 +259,18 @@ export class Transmitter {
    * on any other, one chunk for each read of the device.
    */
   #pump(): void {
-    while (this.#waiting.length > 0 && !this.#reading) {
-      if (!this.#cable.free && !this.#deviceWaits()) return;
+    while (this.#waiting.length > 0) {
+      if (!this.#cable.free && (this.#departures.size > 0 || !this.#deviceWaits())) return;
       const bytes = this.#waiting.shift() as Uint8Array;
-      const left = this.#cable.sendToDevice(bytes);
-      if (!this.#cable.free) this.#letRead(bytes);
-      else this.#depart(bytes, left);
+      this.#depart(bytes, this.#cable.sendToDevice(bytes));
     }
-  }
-
-  #letRead(bytes: Uint8Array): void {
-    this.#held -= bytes.length;
-    this.#reading = true;
-    this.#cable.clock.after(0, () => {
-      this.#reading = false;
-      this.pull();
-    });
   }
 
   #depart(bytes: Uint8Array, at: number): void {
     const cancel = this.#cable.clock.after(at - this.#cable.clock.now(), () => {
       this.#departures.delete(cancel);
       this.#held -= bytes.length;
-      this.#operation?.advance();
+      this.pull();
     });
     this.#departures.add(cancel);
   }

@@ -165,6 +165,9 @@ export interface ChromiumWays {
   readonly openRaisesRts?: boolean;
 }
 
+/** Whether a port follows a way of Chromium. */
+export type FollowsWay = (way: keyof ChromiumWays) => boolean;
+
 /** The other end of a port, for a test or a simulator. */
 export interface MockDevice {
   /** The options with which the page opened the port, defaults filled in; null while it is closed. */
