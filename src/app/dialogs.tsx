@@ -2,7 +2,6 @@ import { commandsOf } from './commands.js';
 import { FlightDialog } from './flights/flight-dialog.js';
 import { FlyingThis } from './flights/flying-this.js';
 import { WordsDialog } from './help/field-words.js';
-import { FileDrop } from './library/files/file-drop.js';
 import { ImportDialog } from './library/files/import-dialog.js';
 import { addressPath } from './library/place.js';
 import { SaveDialog } from './library/save-dialog.js';
@@ -35,7 +34,6 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
       <ModelDialog recognition={session.recognition} />
       <SaveDialog session={session} saveSetting={saveSetting} />
       <ImportDialog files={filesOf(models)} onTaken={() => models.views.show('library')} />
-      <FileDrop files={filesOf(models)} />
       <SharingDialog
         session={session}
         sharing={sharing}

@@ -1,3 +1,5 @@
+import { useEffect } from 'preact/hooks';
+import { takeDroppedFiles } from './browser/dropped-files.js';
 import { COMPARE } from './compare/address.js';
 import { backupKey, SCREEN, settingKey } from './compare/choice.js';
 import { CompareButton } from './compare/compare-button.js';
@@ -17,6 +19,10 @@ import { BackupList } from './write/backup-list.js';
 /** The library, with what other features put into it. */
 export function LibraryPage({ models }: { readonly models: AppModels }) {
   const { session, views, browse } = models;
+  useEffect(
+    () => takeDroppedFiles((files) => views.shown.peek() === 'library' && void filesOf(models).open(files)),
+    [models, views],
+  );
   return (
     <LibraryView
       {...{ session, browse }}

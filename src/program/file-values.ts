@@ -42,8 +42,9 @@ export function programFromFile(value: unknown, path: string): TimerProgram {
   const count = slotCount(identity);
   const rows = list(of.slots, `${path}.slots`, count).map((row, slot) => rowOf(row, `${path}.slots[${slot}]`, slot));
   if (rows.length !== count) {
-    const details = { value: rows.length, min: count, max: count };
-    throw new CodecError('wrong-count', `${path}.slots`, `${path}.slots must have ${count} entries`, details);
+    const wanted = `${count} entries`;
+    const details = { value: rows.length, min: count, max: count, wanted };
+    throw new CodecError('wrong-count', `${path}.slots`, `${path}.slots must have ${wanted}`, details);
   }
   const start = startTime(identity);
   return requireProgram(
@@ -63,8 +64,9 @@ export function programFromFile(value: unknown, path: string): TimerProgram {
     if (name !== wanted) refuse('unknown-word', `${at}.slot`, `“${wanted}”`, name);
     const steps = list(positions, `${at}.positions`, identity.servos);
     if (steps.length !== identity.servos) {
-      const details = { value: steps.length, min: identity.servos, max: identity.servos };
-      throw new CodecError('wrong-count', `${at}.positions`, `${at}.positions must have one for each servo`, details);
+      const wanted = `${identity.servos} entries`;
+      const details = { value: steps.length, min: identity.servos, max: identity.servos, wanted };
+      throw new CodecError('wrong-count', `${at}.positions`, `${at}.positions must have ${wanted}`, details);
     }
     return {
       time: slot === 0 ? 0 : timeFromFile(time, `${at}.time`),
@@ -101,7 +103,13 @@ function timeFromFile(value: unknown, path: string): number {
   const hundredths = Number(value.replace('.', ''));
   if (hundredths > MAX_TIME) {
     const max = MAX_TIME / 100;
-    throw new CodecError('out-of-range', path, `${path} must be 0.00 to ${max}`, { value: Number(value), min: 0, max });
+    const wanted = `0.00 to ${max}`;
+    throw new CodecError('out-of-range', path, `${path} must be ${wanted}`, {
+      value: Number(value),
+      min: 0,
+      max,
+      wanted,
+    });
   }
   return hundredths;
 }

@@ -120,6 +120,7 @@ export function requireShape(program: TimerProgram): void {
       value: list.length,
       min: count,
       max: count,
+      wanted: `${count} entries`,
     });
   };
   require(program.times, 'times', slots);

@@ -22,7 +22,7 @@ export function within(path: string, check: () => void): void {
 }
 
 export function refuse(code: 'wrong-type' | 'unknown-word', field: string, wanted: string, value: unknown): never {
-  throw new CodecError(code, field, `${field} must be ${wanted}`, { value });
+  throw new CodecError(code, field, `${field} must be ${wanted}`, { value, wanted });
 }
 
 export function record<T>(value: unknown, path: string): Raw<T> {
@@ -34,9 +34,11 @@ export function record<T>(value: unknown, path: string): Raw<T> {
 export function list(value: unknown, path: string, most: number): readonly unknown[] {
   if (!Array.isArray(value)) refuse('wrong-type', path, 'a list', value);
   if (value.length > most) {
-    throw new CodecError('wrong-count', path, `${path} must have at most ${most} entries`, {
+    const wanted = `at most ${most} entries`;
+    throw new CodecError('wrong-count', path, `${path} must have ${wanted}`, {
       value: value.length,
       max: most,
+      wanted,
     });
   }
   return value;
@@ -46,11 +48,9 @@ export function text(value: unknown, path: string, longest: number, shortest = 0
   if (typeof value !== 'string') refuse('wrong-type', path, 'a text', value);
   const length = characters(value, longest);
   if (length < shortest || length > longest) {
-    throw new CodecError('out-of-range', path, `${path} must have ${shortest} to ${longest} characters`, {
-      value: length,
-      min: shortest,
-      max: longest,
-    });
+    const wanted = `${shortest} to ${longest} characters`;
+    const details = { value: length, min: shortest, max: longest, wanted };
+    throw new CodecError('out-of-range', path, `${path} must have ${wanted}`, details);
   }
   return value;
 }
@@ -83,7 +83,7 @@ export function date(value: unknown, path: string): number {
 
 export function whole(value: unknown, path: string, min: number, max: number): number {
   if (!Number.isInteger(value)) {
-    throw new CodecError('not-an-integer', path, `${path} must be a whole number`, { value });
+    throw new CodecError('not-an-integer', path, `${path} must be a whole number`, { value, wanted: 'a whole number' });
   }
   return measured(value, path, min, max) as number;
 }
@@ -101,7 +101,8 @@ export function measured(value: unknown, path: string, min: number, max: number)
   if (value === null || value === undefined) return null;
   if (typeof value !== 'number' || Number.isNaN(value)) refuse('wrong-type', path, 'a number, or null', value);
   if (value < min || value > max) {
-    throw new CodecError('out-of-range', path, `${path} must be ${min} to ${max}`, { value, min, max });
+    const wanted = `${min} to ${max}`;
+    throw new CodecError('out-of-range', path, `${path} must be ${wanted}`, { value, min, max, wanted });
   }
   // Turns -0 into 0: a negative zero would not come back from a file.
   return value + 0;

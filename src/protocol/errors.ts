@@ -43,6 +43,8 @@ export interface CodecErrorDetails {
   readonly min?: number;
   /** Largest value or length allowed. */
   readonly max?: number;
+  /** What was expected in its place, in a few English words: `a list`, `1 to 60 characters`. */
+  readonly wanted?: string;
   /** The bytes that could not be read. */
   readonly bytes?: Uint8Array;
   /** The line in a text, counted from 1. */

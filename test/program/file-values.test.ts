@@ -90,12 +90,7 @@ describe('a program in a file', () => {
     [
       'too few positions',
       slots(1, { positions: [] }),
-      [
-        'wrong-count',
-        'p.slots[1].positions',
-        'p.slots[1].positions must have one for each servo',
-        { value: 0, min: 1, max: 1 },
-      ],
+      ['wrong-count', 'p.slots[1].positions', 'p.slots[1].positions must have 1 entries', { value: 0, min: 1, max: 1 }],
     ],
     [
       'a slot of another name',

@@ -65,8 +65,7 @@ test('everything that the page keeps is deleted, and nothing of another program 
 
 /** A page with a library, and what empties the storage of its browser. */
 async function withLibrary(): Promise<{ app: AppPage; empty: (what: string) => Promise<void> }> {
-  const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
-  const app = await AppPage.open({ before });
+  const app = await AppPage.open();
   const { page } = app;
   await page.evaluate(() => location.assign('#library'));
   for (const [open, field, text, make] of [

@@ -1,10 +1,8 @@
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import type { Page } from 'playwright';
-import { describe, expect, inject, onTestFinished, test } from 'vitest';
+import { expect, inject, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
+import { filesMessages } from '../../src/app/messages/en-files.js';
 import { formatLibraryFile, type Library, parseLibraryFile } from '../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
@@ -45,8 +43,8 @@ async function drop(page: Page, name: string, text: string): Promise<void> {
   );
 }
 
-async function opened(before?: () => void): Promise<AppPage> {
-  const app = await AppPage.open({ acceptDownloads: true, ...(before && { before }) });
+async function opened(): Promise<AppPage> {
+  const app = await AppPage.open({ acceptDownloads: true });
   await app.page.evaluate(() => location.assign('#library'));
   await app.button('Import…').waitFor();
   return app;
@@ -54,7 +52,7 @@ async function opened(before?: () => void): Promise<AppPage> {
 
 async function takeAll(app: AppPage): Promise<void> {
   await app.button('Import 45').click();
-  await app.text(/^Imported from .*: 3\smodels, 12\ssettings, 30\sflights\.$/).waitFor();
+  await app.text(/^Imported from .*: 3\smodels, 12\sprograms, 30\sflights\.$/).waitFor();
 }
 
 /** The library as in a file of the page, each list in the order of its ids. */
@@ -67,61 +65,6 @@ async function exported(app: AppPage): Promise<Library> {
     [...list].sort((a, b) => a.id.localeCompare(b.id, 'en', { numeric: true }));
   return { models: byId(library.models), settings: byId(library.settings), flights: byId(library.flights) };
 }
-
-/** A browser without a dialog for the place of a file. */
-const noPicker = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
-
-test('a file that is dropped while the page still loads is not opened by the browser, and is not lost', async () => {
-  // A worker could already have the missing part.
-  const faults: string[] = [];
-  const page = await newPage({ serviceWorkers: 'block' }, faults);
-  let comes = (): void => {};
-  let isDown = true;
-  const late = new Promise<void>((resolve) => {
-    comes = resolve;
-  });
-  await page.route(/\/all-else-[^/]*\.js$/, async (route) => {
-    await late;
-    await (isDown ? route.abort() : route.continue());
-  });
-  await page.goto(inject('site'));
-  const app = new AppPage(page);
-  await app.button('Connect').waitFor();
-  const folder = mkdtempSync(join(tmpdir(), 'sidus-drop-'));
-  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
-  const path = join(folder, 'season.sidus.json');
-  writeFileSync(path, TEXT);
-  const mouse = await page.context().newCDPSession(page);
-  const data = { items: [], files: [path], dragOperationsMask: 1 };
-  await page.evaluate(() => addEventListener('drop', () => document.body.setAttribute('data-dropped', '')));
-  // On a busy machine a drag may get lost between the tools of the browser and the page.
-  await expect
-    .poll(async () => {
-      for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
-        await mouse.send('Input.dispatchDragEvent', { type, x: 200, y: 200, data });
-      }
-      return page.locator('body[data-dropped]').count();
-    })
-    .toBe(1);
-  expect(await page.evaluate(() => location.protocol), 'the browser has not opened the file in place of the page').toBe(
-    'http:',
-  );
-  comes();
-  const notice = page.getByRole('alert').filter({ hasText: 'The dialogs of this page could not be loaded.' });
-  await notice.waitFor();
-  isDown = false;
-  const again = notice.getByRole('button', { name: 'Try again' });
-  const asked = page.getByRole('heading', { name: 'Import season.sidus.json' });
-  // A request that has already failed may answer the first press, too.
-  await expect
-    .poll(async () => {
-      if (await again.isVisible()) await again.click({ timeout: 1000 }).catch(() => {});
-      return asked.isVisible();
-    })
-    .toBe(true);
-  await app.button('Import 45').waitFor();
-  expect(new Set(faults)).toEqual(new Set(['Failed to load resource: net::ERR_FAILED']));
-});
 
 test('dialogs that did not come at first come with the next part of the page', async () => {
   const faults: string[] = [];
@@ -138,7 +81,7 @@ test('dialogs that did not come at first come with the next part of the page', a
 });
 
 test('a season goes into one file, the device is emptied, and the file brings all of it back', async () => {
-  const app = await opened(noPicker);
+  const app = await opened();
   const { page } = app;
   await drop(page, 'season.sidus.json', TEXT);
   await takeAll(app);
@@ -160,7 +103,7 @@ test('a season goes into one file, the device is emptied, and the file brings al
 });
 
 test('the list of commands has Import and Export', async () => {
-  const app = await opened(noPicker);
+  const app = await opened();
   const { page } = app;
   await app.goTo('Settings');
   const command = async (name: string): Promise<void> => {
@@ -176,76 +119,55 @@ test('the list of commands has Import and Export', async () => {
 });
 
 test('a broken file is refused with its line, a foreign one does not replace the page, and nothing has changed', async () => {
-  const app = await opened(noPicker);
+  const app = await opened();
   const { page } = app;
   await drop(page, 'season.sidus.json', TEXT);
   await takeAll(app);
   await app.button('Dismiss').click();
   const address = page.url();
   for (const [text, reason] of [
-    [TEXT.replace('"10.50"', '"1050"'), /^A value is missing, or of the wrong kind\.$/],
-    [TEXT.slice(0, 9000), /^The file is not complete: it ends too early\.$/],
-    ['['.repeat(200_000), /too deeply nested/],
-    ['\u0000\u0001', /letters of the file cannot be read/],
+    [TEXT.replace('"10.50"', '"1050"'), /^Line\s\d+, Program .*, function \d, time: expected seconds/],
+    [TEXT.slice(0, 9000), filesMessages.refused.damaged],
+    ['['.repeat(200_000), filesMessages.refused.files['too-large']],
+    ['\u0000\u0001', filesMessages.refused.damaged],
   ] as const) {
     await drop(page, 'broken.sidus', text);
     await page.getByRole('alert').filter({ hasText: reason }).waitFor();
     await app.button('Close').click();
   }
   await drop(page, 'newer.sidus', TEXT.replaceAll('"calm"', '"windy"').replace(/"changedAt.*/g, ''));
-  await app.text('What differs').waitFor();
+  await app.text(filesMessages.import.differs).waitFor();
   await app.button('Cancel').click();
   expect(page.url()).toBe(address);
   expect(await exported(app)).toEqual(SEASON);
 });
 
-describe('where the browser has files', () => {
-  /** A disk inside the browser, and a system that opens files with the page. */
-  const withFiles = (): void => {
-    const disk = (name: string) =>
-      navigator.storage.getDirectory().then((root) => root.getFileHandle(name, { create: true }));
-    let consumer: (launch: { files: FileSystemFileHandle[] }) => void;
-    Object.assign(window, {
-      showSaveFilePicker: () => disk('mine.sidus.json'),
-      onDisk: async () => (await (await disk('mine.sidus.json')).getFile()).text(),
-      openWith: async (text: string) => {
-        const handle = await disk('sent.sidus');
-        const stream = await handle.createWritable();
-        await stream.write(text);
-        await stream.close();
-        consumer({ files: [handle] });
-      },
-    });
-    Object.defineProperty(window, 'launchQueue', {
-      value: {
-        setConsumer: (given: typeof consumer) => {
-          consumer = given;
+test('a file that the system opens is shown', async () => {
+  const app = await AppPage.open({
+    before: () => {
+      let consumer: (launch: { files: FileSystemFileHandle[] }) => void;
+      Object.assign(window, {
+        openWith: async (text: string) => {
+          const root = await navigator.storage.getDirectory();
+          const handle = await root.getFileHandle('sent.sidus', { create: true });
+          const stream = await handle.createWritable();
+          await stream.write(text);
+          await stream.close();
+          consumer({ files: [handle] });
         },
-      },
-    });
-  };
-  interface WithFiles {
-    onDisk(): Promise<string>;
-    openWith(text: string): Promise<void>;
-  }
-
-  test('a file that the system opens is shown, and an export is saved to the same file', async () => {
-    const app = await opened(withFiles);
-    const { page } = app;
-    await page.evaluate((text) => (window as unknown as WithFiles).openWith(text), TEXT);
-    await page.getByRole('heading', { name: 'Import sent.sidus' }).waitFor();
-    await takeAll(app);
-    await app.button('Export all…').click();
-    await app.text(/^Saved to “mine\.sidus\.json/).waitFor();
-    await page.getByRole('link', { name: /^Vega 12/ }).click();
-    await app.button('Archive').click();
-    await app.button('Save to mine.sidus.json').click();
-    const saved = (): Promise<string> => page.evaluate(() => (window as unknown as WithFiles).onDisk());
-    await expect.poll(async () => /"archived": true/.test(await saved())).toBe(true);
-    expect(parseLibraryFile(await saved()).library.models.map(({ archived }) => archived)).toEqual([
-      false,
-      true,
-      false,
-    ]);
+      });
+      Object.defineProperty(window, 'launchQueue', {
+        value: {
+          setConsumer: (given: typeof consumer) => {
+            consumer = given;
+          },
+        },
+      });
+    },
   });
+  const { page } = app;
+  await app.hasParts();
+  await page.evaluate((text) => (window as unknown as { openWith(text: string): Promise<void> }).openWith(text), TEXT);
+  await page.getByRole('heading', { name: filesMessages.import.title('sent.sidus') }).waitFor();
+  await takeAll(app);
 });

@@ -4,8 +4,7 @@ import { AppPage } from './app-page.js';
 import { importFile } from './library.js';
 
 test('after one visit a whole day on the field needs no network, from Connect to a setting for a friend', async () => {
-  const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
-  const app = await AppPage.open({ before, acceptDownloads: true });
+  const app = await AppPage.open({ acceptDownloads: true });
   const { page } = app;
   await app.text('Ready offline').waitFor();
   await page.context().setOffline(true);

@@ -58,12 +58,9 @@ class Device {
   }
 
   static async open(): Promise<Device> {
-    // A browser without a dialog for the place of a file.
-    const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
     const app = await AppPage.open({
       bench: {},
       isMoving: true,
-      before,
       acceptDownloads: true,
       viewport: { width: 1280, height: 800 },
     });

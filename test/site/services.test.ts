@@ -145,7 +145,7 @@ const SAID: Partial<Record<ServiceName, Sentence>> = {
  * What the page uses only when a pilot wants it, and not in this test. A fault of an unused call has no effect
  * so all of them are in one run, which fails when one of them is used after all.
  */
-const UNASKED: readonly ServiceName[] = ['clipboard', 'caches', 'CloseWatcher', 'share', 'showSaveFilePicker'];
+const UNASKED: readonly ServiceName[] = ['clipboard', 'caches', 'CloseWatcher', 'share'];
 const ASKED = (Object.keys(SERVICES) as ServiceName[]).filter((name) => !UNASKED.includes(name));
 /** These have no message and do not disturb each other: one run has a fault of each. */
 const QUIET: readonly ServiceName[] = ['serial', 'BroadcastChannel', 'storage', 'matchMedia', 'launchQueue'];

@@ -584,10 +584,9 @@ export const states = {
   exported: {
     title: 'The library was saved to a file',
     reach: async (page) => {
-      await page.evaluate(() => Object.defineProperty(window, 'showSaveFilePicker', { value: undefined }));
       await fill(page);
       await press(page, 'Export all…');
-      await page.getByText(/puts .* into your downloads/).waitFor();
+      await page.getByText(/goes to your downloads/).waitFor();
     },
   },
   model: {

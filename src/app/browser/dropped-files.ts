@@ -1,66 +1,40 @@
-/** Takes the files that are dropped on the page. */
-export interface DropTaker {
-  /** Whether it would take files now. */
-  takes(): boolean;
-  /** Called when files are held over the page, and when they no longer are. */
-  over(isOver: boolean): void;
-  /** Called with the files that were dropped. */
-  drop(files: readonly File[]): void;
-}
-
-let taker: DropTaker | null = null;
-/** The last files that were dropped while nobody could take them. */
-let waiting: readonly File[] | null = null;
+import { service, tried } from './services.js';
 
 /**
  * From now on the browser does not leave the page for a dropped file. That must never happen, least of all during a
- * write. Files that are dropped before there is a taker wait for it.
+ * write.
  */
 export function holdDroppedFiles(): void {
-  // A listener that is added twice still counts once.
-  addEventListener('dragover', onOver);
-  addEventListener('dragleave', onLeave);
-  addEventListener('drop', onDrop);
+  addEventListener('dragover', hold);
+  addEventListener('drop', hold);
 }
 
-/** @returns a function that ends this: from then on files wait for the next taker. */
-export function takeDroppedFiles(next: DropTaker): () => void {
-  holdDroppedFiles();
-  taker = next;
-  const files = waiting;
-  waiting = null;
-  if (files) next.drop(files);
-  return () => {
-    if (taker === next) taker = null;
+/**
+ * Takes the files that are dropped on the page while no dialog is open.
+ * @returns a function that ends this.
+ */
+export function takeDroppedFiles(take: (files: readonly File[]) => void): () => void {
+  const onDrop = (event: DragEvent): void => {
+    if (isFile(event) && !document.querySelector('dialog[open]')) take([...(event.dataTransfer?.files ?? [])]);
   };
+  addEventListener('drop', onDrop);
+  return () => removeEventListener('drop', onDrop);
 }
 
-function onOver(event: DragEvent): void {
-  if (!isFile(event) || isTaken(event)) return;
-  event.preventDefault();
-  const takes = taker?.takes() ?? true;
-  taker?.over(takes);
-  if (event.dataTransfer) event.dataTransfer.dropEffect = takes ? 'copy' : 'none';
+/** Takes the file with which the system opens the installed page. One that it does not give out counts as none. */
+export function takeOpenedFiles(take: (files: readonly File[]) => void): void {
+  tried(() =>
+    service('launchQueue')?.setConsumer((launch) => {
+      const handles = (launch.files ?? []) as readonly FileSystemFileHandle[];
+      void Promise.all(handles.map((handle) => handle.getFile?.().catch(() => null))).then((found) =>
+        take(found.filter((file) => file instanceof File)),
+      );
+    }),
+  );
 }
 
-function onLeave(event: DragEvent): void {
-  // This event also comes for each element that the pointer leaves on the page.
-  if (event.relatedTarget === null) taker?.over(false);
-}
-
-function onDrop(event: DragEvent): void {
-  if (!isFile(event) || isTaken(event)) return;
-  event.preventDefault();
-  taker?.over(false);
-  const files = [...(event.dataTransfer?.files ?? [])];
-  if (!taker) waiting = files;
-  else if (taker.takes()) taker.drop(files);
-}
-
-/** Whether a part of the page has taken the files, as the line does with a recording. */
-function isTaken(event: DragEvent): boolean {
-  if (event.defaultPrevented) taker?.over(false);
-  return event.defaultPrevented;
+function hold(event: DragEvent): void {
+  if (isFile(event)) event.preventDefault();
 }
 
 function isFile(event: DragEvent): boolean {

@@ -36,16 +36,11 @@ export const SERVICES = {
   CloseWatcher: { of: 'window', made: true, now: ['addEventListener', 'destroy'], later: [] },
   // Must be called on the navigator.
   share: { of: 'navigator', made: true, now: [], later: [] },
-  showSaveFilePicker: { of: 'window', made: true, now: [], later: [] },
   launchQueue: { of: 'window', now: ['setConsumer'], later: [] },
 } as const satisfies Record<string, Uses>;
 
 declare global {
   // Not every browser has it, so TypeScript does not declare it.
-  var showSaveFilePicker: (options: {
-    readonly suggestedName: string;
-    readonly types: readonly { readonly accept: Readonly<Record<string, readonly string[]>> }[];
-  }) => Promise<FileSystemFileHandle>;
   var launchQueue: { setConsumer(consumer: (launch: { readonly files?: readonly FileSystemHandle[] }) => void): void };
 }
 

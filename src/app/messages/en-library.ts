@@ -16,7 +16,7 @@ export const obstacles = {
 export const libraryMessages = {
   title: 'Library',
   coming: 'Loading the library',
-  unread: 'The browser cannot read the models and settings that it may have kept.',
+  unread: 'The browser cannot read the library now. Close other tabs of this page and try again.',
   readAgain: 'Try again',
   empty: {
     title: 'No model yet',

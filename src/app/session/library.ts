@@ -75,18 +75,16 @@ export class Library {
   /**
    * Changes several records that belong together. They are on the screen at once, and in the storage all or none of
    * them: in one step, or in some if there are more than 200.
-   * @param tell called with the number of records that the storage has done.
    * @returns whether the storage has all of it.
    */
-  async change(change: LibraryChange, tell: (done: number) => void = () => {}): Promise<boolean> {
+  async change(change: LibraryChange): Promise<boolean> {
     batch(() => {
       this.models.begin(change.models ?? {});
       this.settings.begin(change.settings ?? {});
       this.flights.begin(change.flights ?? {});
     });
-    let done = 0;
     // The storage keeps their order.
-    const parts = inParts(change).map(async ({ part, size }) => {
+    const parts = inParts(change).map(async (part) => {
       const isKept = await this.#storage.change(part).then(
         () => true,
         () => false,
@@ -96,8 +94,6 @@ export class Library {
         this.settings.ended(part.settings ?? {}, isKept);
         this.flights.ended(part.flights ?? {}, isKept);
       });
-      if (isKept) done += size;
-      if (isKept) tell(done);
       return isKept;
     });
     return (await Promise.all(parts)).every(Boolean);
@@ -178,7 +174,7 @@ type LibraryStorage = Pick<Storage, 'models' | 'settings' | 'flights' | 'change'
  * A change in parts that the storage does in one step each. What a model holds comes after it, and goes before it: a
  * page that ends in between leaves nothing without its model.
  */
-function inParts({ models, settings, flights }: LibraryChange): { part: LibraryChange; size: number }[] {
+function inParts({ models, settings, flights }: LibraryChange): LibraryChange[] {
   const single: readonly LibraryChange[] = [
     ...(flights?.gone ?? []).map((key) => ({ flights: { gone: [key] } })),
     ...(settings?.gone ?? []).map((key) => ({ settings: { gone: [key] } })),
@@ -187,16 +183,13 @@ function inParts({ models, settings, flights }: LibraryChange): { part: LibraryC
     ...(settings?.put ?? []).map((record) => ({ settings: { put: [record] } })),
     ...(flights?.put ?? []).map((record) => ({ flights: { put: [record] } })),
   ];
-  const parts: { part: LibraryChange; size: number }[] = [];
+  const parts: LibraryChange[] = [];
   for (let at = 0; at < single.length; at += AT_A_TIME) {
     const some = single.slice(at, at + AT_A_TIME);
     parts.push({
-      part: {
-        models: joined(some.map((each) => each.models)),
-        settings: joined(some.map((each) => each.settings)),
-        flights: joined(some.map((each) => each.flights)),
-      },
-      size: some.length,
+      models: joined(some.map((each) => each.models)),
+      settings: joined(some.map((each) => each.settings)),
+      flights: joined(some.map((each) => each.flights)),
     });
   }
   return parts;

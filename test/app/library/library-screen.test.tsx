@@ -50,11 +50,11 @@ it.each(['', 'model-0', 'model-0/setting-0'])(
     const app = await opened({ store });
     app.models.views.show('library', path);
     await idle();
-    screen.getByText('The browser cannot read the models and settings that it may have kept.');
+    screen.getByText(libraryMessages.unread);
     expect(screen.queryByText(/No model yet|A model holds|not in the library any more/)).toBeNull();
     [store.models.all, store.settings.all] = all;
     await press('Try again');
-    expect(screen.queryByText(/cannot read the models/)).toBeNull();
+    expect(screen.queryByText(libraryMessages.unread)).toBeNull();
     expect(screen.getAllByText(/Lancer 01|fly-off 0/).length).toBeGreaterThan(0);
   },
 );

@@ -17,7 +17,7 @@ const SENTENCES: Readonly<Record<string, (name: string) => string>> = {
   'saved setting': (name) => libraryMessages.save.state(name, 2, 0),
   model: (name) => recognition.same(name, '14:32'),
   models: (name) => recognition.several([name, '07', name]),
-  import: (name) => filesMessages.import.importing(name, 2, 5),
+  import: (name) => filesMessages.import.done('2', name),
 };
 
 it.each(Object.entries(SENTENCES))(

@@ -3,13 +3,6 @@ import * as v from 'valibot';
 import { loadSetting, saveSetting } from '../../browser/settings.js';
 import type { Library } from '../../session/library.js';
 
-/** An export is due: much has changed since the last one, or since the pilot put it off. */
-export interface ExportDue {
-  readonly changes: number;
-  /** Days since the last export; null when there was none. */
-  readonly days: number | null;
-}
-
 const SETTING = 'library-exported';
 const DAY = 86_400_000;
 /** Fewer changes, or younger ones, are not worth a reminder. */
@@ -21,8 +14,8 @@ const schema = v.object({ exportedAt: date, putOffAt: date });
 
 /** When the whole library was last exported, and whether the next export is due. */
 export class ExportMarks {
-  /** Null while no export is due. */
-  readonly due: ReadonlySignal<ExportDue | null>;
+  /** How much has changed since the last one, or since the pilot put it off; null while no export is due. */
+  readonly due: ReadonlySignal<number | null>;
   readonly #marks = signal(loadSetting(SETTING, schema) ?? { exportedAt: null, putOffAt: null });
 
   constructor(library: Pick<Library, 'models' | 'settings' | 'flights'>) {
@@ -40,7 +33,7 @@ export class ExportMarks {
       // Before the first export, counting begins with the first entry.
       const from = since || Math.min(...changed);
       if (at - from < LONG) return null;
-      return { changes: changed.length, days: isRight(exportedAt) ? Math.floor((at - exportedAt) / DAY) : null };
+      return changed.length;
     });
   }
 

@@ -1,4 +1,5 @@
 import { filesMessages } from '../../messages/en-files.js';
+import { messages } from '../../messages/index.js';
 import { ALL_NAME, type LibraryFiles } from './library-files.js';
 import type { FilePart } from './library-text.js';
 import './file-buttons.css';
@@ -10,21 +11,12 @@ interface ExportButtonProps {
   readonly title: string;
 }
 
-/** Saves a part of the library to a file. After the first time: to the same file, or to another one. */
+/** Gives a part of the library to the browser as a file. */
 export function ExportButton({ files, part, title }: ExportButtonProps) {
-  const { export: words } = filesMessages;
-  const chosen = files.chosen(part);
   return (
-    <>
-      <button type="button" onClick={() => void files.export(part, title)}>
-        {chosen ? words.again(chosen.name) : part.kind === 'all' ? words.all : words.one}
-      </button>
-      {chosen && (
-        <button type="button" class="quiet" onClick={() => void files.export(part, title, true)}>
-          {words.another}
-        </button>
-      )}
-    </>
+    <button type="button" onClick={() => void files.export(part, title)}>
+      {filesMessages.export.one}
+    </button>
   );
 }
 
@@ -36,24 +28,23 @@ export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) 
       <button type="button" onClick={() => files.ask()}>
         {words.import.button}
       </button>
-      <ExportButton files={files} part={ALL} title={ALL_NAME} />
+      <button type="button" disabled={files.isEmpty} onClick={() => void files.export({ kind: 'all' }, ALL_NAME)}>
+        {words.export.all}
+      </button>
       <ExportReminder files={files} />
     </>
   );
 }
 
-const ALL: FilePart = { kind: 'all' };
-
 /** The reminder that an export is due. Shown once, then not for a while. */
 function ExportReminder({ files }: { readonly files: LibraryFiles }) {
-  const { reminder: words } = filesMessages;
   const due = files.marks.due.value;
-  if (!due) return null;
+  if (due === null) return null;
   return (
     <div class="export-reminder">
-      <p>{due.days === null ? words.never(due.changes) : words.text(due.changes, due.days)}</p>
+      <p>{filesMessages.reminder(due)}</p>
       <button type="button" class="quiet" onClick={() => files.marks.putOff()}>
-        {words.later}
+        {messages.value.notNow}
       </button>
     </div>
   );

@@ -19,10 +19,10 @@ export interface Records {
 export type Kind = keyof Records;
 
 /**
- * What to do with entries that differ: keep the newer one, or that of the device if both have the same date; keep both;
- * or skip everything of this model.
+ * What to do with entries that differ: keep the newer one, or that of the device if both have the same date; or keep
+ * both.
  */
-export const WAYS = ['newer', 'both', 'skip'] as const;
+export const WAYS = ['newer', 'both'] as const;
 export type Way = (typeof WAYS)[number];
 
 type EntryOf = { models: Model; settings: Setting; flights: Flight };
@@ -36,7 +36,7 @@ export interface Entry<K extends Kind = Kind> {
   readonly changedAt: number;
   /** The device's entry of the same id; null for none. */
   readonly here: EntryOf[K] | null;
-  readonly standing: 'new' | 'same' | 'file-newer' | 'device-newer' | 'same-date';
+  readonly standing: 'new' | 'same' | 'file-newer' | 'not-newer';
 }
 
 /** The entries of a file that belong to one model, or to none. */
@@ -100,8 +100,7 @@ function standingOf<K extends Kind>(entry: EntryOf[K], changedAt: number, here?:
   if (!here) return 'new';
   // An old record may hold what names may not hold today.
   if (isSame(entry, withPlainNames(here.entry))) return 'same';
-  if (changedAt === here.changedAt) return 'same-date';
-  return changedAt > here.changedAt ? 'file-newer' : 'device-newer';
+  return changedAt > here.changedAt ? 'file-newer' : 'not-newer';
 }
 
 interface Taken {
@@ -112,7 +111,6 @@ interface Taken {
 
 /** The entries to import in this way, and in which form. */
 export function takenOf({ entries }: Group, way: Way): readonly Taken[] {
-  if (way === 'skip') return [];
   return entries.flatMap((entry): Taken[] => {
     if (entry.standing === 'same') return [];
     if (entry.standing === 'new') return [{ entry, asCopy: false }];
@@ -125,16 +123,11 @@ export function takenOf({ entries }: Group, way: Way): readonly Taken[] {
  * The records after an import.
  * @param newId makes an id that is not in use.
  */
-export function recordsOf(
-  groups: readonly Group[],
-  wayOf: (group: Group) => Way,
-  held: Records,
-  newId: () => string,
-): Records {
+export function recordsOf(groups: readonly Group[], way: Way, held: Records, newId: () => string): Records {
   const records = { models: [] as ModelRecord[], settings: [] as SettingRecord[], flights: [] as FlightRecord[] };
   const heldModels = byKey(held.models);
   for (const group of groups) {
-    for (const { entry, asCopy } of takenOf(group, wayOf(group))) {
+    for (const { entry, asCopy } of takenOf(group, way)) {
       const id = asCopy ? newId() : entry.entry.id;
       const { changedAt } = entry;
       if (isOf(entry, 'models')) {

@@ -1,7 +1,6 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import { parseLibraryFile } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
-import { plainName } from '../../session/plain-names.js';
 import { isSame } from '../../storage/index.js';
 import { type EntryCounts, type Group, groupsOf, type Records } from './import-plan.js';
 import { type PlaceInFile, placeInFile } from './place-in-file.js';
@@ -9,7 +8,6 @@ import { type PlaceInFile, placeInFile } from './place-in-file.js';
 /** The content of a file. */
 interface Found {
   readonly writtenAt: number;
-  readonly writtenBy: string;
   readonly ignored: number;
   readonly holds: EntryCounts;
   readonly groups: ReadonlySignal<readonly Group[]>;
@@ -27,21 +25,19 @@ export function lookInto(
     // The library may change while the pilot looks at the file.
     const groups = computed(() => groupsOf(file, held()));
     const { writtenAt, ignored } = file;
-    return { writtenAt, writtenBy: plainName(file.writtenBy), ignored: ignored.length, holds, groups };
+    return { writtenAt, ignored: ignored.length, holds, groups };
   } catch (error) {
     if (!(error instanceof CodecError)) throw error;
     return { refused: error, place: placeInFile(text, error.field) };
   }
 }
 
-/** The changes that bring one list back to how it was before an import. */
+/** The changes that bring one list back to how it was before an import. What was changed after it stays. */
 export interface Undo<R> {
   /** Records to put back in their place. */
   readonly back: readonly R[];
   /** Keys of records to remove again. */
   readonly gone: readonly string[];
-  /** False when something was changed after the import; that stays. */
-  readonly isWhole: boolean;
 }
 
 /** @param put what the import has saved. @param before the list before it. @param now the list as it is. */
@@ -52,11 +48,9 @@ export function undoOf<R extends { readonly key: string; readonly changedAt: num
 ): Undo<R> {
   const old = new Map(before.map((record) => [record.key, record]));
   const present = new Map(now.map((record) => [record.key, record]));
-  const there = put.filter(({ key }) => present.has(key));
-  const untouched = there.filter((record) => isSame(record, present.get(record.key)));
+  const untouched = put.filter((record) => present.has(record.key) && isSame(record, present.get(record.key)));
   return {
     back: untouched.flatMap(({ key }) => old.get(key) ?? []),
     gone: untouched.filter(({ key }) => !old.has(key)).map(({ key }) => key),
-    isWhole: untouched.length === there.length,
   };
 }

@@ -2,7 +2,7 @@ import { type ReadonlySignal, signal } from '@preact/signals';
 import type { CodecError } from '../../../protocol/index.js';
 import { askForFiles } from '../../browser/ask-for-file.js';
 import { textOfFile, type UnreadableFile } from '../../browser/read-file.js';
-import { type ChosenFile, chooseFile, saveFile, writeFile } from '../../browser/save-file.js';
+import { saveFile } from '../../browser/save-file.js';
 import { version } from '../../browser/version.js';
 import { type Library, newId } from '../../session/library.js';
 import { plainName } from '../../session/plain-names.js';
@@ -22,39 +22,30 @@ export type ImportStep =
       /** Null outside of all entries. */
       readonly place?: PlaceInFile | null;
     }
-  | ({ readonly step: 'plan'; readonly name: string; readonly writtenAt: number; readonly writtenBy: string } & {
+  | ({ readonly step: 'plan'; readonly name: string; readonly writtenAt: number } & {
       readonly ignored: number;
       readonly holds: EntryCounts;
       /** What the file would bring, compared with the present library. */
       readonly groups: ReadonlySignal<readonly Group[]>;
-      readonly ways: ReadonlySignal<Ways>;
+      readonly way: ReadonlySignal<Way>;
     });
-export type FileRefusal = UnreadableFile | 'several' | 'failed' | CodecError;
-
-/** What to do with entries that differ: for all models, and for some models separately. */
-export interface Ways {
-  readonly all: Way;
-  readonly of: ReadonlyMap<string | null, Way>;
-}
+export type FileRefusal = UnreadableFile | 'several' | CodecError;
 
 /** What was done last. */
 export type FileWord =
-  | { readonly kind: 'saving'; readonly name: string }
-  | { readonly kind: 'importing'; readonly name: string; readonly done: number; readonly of: number }
-  | { readonly kind: 'undoing'; readonly done: number; readonly of: number }
-  | { readonly kind: 'saved' | 'downloaded' | 'not-written'; readonly name: string; readonly holds: EntryCounts }
+  /** An import or its undo is not in the storage yet. */
+  | { readonly kind: 'busy' }
+  | { readonly kind: 'downloaded'; readonly name: string; readonly holds: EntryCounts }
   /** The browser does not give everything that it keeps. */
   | { readonly kind: 'partly'; readonly name: string; readonly holds: EntryCounts; readonly missing: readonly Kind[] }
-  | { readonly kind: 'too-large' | 'nothing' | 'unread' | 'failed' }
-  | { readonly kind: 'undone' | 'partly-undone'; readonly kept: boolean }
+  | { readonly kind: 'too-large' | 'unread' | 'failed' }
+  | { readonly kind: 'undone'; readonly kept: boolean }
   | { readonly kind: 'imported'; readonly name: string; readonly holds: EntryCounts; readonly kept: boolean };
 
 /** The name of a file with everything, before its date. */
 export const ALL_NAME = 'Sidus library';
 /** The files that the pilot can choose. */
 const ACCEPTED = '.sidus,.json,application/json';
-/** The type of a library file, and its endings. */
-const TYPE = { 'application/json': ['.sidus.json', '.sidus'] };
 const ENDING = '.sidus.json';
 
 /** What the import has put into the library, and what was there before. */
@@ -73,8 +64,7 @@ export interface LibraryFilesParts {
 export class LibraryFiles {
   readonly #current = signal<ImportStep | null>(null, { name: 'import' });
   readonly #said = signal<FileWord | null>(null, { name: 'fileWord' });
-  readonly #chosen = signal<ReadonlyMap<string, ChosenFile>>(new Map());
-  readonly #ways = signal<Ways>({ all: 'newer', of: new Map() });
+  readonly #way = signal<Way>('newer');
   readonly current: ReadonlySignal<ImportStep | null> = this.#current;
   readonly said: ReadonlySignal<FileWord | null> = this.#said;
   /** When the library was last exported, and until when the pilot has put it off. */
@@ -89,38 +79,31 @@ export class LibraryFiles {
     this.marks = new ExportMarks(parts.library);
   }
 
-  /** The file to which this part was saved, for as long as the page is open. */
-  chosen(part: FilePart): ChosenFile | null {
-    return this.#chosen.value.get(keyOf(part)) ?? null;
+  /** Whether there is nothing to export, as far as it was read. */
+  get isEmpty(): boolean {
+    const { models, settings, flights } = this.#parts.library;
+    return [models, settings, flights].every(
+      ({ list, loaded, failed }) => loaded.value && !failed.value && list.value.length === 0,
+    );
   }
 
   /**
-   * Saves a part of the library: to the file that was chosen before, to one that the pilot chooses now, or to the
-   * downloads.
-   * @param another asks for a file even when one was chosen before.
+   * Gives a part of the library to the browser as a download.
    * @param title the name of the file, before its date.
    */
-  async export(part: FilePart, title: string, another = false): Promise<void> {
+  async export(part: FilePart, title: string): Promise<void> {
     this.#done = null;
     this.#say(null);
-    const fileName = `${safeName(title)} ${dayName(new Date())}${ENDING}`;
+    const name = `${safeName(title)} ${dayName(new Date())}${ENDING}`;
     const now = Date.now();
     const made = await this.#textOf(part, now);
+    if (made === 'nothing') return;
     if (typeof made === 'string') return this.#say({ kind: made });
     const { text, holds, missing } = made;
-    let file = another ? null : this.chosen(part);
-    if (!file) {
-      const answer = await chooseFile(fileName, TYPE);
-      if (answer === 'dismissed') return;
-      file = answer;
-    }
-    const isWritten = file !== null && (await this.#writeTo(file, text));
-    if (!isWritten) saveFile(fileName, text, 'application/json');
-    this.#remember(part, isWritten ? file : null);
-    const name = file?.name ?? fileName;
+    saveFile(name, text, 'application/json');
     if (missing.length > 0) return this.#say({ kind: 'partly', name, holds, missing });
     if (part.kind === 'all') this.marks.exported(now);
-    this.#say({ kind: isWritten ? 'saved' : file ? 'not-written' : 'downloaded', name, holds });
+    this.#say({ kind: 'downloaded', name, holds });
   }
 
   /** Saves all of the library; see {@link export}. */
@@ -150,18 +133,17 @@ export class LibraryFiles {
       await this.#load();
       const found = lookInto(read.text, () => this.#records());
       if ('refused' in found) return show({ step: 'refused', name, why: found.refused, place: found.place });
-      this.#ways.value = { all: 'newer', of: new Map() };
-      show({ step: 'plan', name, ...found, ways: this.#ways });
+      this.#way.value = 'newer';
+      show({ step: 'plan', name, ...found, way: this.#way });
     } catch {
       // This is our own fault, but the pilot must not be left with a dialog that goes on reading.
-      show({ step: 'refused', name, why: 'failed' });
+      show({ step: 'refused', name, why: 'gone' });
     }
   }
 
-  /** Chooses what to do with entries that differ: for one model, or for all. */
-  choose(way: Way, group?: Group): void {
-    const { all, of } = this.#ways.peek();
-    this.#ways.value = group ? { all, of: new Map(of).set(group.id, way) } : { all: way, of: new Map() };
+  /** Chooses what to do with entries that differ. */
+  choose(way: Way): void {
+    this.#way.value = way;
   }
 
   /**
@@ -182,20 +164,20 @@ export class LibraryFiles {
   async take(): Promise<void> {
     const step = this.#current.peek();
     if (step?.step !== 'plan' || this.shut) return;
-    const { all: way, of } = this.#ways.peek();
     const before = this.#records();
-    const put = recordsOf(step.groups.peek(), ({ id }) => of.get(id) ?? way, before, newId);
+    const put = recordsOf(step.groups.peek(), this.#way.peek(), before, newId);
     this.dismiss();
     // On an empty device, the file equals an export of everything.
     if (before.models.length + before.settings.length + before.flights.length === 0)
       this.marks.exported(step.writtenAt);
     const holds = { models: put.models.length, settings: put.settings.length, flights: put.flights.length };
     const { name } = step;
-    const all = put.models.length + put.settings.length + put.flights.length;
-    const kept = await this.#parts.library.change(
-      { models: { put: put.models }, settings: { put: put.settings }, flights: { put: put.flights } },
-      (done) => this.#say({ kind: 'importing', name, done, of: all }),
-    );
+    this.#say({ kind: 'busy' });
+    const kept = await this.#parts.library.change({
+      models: { put: put.models },
+      settings: { put: put.settings },
+      flights: { put: put.flights },
+    });
     // Only now: the pilot may have exported, or imported another file, while this one was being saved.
     this.#done = { put, before };
     this.#say({ kind: 'imported', name, holds, kept });
@@ -212,18 +194,13 @@ export class LibraryFiles {
     const models = undoOf(put.models, before.models, now.models);
     const settings = undoOf(put.settings, before.settings, now.settings);
     const flights = undoOf(put.flights, before.flights, now.flights);
-    const kind = [models, settings, flights].every(({ isWhole }) => isWhole) ? 'undone' : 'partly-undone';
-    const size = [models, settings, flights].reduce((sum, { gone, back }) => sum + gone.length + back.length, 0);
-    this.#say({ kind: 'undoing', done: 0, of: size });
-    const kept = await library.change(
-      {
-        models: { gone: models.gone, put: models.back },
-        settings: { gone: settings.gone, put: settings.back },
-        flights: { gone: flights.gone, put: flights.back },
-      },
-      (done) => this.#say({ kind: 'undoing', done, of: size }),
-    );
-    this.#say({ kind, kept });
+    this.#say({ kind: 'busy' });
+    const kept = await library.change({
+      models: { gone: models.gone, put: models.back },
+      settings: { gone: settings.gone, put: settings.back },
+      flights: { gone: flights.gone, put: flights.back },
+    });
+    this.#say({ kind: 'undone', kept });
   }
 
   /** The pilot leaves the import, whatever state it is in. */
@@ -242,13 +219,6 @@ export class LibraryFiles {
     this.#said.value = word;
   }
 
-  #remember(part: FilePart, file: ChosenFile | null): void {
-    const chosen = new Map(this.#chosen.peek());
-    if (file) chosen.set(keyOf(part), file);
-    else chosen.delete(keyOf(part));
-    this.#chosen.value = chosen;
-  }
-
   async #textOf(part: FilePart, now: number): Promise<Made | 'unread' | 'failed'> {
     try {
       await this.#load();
@@ -261,16 +231,6 @@ export class LibraryFiles {
     }
   }
 
-  async #writeTo(file: ChosenFile, text: string): Promise<boolean> {
-    this.#say({ kind: 'saving', name: file.name });
-    try {
-      await writeFile(file, text);
-      return true;
-    } catch {
-      return false;
-    }
-  }
-
   async #load(): Promise<void> {
     const { library } = this.#parts;
     await Promise.all([library.load(), library.flights.load()]);
@@ -280,10 +240,6 @@ export class LibraryFiles {
     const { models, settings, flights } = this.#parts.library;
     return { models: models.list.value, settings: settings.list.value, flights: flights.list.value };
   }
-}
-
-function keyOf(part: FilePart): string {
-  return part.kind === 'all' ? 'all' : `${part.kind}/${part.id}`;
 }
 
 /** A name that every system accepts for a file. */

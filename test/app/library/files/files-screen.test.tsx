@@ -1,9 +1,12 @@
 import { signal } from '@preact/signals';
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { holdDroppedFiles } from '../../../../src/app/browser/dropped-files.js';
 import { LibraryFiles } from '../../../../src/app/library/files/library-files.js';
 import { filesOf } from '../../../../src/app/library-files.js';
 import { filesMessages } from '../../../../src/app/messages/en-files.js';
+import { libraryMessages } from '../../../../src/app/messages/en-library.js';
+import { messages } from '../../../../src/app/messages/index.js';
 import { Library } from '../../../../src/app/session/library.js';
 import {
   formatLibraryFile,
@@ -15,11 +18,15 @@ import { FLIGHT, MODEL, SETTING } from '../../../program/library-examples.js';
 import { type AppBench, idle, MemoryStore } from '../../bench/bench.js';
 import { button, connected, goTo, opened, press } from '../../screen.js';
 
-beforeEach(() => localStorage.clear());
+beforeEach(() => {
+  localStorage.clear();
+  holdDroppedFiles();
+});
 
 const ALL: Kept = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
 const DAY = 86_400_000;
 const words = filesMessages.import;
+const ONE_OF_EACH = { models: 1, settings: 1, flights: 1 };
 
 const text = (library: Kept = ALL, writtenAt = 1): string =>
   formatLibraryFile(library, { writtenAt, writtenBy: 'Sidus Timer 1.0.0' });
@@ -46,11 +53,9 @@ async function drop(...files: File[]): Promise<boolean> {
 }
 
 const dialog = () => within(screen.getByRole('dialog'));
-/** Chooses what to do with what differs in a model. */
-async function choose(model: string, way: string): Promise<void> {
-  const choice = dialog().getByRole('combobox', { name: `${model}: what to do with it` });
-  const value = within(choice).getByRole<HTMLOptionElement>('option', { name: way }).value;
-  act(() => void fireEvent.change(choice, { target: { value } }));
+/** Chooses what to do with what differs. */
+async function choose(way: keyof typeof words.ways): Promise<void> {
+  act(() => void fireEvent.click(dialog().getByRole('radio', { name: words.ways[way] })));
   await idle(0);
 }
 const notice = (words: RegExp | string) => screen.getByText(words).closest('.notice') as HTMLElement;
@@ -77,25 +82,23 @@ describe('an import', () => {
     const app = await library({});
     expect(await drop(file())).toBe(true);
     expect(dialog().getByRole('heading', { name: 'Import lancer.sidus.json' })).toBeTruthy();
-    dialog().getByText(/^Saved .* by Sidus Timer 1\.0\.0\. It holds 1 model, 1 setting, 1 flight\.$/);
-    dialog().getByText('New: 1 model, 1 setting, 1 flight');
+    dialog().getByText(/^Saved .*\. It holds 1\smodel, 1\sprogram, 1\sflight\.$/);
+    dialog().getByText(words.group.fresh('1 model, 1 program, 1 flight'));
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
     await press('Import 3');
     expect(kept(app)).toEqual(ALL);
     expect(screen.queryByRole('dialog')).toBeNull();
-    expect(notice(/^Imported from “lancer/).textContent).toContain('1\u00a0model, 1\u00a0setting, 1\u00a0flight');
+    expect(notice(/^Imported from “lancer/).textContent).toContain(filesMessages.counted(ONE_OF_EACH));
     await press('Undo the import');
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
-    notice(/^The import was undone\.$/);
-    expect(screen.queryByRole('button', { name: 'Undo the import' })).toBeNull();
+    notice(words.undone);
+    expect(screen.queryByRole('button', { name: words.undo })).toBeNull();
   });
 
-  it('is described in sentences whose order neither its name nor its writer can change', async () => {
+  it('is described in sentences whose order its name cannot change', async () => {
     await library({});
-    const content = formatLibraryFile(ALL, { writtenAt: 1, writtenBy: '\u202eSidus\nTimer' });
-    await drop(file(content, 'lancer\u202enosj.sidus'));
+    await drop(file(text(), 'lancer\u202enosj.sidus'));
     expect(dialog().getByRole('heading', { name: 'Import lancernosj.sidus' })).toBeTruthy();
-    dialog().getByText(/^Saved .* by Sidus Timer\. It holds 1 model, 1 setting, 1 flight\.$/);
     await press('Import 3');
     notice(/^Imported from “lancernosj\.sidus”: /);
   });
@@ -111,91 +114,55 @@ describe('an import', () => {
 
   const windy: Setting = { ...SETTING, name: 'windy', at: Date.now() + DAY };
   it.each([
-    ['Take the newer', 'Import 1', ['windy']],
-    ['Keep both', 'Import 1', ['calm morning', 'windy (2)']],
-    ['Leave out', 'Nothing to import', ['calm morning']],
-  ])('with “%s” offers %s', async (way, offer, names) => {
+    ['newer', ['windy']],
+    ['both', ['calm morning', 'windy (2)']],
+  ] as const)('with “%s” brings %j', async (way, names) => {
     const app = await library();
     await drop(file(text({ ...ALL, settings: [windy] })));
-    dialog().getByText('Newer in the file: windy (here: calm morning)');
-    dialog().getByText('The same: 1 model, 1 flight');
-    expect(dialog().queryByRole('radio'), 'one choice for one model').toBeNull();
-    await choose('Lancer 07', way);
-    expect(button(offer).disabled).toBe(offer === 'Nothing to import');
-    expect(dialog().queryAllByText('Everything in the file is left out.')).toHaveLength(way === 'Leave out' ? 1 : 0);
-    fireEvent.click(button(offer));
-    await idle();
-    expect(kept(app).settings.map(({ name }) => name)).toEqual(names);
+    dialog().getByText(words.group.fileNewer('windy (here: calm morning)'));
+    dialog().getByText(words.group.same('1 model, 1 flight'));
+    await choose(way);
+    dialog().getByText(words.wayText[way]);
+    await press(words.take(1));
+    expect(
+      kept(app)
+        .settings.map(({ name }) => name)
+        .sort(),
+    ).toEqual(names);
     expect(kept(app).models).toEqual([MODEL]);
   });
 
-  it('of a setting that is newer here brings nothing, and says so with its name here', async () => {
+  it.each([0, 1])('of a setting that is not newer brings nothing, and says so (%i)', async (isSameDate) => {
     const app = await library();
-    await drop(file(text({ ...ALL, settings: [{ ...windy, at: 1 }] })));
-    dialog().getByText('Newer here: calm morning (in the file: windy)');
-    expect(button('Nothing to import').disabled).toBe(true);
-    dialog().getByText(/^What is here stays: nothing in the file is newer\./);
-    await choose('Lancer 07', 'Keep both');
-    await press('Import 1');
-    expect(kept(app).settings.map(({ name }) => name)).toEqual(['calm morning', 'windy (2)']);
-  });
-
-  it('of a setting that differs with the same date calls neither newer, and lets the pilot choose', async () => {
-    const app = await library();
-    const at = app.session.library.settings.list.value[0]?.changedAt ?? 0;
+    const at = isSameDate ? (app.session.library.settings.list.value[0]?.changedAt ?? 0) : 1;
     await drop(file(text({ ...ALL, settings: [{ ...windy, at }] })));
-    dialog().getByText('Differs, same date: calm morning (in the file: windy)');
-    const names = [...dialog().getByRole('combobox').querySelectorAll('option')].map(({ text }) => text);
-    expect(names).toEqual(['Keep what is here', 'Keep both', 'Leave out']);
-    expect(button('Nothing to import').disabled).toBe(true);
-    await choose('Lancer 07', 'Keep both');
-    await press('Import 1');
-    expect(kept(app).settings.map(({ name }) => name)).toEqual(['calm morning', 'windy (2)']);
+    dialog().getByText(words.group.deviceNewer('windy (here: calm morning)'));
+    expect(button(words.take(0)).disabled).toBe(true);
+    dialog().getByText(words.allStays);
+    await choose('both');
+    await press(words.take(1));
+    expect(
+      kept(app)
+        .settings.map(({ name }) => name)
+        .sort(),
+    ).toEqual(['calm morning', 'windy (2)']);
   });
 
-  it('asks once for all models when several differ', async () => {
+  it('asks once, also when several models differ', async () => {
     const other = { ...MODEL, id: 'b', name: 'Vega' };
     const app = await library({ ...ALL, models: [MODEL, other] });
     const vega: Kept['models'][number] = { ...other, note: 'new' };
     await drop(file(text({ ...ALL, models: [MODEL, vega], settings: [windy] }, Date.now() + DAY)));
-    dialog().getByText('What differs');
-    act(() => void fireEvent.click(dialog().getByRole('radio', { name: 'Leave out' })));
-    await idle(0);
-    expect(button('Nothing to import').disabled).toBe(true);
-    await choose('Lancer 07', 'Keep both');
-    act(() => void fireEvent.click(dialog().getByRole('radio', { name: 'Take the newer' })));
-    await idle(0);
-    await press('Import 2');
+    dialog().getByText(words.differs);
+    await press(words.take(2));
     expect(kept(app).models.map(({ note }) => note)).toEqual([MODEL.note, 'new']);
-    expect(kept(app).settings, 'the choice for all is also that of Lancer 07').toEqual([windy]);
+    expect(kept(app).settings).toEqual([windy]);
   });
 
-  it('can be different for one model', async () => {
-    const other = { ...MODEL, id: 'b', name: 'Vega' };
-    const app = await library();
-    await drop(file(text({ ...ALL, models: [MODEL, other], settings: [windy] })));
-    await choose('Lancer 07', 'Leave out');
-    await press('Import 1');
-    expect(kept(app).models.map(({ name }) => name)).toEqual(['Lancer 07', 'Vega']);
-    expect(kept(app).settings).toEqual([SETTING]);
-  });
-
-  it('has no rule for what differs where nothing differs, and only its own two choices', async () => {
+  it('asks nothing where nothing differs', async () => {
     await library({});
     await drop(file());
-    expect(dialog().queryByText(/stays as it is/)).toBeNull();
-    const names = [...dialog().getByRole('combobox').querySelectorAll('option')].map(({ text }) => text);
-    expect(names).toEqual(['Import', 'Leave out']);
-    await choose('Lancer 07', 'Leave out');
-    dialog().getByText('Everything in the file is left out.');
-  });
-
-  it('says what each way does', async () => {
-    await library();
-    await drop(file(text({ ...ALL, settings: [windy] })));
-    dialog().getByText('What is newer here, or has the same date, stays as it is.');
-    await choose('Lancer 07', 'Keep both');
-    dialog().getByText('Both stay. The one from the file gets a number after its name.');
+    expect(dialog().queryByRole('radio')).toBeNull();
   });
 
   it('names three of the entries that differ, and counts the others', async () => {
@@ -208,7 +175,7 @@ describe('an import', () => {
     };
     await library({ ...ALL, settings });
     await drop(file(text(newer, at)));
-    dialog().getByText('Newer in the file: the model itself, a, b, and 2 more');
+    dialog().getByText(words.group.fileNewer('the model itself, a, b. And 2 more.'));
     await press('Cancel');
     await drop(file(text({ ...newer, models: [MODEL], settings: [] }, at)));
     dialog().getByText(/^Newer in the file: flight of \S/);
@@ -218,8 +185,8 @@ describe('an import', () => {
     await library({});
     const settings = ['gone', null].map((model, at) => ({ ...SETTING, id: `s${at}`, model }));
     await drop(file(text({ models: [], settings, flights: [] })));
-    dialog().getByRole('combobox', { name: 'A model that is not here: what to do with it' });
-    dialog().getByRole('combobox', { name: 'Without a model: what to do with it' });
+    dialog().getByText(words.unknownModel);
+    dialog().getByText(messages.value.noModel);
   });
 
   it('of nothing says so once', async () => {
@@ -233,25 +200,28 @@ describe('an import', () => {
   it('says that it leaves out what this version does not know', async () => {
     await library({});
     await drop(file(text().replace('"name": "Lancer 07"', '"name": "Lancer 07", "colour": "red"')));
-    dialog().getByText('This version of the page does not know what 1 entry is. The import leaves it out.');
+    dialog().getByText(words.ignored(1));
   });
 
   it('begins anew with each file, and Escape leaves it', async () => {
     await library();
     const newer = file(text({ ...ALL, settings: [windy] }));
     await drop(newer);
-    await choose('Lancer 07', 'Leave out');
+    await choose('both');
     act(() => void fireEvent(screen.getByRole('dialog'), new Event('cancel', { cancelable: true })));
     await idle();
     expect(screen.queryByRole('dialog')).toBeNull();
     await drop(newer);
-    expect(button('Import 1').disabled).toBe(false);
+    expect(dialog().getByRole<HTMLInputElement>('radio', { name: words.ways.newer }).checked).toBe(true);
   });
 
   it('shows the library with what has come', async () => {
     const app = await library({});
     await goTo('settings');
-    await drop(file());
+    expect(await drop(file()), 'the browser must not leave the page for it').toBe(true);
+    expect(screen.queryByRole('dialog'), 'only the library takes it').toBeNull();
+    act(() => void filesOf(app.models).open([file()]));
+    await idle();
     await press('Import 3');
     expect(app.views.shown.value).toBe('library');
   });
@@ -273,7 +243,7 @@ describe('an import', () => {
     await idle();
     await press('Undo the import');
     expect(kept(app)).toEqual({ models: [], settings: [{ ...SETTING, note: 'flew well' }], flights: [] });
-    notice(/What has changed since then stays\.$/);
+    notice(words.undone);
   });
 
   it('brings back each entry that it has replaced, and its message goes at a click', async () => {
@@ -298,7 +268,7 @@ describe('an import', () => {
     await drop(file());
     app.store.broken = true;
     await press('Import 3');
-    expect(notice(/^Imported from/).textContent).toContain('could not store all of it');
+    expect(notice(/^Imported from/).textContent).toContain(messages.value.notKept);
     const saved = downloads();
     await press('Export the library…');
     expect(saved).toHaveLength(1);
@@ -311,7 +281,7 @@ describe('an import', () => {
     await press('Import 3');
     app.store.broken = true;
     await press('Undo the import');
-    notice(words.undoUnkept);
+    notice(messages.value.notKept);
     expect(screen.queryByText(words.undone)).toBeNull();
     expect(app.session.library.models.list.value).toEqual([]);
   });
@@ -328,7 +298,7 @@ describe('an import', () => {
     };
     fireEvent.click(button('Undo the import'));
     await idle(0);
-    notice(words.undoing(0, 3));
+    notice(messages.value.parts.coming);
     expect([screen.queryByText(words.undone), kept(app)]).toEqual([null, ALL]);
     go();
     await idle(0);
@@ -418,7 +388,7 @@ describe('an import', () => {
     await idle();
     await drop(file());
     expect(button('Import 3').disabled).toBe(true);
-    dialog().getByText(/cannot read the library now/);
+    dialog().getByText(libraryMessages.unread);
   });
 });
 
@@ -435,39 +405,39 @@ it('a file is not imported while a list has not been read, also when the storage
 });
 
 describe('what cannot be imported', () => {
+  const { refused } = filesMessages;
+  const calm = { kind: 'settings', number: 1, name: 'calm morning' } as const;
+  const lancer = { kind: 'models', number: 1, name: '', slot: '', field: 'name' } as const;
   it.each([
-    ['{ "format": "sidus-timer library", "version": 2 }', 'A newer version of this page made this file.', null],
-    ['{ "format": "else" }', 'This is not a library file of Sidus Timer.', null],
-    [text().slice(0, -30), 'The file is not complete: it ends too early.', 'Line\u00a071, column\u00a08.'],
-    [text().replace('"memory"', 'memory'), 'The text of the file is broken.', 'Line\u00a030, column\u00a09.'],
+    ['{ "format": "sidus-timer library", "version": 2 }', refused.newer, false],
+    ['{ "format": "else" }', refused.format, false],
+    [text().slice(0, -30), refused.damaged, true],
+    [text().replace('"memory"', 'memory'), refused.damaged, true],
     [
       text().replace('"0.30"', '"700.00"'),
-      'A value is out of its range. It must be 0 to 655.35.',
-      'Setting “calm morning”, function 1, time. Line\u00a035, column\u00a034.',
+      refused.fault(35, { ...calm, slot: '1', field: 'time' }, '0.00 to 655.35', '700'),
+      true,
     ],
     [
       text().replace('"positions": [115, 115]', '"positions": [115, 1150]'),
-      'A value is out of its range. It must be 0 to 255.',
-      'Setting “calm morning”, DT, S2. Line\u00a038, column\u00a064.',
+      refused.fault(38, { ...calm, slot: 'DT', field: 'positions[1]' }, '0 to 255', '1150'),
+      true,
     ],
-    [
-      text().replace('"name": "Lancer 07"', '"name": ""'),
-      'A value is out of its range. It must have 1 to 60 characters.',
-      'Model 1 in the file, name. Line\u00a09, column\u00a015.',
-    ],
-    [`ÿþ{`, 'The letters of the file cannot be read. Save it as UTF-8.', null],
-    [Uint8Array.of(0x7b, 0xff, 0x00), 'The file is not text.', null],
-  ])('is refused with place and reason, %#: %.0s%s', async (content, reason, place) => {
+    [text().replace('"name": "Lancer 07"', '"name": ""'), refused.fault(9, lancer, '1 to 60 characters', '0'), true],
+    [text().replace('"name": "Lancer 07",', ''), refused.fault(7, lancer, 'a text', '–'), true],
+    [`ÿþ{`, refused.damaged, true],
+    [Uint8Array.of(0x7b, 0xff, 0x00), refused.damaged, true],
+  ])('is refused with place and reason, %#', async (content, reason, isDamaged) => {
     const app = await library();
     const before = kept(app);
     await drop(file(content as BlobPart));
-    dialog().getByRole('heading', { name: 'lancer.sidus.json cannot be imported' });
-    expect(dialog().getByRole('alert').textContent).toContain(reason);
-    if (place) expect(document.querySelector('.import-place')?.textContent?.trim()).toBe(place);
-    else expect(document.querySelector('.import-place')).toBeNull();
-    dialog().getByText(
-      place ? 'Nothing was imported. Export the file again, or ask its sender for a new one.' : 'Nothing was imported.',
-    );
+    dialog().getByRole('heading', { name: refused.title('lancer.sidus.json') });
+    expect(
+      dialog()
+        .getByRole('alert')
+        .textContent?.replaceAll(/[\u2068\u2069]/g, ''),
+    ).toBe(reason.replaceAll(/[\u2068\u2069]/g, ''));
+    dialog().getByText(isDamaged ? `${refused.nothing} ${refused.again}` : refused.nothing);
     await press('Close');
     expect(kept(app)).toEqual(before);
   });
@@ -478,24 +448,24 @@ describe('what cannot be imported', () => {
     Object.defineProperty(huge, 'size', { value: 60_000_001 });
     const read = vi.spyOn(huge, 'arrayBuffer');
     await drop(huge);
-    dialog().getByText('The file is too large for a library.');
+    dialog().getByText(refused.files['too-large']);
     expect(read).not.toHaveBeenCalled();
   });
 
   it('includes several files at once, and one that is gone or hangs', async () => {
     await library();
     await drop(file(), file());
-    dialog().getByText('Import one file at a time.');
+    dialog().getByText(refused.files.several);
     await press('Close');
     const gone = file();
     gone.arrayBuffer = () => Promise.reject(new DOMException('gone', 'NotFoundError'));
     await drop(gone);
-    dialog().getByText('The file could not be read. Is it still there?');
+    dialog().getByText(refused.files.gone);
     await press('Close');
     const silent = file();
     silent.arrayBuffer = () => new Promise(() => {});
     await drop(silent);
-    dialog().getByText('Reading the file');
+    dialog().getByText(messages.value.parts.coming);
     await press('Cancel');
     expect(screen.queryByRole('dialog')).toBeNull();
     await idle(100_000);
@@ -531,9 +501,8 @@ describe('an export', () => {
     expect(saved[0]?.name).toMatch(/^Sidus library \d{4}-\d\d-\d\d\.sidus\.json$/);
     const { library: read } = parseLibraryFile(await (saved[0]?.text() ?? ''));
     expect(read).toEqual(ALL);
-    notice(
-      /^This browser puts “Sidus library .*” into your downloads: 1 model, 1 setting, 1 flight\. Check that it is there\.$/,
-    );
+    const said = filesMessages.export.downloaded(saved[0]?.name ?? '', filesMessages.counted(ONE_OF_EACH));
+    expect(document.querySelector('.notices')?.textContent).toContain(said);
   });
 
   it('is of one model, or of one setting, under its name', async () => {
@@ -578,107 +547,18 @@ describe('an export', () => {
     await library({}, store);
     const saved = downloads();
     await press('Export all…');
-    notice(filesMessages.export.unread);
+    expect(document.querySelector('.notices')?.textContent).toContain(libraryMessages.unread);
     expect(saved).toEqual([]);
   });
 
-  it('of an empty library gives no file', async () => {
-    await library({});
+  it('of an empty library is not offered, once all was read', async () => {
+    const app = await library({});
     const saved = downloads();
     await press('Export all…');
-    notice(/^There is nothing to export yet\.$/);
-    expect(saved).toEqual([]);
-  });
-
-  /** A browser that asks where a file is to lie. */
-  function picker(answers: readonly (string | Error)[]) {
-    const disk = new Map<string, string>();
-    const left = [...answers];
-    const asked: unknown[] = [];
-    const state = { full: false };
-    vi.stubGlobal('showSaveFilePicker', async (options: unknown) => {
-      asked.push(options);
-      const name = left.shift();
-      if (name === undefined || name instanceof Error) throw name ?? new Error('not asked for');
-      return {
-        name,
-        createWritable: async () => {
-          if (state.full) throw new DOMException('full', 'QuotaExceededError');
-          const parts: string[] = [];
-          return {
-            write: async (part: string) => void parts.push(part),
-            close: async () => void disk.set(name, parts.join('')),
-          };
-        },
-      };
-    });
-    const fill = (): void => {
-      state.full = true;
-    };
-    return { disk, asked, fill };
-  }
-
-  it('is saved in place from the second time on, where the browser allows', async () => {
-    const app = await library();
-    const { disk, asked } = picker(['my library.sidus.json', 'another.sidus']);
-    await press('Export all…');
-    expect(asked).toEqual([
-      {
-        suggestedName: expect.stringContaining('Sidus library'),
-        types: [{ accept: { 'application/json': ['.sidus.json', '.sidus'] } }],
-      },
-    ]);
-    notice(/^Saved to “my library\.sidus\.json”: 1 model/);
-    await app.session.library.keepModel({ ...MODEL, note: 'changed' });
-    await press('Save to my library.sidus.json');
-    expect(asked).toHaveLength(1);
-    expect(parseLibraryFile(disk.get('my library.sidus.json') ?? '').library.models[0]?.note).toBe('changed');
-    await press('Export to another file…');
-    expect([...disk.keys()]).toEqual(['my library.sidus.json', 'another.sidus']);
-    button('Save to another.sidus');
-  });
-
-  it('of another model never goes into the file of the first', async () => {
-    const app = await library({ ...ALL, models: [MODEL, { ...MODEL, id: 'b', name: 'Vega' }] });
-    const { disk } = picker(['lancer.sidus', 'vega.sidus']);
-    for (const id of [MODEL.id, 'b']) {
-      act(() => void filesOf(app.models).export({ kind: 'model', id }, id));
-      await idle();
-    }
-    const names = [...disk.values()].map((each) => parseLibraryFile(each).library.models[0]?.name);
-    expect(names).toEqual(['Lancer 07', 'Vega']);
-  });
-
-  it('asks for a file again once its own could not be written', async () => {
-    await library();
-    const { fill } = picker(['mine.sidus']);
-    downloads();
-    await press('Export all…');
-    fill();
-    await press('Save to mine.sidus');
-    notice(/^“mine\.sidus” could not be written/);
-    button('Export all…');
-  });
-
-  it('is silent when the pilot cancels it, and goes into the downloads when it is refused', async () => {
-    await library();
-    const saved = downloads();
-    picker([new DOMException('no', 'AbortError'), new DOMException('no', 'SecurityError')]);
-    await press('Export all…');
-    expect([saved, document.querySelectorAll('.notice').length]).toEqual([[], 0]);
-    await press('Export all…');
-    expect(saved).toHaveLength(1);
-  });
-
-  it('goes into the downloads when the disk is full, and the page says so', async () => {
-    await library();
-    const saved = downloads();
-    const { fill } = picker(['on a full disk']);
-    fill();
-    await press('Export all…');
-    notice(/^“on a full disk” could not be written/);
-    expect(saved).toHaveLength(1);
-    button('Export all…');
+    expect([saved, button('Export all…').disabled]).toEqual([[], true]);
+    await app.session.library.keepModel(MODEL);
+    await idle(0);
+    expect(button('Export all…').disabled).toBe(false);
   });
 });
 
@@ -697,7 +577,7 @@ describe('the reminder to export', () => {
 
   it('comes when much was changed long ago and never exported, and an export removes it', async () => {
     await season(old);
-    expect(reminder()).toContain('6 entries of your library are only on this device.');
+    expect(reminder()).toContain(filesMessages.reminder(6));
     downloads();
     await press('Export all…');
     expect(reminder()).toBeNull();
@@ -713,20 +593,20 @@ describe('the reminder to export', () => {
     expect(reminder()).toBeNull();
     cleanup();
     await season(old, six.slice(0, 5));
-    expect(reminder()).toContain('5 entries of your library are only on this device.');
+    expect(reminder()).toContain(filesMessages.reminder(5));
   });
 
-  it('says how long ago the last export was', async () => {
+  it('counts what has changed since the last export', async () => {
     localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: old - 5 * DAY, putOffAt: null }));
     await season(old);
-    expect(reminder()).toContain('6 changes since the last export, 45 days ago.');
+    expect(reminder()).toContain(filesMessages.reminder(6));
   });
 
   it('comes also where the last export was marked while the clock of the device was years ahead', async () => {
     const ahead = Date.now() + 3000 * DAY;
     localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: ahead, putOffAt: ahead }));
     await season(old);
-    expect(reminder()).toContain('6 entries of your library are only on this device.');
+    expect(reminder()).toContain(filesMessages.reminder(6));
   });
 
   it('does not come for entries that a file has brought to an empty device', async () => {
