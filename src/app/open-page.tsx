@@ -98,7 +98,7 @@ async function work(root: HTMLElement, theme: Theme, tab: OneTab, lacks: readonl
         .catch(() => {}),
     ),
   );
-  document.addEventListener('visibilitychange', () => document.hidden && void follow.stop('hidden'));
+  document.addEventListener('visibilitychange', () => document.hidden && void follow.stop('over'));
   addEventListener('pagehide', () => {
     session.keptWork.keepNow();
     session.backups.flush();

@@ -37,7 +37,7 @@ describe('servos that follow', () => {
     await pilot.sees(en.bench.at('function 2'));
     expect(stand()).toEqual([2, [35, 35, 35]]);
     await toggle.click();
-    await pilot.sees(en.bench.tried(0));
+    await pilot.sees(en.bench.followingNow);
     expect(sent(rig, 'SETSERVO'), 'no position is sent before one is changed').toBe(0);
     const begin = rig.frames.length;
 
@@ -115,7 +115,7 @@ describe('servos that follow', () => {
     await pilot.button('Function 2').click();
     await pilot.sees(en.bench.at('function 2'));
     await pilot.page.getByRole('switch', { name: en.bench.follow }).click();
-    await pilot.sees(en.bench.tried(0));
+    await pilot.sees(en.bench.followingNow);
     const moved = sent(rig, 'MOVETOFUNC');
     const covered = rig.coverAfter(
       encodeFrame(COMMANDS.SETSERVO.request, [2, 0, 70]).length + encodeFrame(COMMANDS.MOVETOFUNC.request, [2]).length,
@@ -126,10 +126,10 @@ describe('servos that follow', () => {
     await pilot.field('Function 2, S1').blur();
     await covered;
     await pilot.sees(en.bench.ended.failed);
-    await pilot.sees(en.bench.moveMaybe('function 2'));
+    await pilot.sees(en.bench.moveMaybe);
     rig.uncover();
     await pilot.isConnected();
-    await pilot.sees(en.bench.moveMaybe('function 2'));
+    await pilot.sees(en.bench.moveMaybe);
     expect(sent(rig, 'MOVETOFUNC')).toBe(moved + 1);
     expect(await pilot.page.getByText(en.bench.here).count()).toBe(0);
     await expect.poll(() => pilot.field('Function 2, S1').inputValue()).toBe('70');

@@ -88,7 +88,7 @@ test('following stops when the tab is hidden', async () => {
     Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
     document.dispatchEvent(new Event('visibilitychange'));
   });
-  await app.text('Following has stopped: the page was hidden. The timer has been read since then.').waitFor();
+  await app.text('The servos no longer follow.').waitFor();
   await app.isReady();
   await app.page.evaluate(() => {
     Reflect.deleteProperty(document, 'hidden');

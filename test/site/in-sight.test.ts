@@ -203,7 +203,7 @@ test.each([3, 5])('on a small phone in the sun functions are in sight above the 
   await app.connect();
   await app.goTo('Bench');
   await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
-  await app.button('Next function').click();
+  await app.button('Next').click();
   await app.text('Servos at start').waitFor();
   const covered = () =>
     app.page.evaluate(() => {
@@ -349,7 +349,7 @@ test.each([
     await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
     await app.page.getByRole('switch').click();
     await app.page.getByRole('switch', { checked: true }).waitFor();
-    await app.button('Next function').click();
+    await app.button('Next').click();
     await app.text('Servos at start').waitFor();
     await app.goTo('Program');
     await app.type('Start, S1', '7');

@@ -362,7 +362,7 @@ export const states = {
       await connect(page);
       await goTo(page, 'bench');
       await promise(page);
-      await press(page, 'Next function');
+      await press(page, 'Next');
       await page.getByText('Servos at start').waitFor();
     },
   },

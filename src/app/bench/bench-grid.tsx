@@ -29,7 +29,7 @@ export function BenchGrid({ session, bench }: BenchGridProps) {
       <Steps bench={bench} count={slotCount(identity)} />
       <div class="bench-table">
         <table>
-          <caption class="visually-hidden">{words.grid}</caption>
+          <caption class="visually-hidden">{names.tableCaption}</caption>
           <SlotHead slot={words.slots} headings={[names.time]} servos={identity.servos} />
           <tbody>
             {Array.from({ length: slotCount(identity) }, (_, slot) => (
@@ -60,26 +60,25 @@ export function BenchGrid({ session, bench }: BenchGridProps) {
 
 /** The position in the timer, and the new one that is not there yet. */
 function Position({ session, field }: { readonly session: Session; readonly field: ProgramField }) {
-  const { bench: words } = messages.value;
   const { baseline, working } = session.editor;
   const program = baseline.value ?? working.value;
   const held = program && valueAt(program, field);
   const wanted = working.value && valueAt(working.value, field);
   if (held === wanted) return <td>{held}</td>;
-  return <td class="pending">{words.pending(String(held), String(wanted))}</td>;
+  return <td class="pending">{`${held} → ${wanted}`}</td>;
 }
 
 /** Buttons to the previous and the next function. */
 function Steps({ bench, count }: { readonly bench: Bench; readonly count: number }) {
-  const { bench: words } = messages.value;
+  const { previous, next } = messages.value;
   const ready = bench.ready.value;
   const action = bench.done.value?.action;
   const last = bench.stand.at.value ?? (action?.kind === 'move' ? action.slot : null);
   return (
     <div class="bench-steps">
       {[
-        { name: words.previous, to: last === null ? null : last - 1, path: 'M12 4L6 10L12 16' },
-        { name: words.next, to: last === null ? 0 : last + 1, path: 'M8 4L14 10L8 16' },
+        { name: previous, to: last === null ? null : last - 1, path: 'M12 4L6 10L12 16' },
+        { name: next, to: last === null ? 0 : last + 1, path: 'M8 4L14 10L8 16' },
       ].map(({ name, to, path }) => {
         const can = ready && to !== null && to >= 0 && to < count;
         return (

@@ -19,7 +19,7 @@ export function Motor({ session, bench }: MotorProps) {
   const id = useId();
   return (
     <section class="bench-motor">
-      <h2>{words.motor}</h2>
+      <h2>{program.motor}</h2>
       <p class="bad-text" id={id}>
         {words.unlockHint}
       </p>
@@ -33,7 +33,7 @@ export function Motor({ session, bench }: MotorProps) {
       {hasThrottle && (
         <>
           <Trim session={session} field={{ kind: 'idleThrottle' }} name={program.idleThrottle} />
-          <p class="hint">{words.throttle(program.idleThrottleUnit)}</p>
+          <p class="hint">{words.waits}</p>
         </>
       )}
     </section>

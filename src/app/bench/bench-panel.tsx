@@ -24,14 +24,12 @@ export interface BenchPanelProps {
  * that it is safe.
  */
 export function BenchPanel({ session, bench, follow, expert }: BenchPanelProps) {
-  const { bench: words } = messages.value;
   const identity = session.editor.identity.value;
   if (!identity) return null;
   const connected = session.connection.value !== null;
   return (
     <div class="bench">
-      <p class="hint">{connected ? words.lead : words.notConnected}</p>
-      {connected && <SafetyCheck safety={session.safety} />}
+      {connected ? <SafetyCheck safety={session.safety} /> : <p class="hint">{messages.value.views.noTimer.bench}</p>}
       {/* The switch itself says that they follow. */}
       {!follow.on.value && <FollowNote session={session} bench={bench} follow={follow} />}
       <div class="bench-stage">

@@ -13,9 +13,7 @@ export function doneText(identity: Identity, done: Done | null, at: number | nul
   const { bench: words } = messages.value;
   if (!done) return standText(identity, at);
   const { action, certain } = done;
-  if (action.kind === 'move') {
-    return certain ? standText(identity, at) : words.moveMaybe(slotInSentence(identity, action.slot));
-  }
   if (action.kind === 'unlock') return certain ? words.unlocked : words.unlockMaybe;
-  return certain ? words.jumped : words.jumpMaybe;
+  if (!certain) return words.moveMaybe;
+  return action.kind === 'move' ? standText(identity, at) : words.jumped;
 }

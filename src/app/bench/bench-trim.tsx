@@ -29,7 +29,7 @@ export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
           <Trim key={servo} session={session} field={{ kind: 'position', servo, slot: at }} name={servoName(servo)} />
         ))}
       </div>
-      <p class="hint">{follow.on.value ? words.trimFollows : words.trimWaits}</p>
+      {!follow.on.value && <p class="hint">{words.waits}</p>}
     </section>
   );
 }
@@ -42,7 +42,7 @@ interface TrimProps {
 
 /** One value with a key for a step down and one for a step up. */
 export function Trim({ session, field, name }: TrimProps) {
-  const { down, up, signs } = messages.value.bench.step;
+  const { less, moreOf } = messages.value;
   const { editor } = session;
   const working = editor.working.value;
   if (!working) return null;
@@ -54,11 +54,11 @@ export function Trim({ session, field, name }: TrimProps) {
       <span>
         {name} <output>{valueAt(working, field)}</output>
       </span>
-      <button type="button" aria-label={down(label)} onClick={step(-1)}>
-        {signs.down}
+      <button type="button" aria-label={less(label)} onClick={step(-1)}>
+        {'−'}
       </button>
-      <button type="button" aria-label={up(label)} onClick={step(1)}>
-        {signs.up}
+      <button type="button" aria-label={moreOf(label)} onClick={step(1)}>
+        {'+'}
       </button>
     </div>
   );

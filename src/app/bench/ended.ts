@@ -2,13 +2,12 @@ import type { TimerProgram } from '../../program/index.js';
 import type { Unlike } from './taken.js';
 
 /**
- * Why the servos no longer follow, when the pilot did not end it. `hidden`: the page went out of sight. `job`: another
- * job has the wire. `memory`: another memory is current, or was asked for. `unsafe`: the pilot no longer says that it
- * is safe. `lost`: the connection ended. `failed`: a command failed. `strayed`: the reading at the end shows that
- * another memory became current, which may have taken positions. `unlike`: a reading shows that the timer does not do
- * what it acknowledges.
+ * Why the servos no longer follow, when the pilot did not end it. `over`: the page went out of sight, another job has
+ * the wire, the pilot no longer says that it is safe, or the connection ended. `memory`: another memory is current, or
+ * was asked for. `failed`: a command failed. `strayed`: the reading at the end shows that another memory became
+ * current, which may have taken positions. `unlike`: a reading shows that the timer does not do what it acknowledges.
  */
-export type EndReason = 'hidden' | 'job' | 'memory' | 'unsafe' | 'lost' | 'failed' | 'strayed' | 'unlike';
+export type EndReason = 'over' | 'memory' | 'failed' | 'strayed' | 'unlike';
 
 /** How following ended. */
 export interface Ended {

@@ -1,8 +1,9 @@
 import type { ComponentChildren } from 'preact';
-import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { changeText, fieldLabel, messages, slotInSentence } from '../messages/index.js';
+import { changeText, fieldLabel, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { NoticeText } from '../ui/notice-text.js';
+import { triedText } from '../write/unfinished-text.js';
 import type { Bench } from './bench.js';
 import { doneText, standText } from './bench-text.js';
 import type { Follow } from './follow.js';
@@ -15,9 +16,9 @@ interface FollowSwitchProps {
   readonly identity: Identity;
 }
 
-/** The switch, and what to do with the positions that were tried. */
+/** The switch, and what was tried: the band above all views asks what becomes of it. */
 export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
-  const { bench: words } = messages.value;
+  const { bench: words, program, write, cancel } = messages.value;
   const on = follow.on.value;
   const tried = follow.trials.tried.value;
   const open = !on && tried.length > 0;
@@ -31,29 +32,22 @@ export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
       >
         {words.follow}
       </Switch>
-      <p class="hint">{on ? words.followingNow : isStarting ? words.starting : words.followHint}</p>
+      <p class="hint">{on ? words.followingNow : isStarting ? program.reading : words.followHint}</p>
       {follow.unkept.value && (
         <div role="alert">
-          <p class="bad-text">{words.unkept}</p>
+          <NoticeText said={write.unkept} />
           <div class="buttons">
             <button type="button" onClick={() => follow.startUnkept()}>
-              {words.followUnkept}
+              {write.withoutCopy}
             </button>
             <button type="button" onClick={() => follow.cancelUnkept()}>
-              {messages.value.cancel}
+              {cancel}
             </button>
           </div>
         </div>
       )}
       {on && follow.hasEarlier.value && <p class="hint">{words.followPending}</p>}
-      {(on || open) && <p role="status">{words.tried(tried.length)}</p>}
-      {open && (
-        <ul>
-          {tried.map(({ field, from, to }) => (
-            <li key={fieldKey(field)}>{words.triedOf(fieldLabel(identity, field), String(from), String(to))}</li>
-          ))}
-        </ul>
-      )}
+      {on && <p role="status">{tried.length > 0 && triedText(identity, tried)}</p>}
     </section>
   );
 }
@@ -90,15 +84,10 @@ export function FollowNote({ session, bench, follow }: FollowNoteProps) {
   if (!identity) return null;
   if (follow.on.value) {
     const at = bench.stand.at.value;
-    const isTimeWaiting = session.editor.changes.value.some(({ field }) => field.kind === 'time');
     return (
       <div class="follow-note">
         <p>
-          <strong>{at === null ? words.followingNow : words.followingAt(slotInSentence(identity, at))}</strong>{' '}
-          <span role="status" class={at === null ? '' : 'visually-hidden'}>
-            {standText(identity, at)}
-          </span>{' '}
-          {isTimeWaiting && words.timesWait}
+          <strong>{words.followingNow}</strong> <span role="status">{standText(identity, at)}</span>
         </p>
         <button type="button" onClick={() => void follow.stop()}>
           {words.stopFollowing}
@@ -125,7 +114,7 @@ function EndNote({ bench, follow, identity }: EndNoteProps) {
     <div class="follow-note" role="status">
       <p>
         <strong>{words.ended[ended.reason]}</strong> {ended.unlike && `${unlikeText(identity, ended.unlike)} `}
-        {follow.endRead.value ? words.endRead : words.endUnread}{' '}
+        {!follow.endRead.value && `${words.endUnread} `}
         {done && !done.certain && <span class="bad-text">{doneText(identity, done, null)}</span>}
       </p>
       <button type="button" class="quiet" onClick={() => follow.dismissEnd()}>

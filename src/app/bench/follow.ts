@@ -81,9 +81,9 @@ export class Follow {
       return new Set(slots.filter((slot) => slot !== bench.stand.at.value));
     });
     this.hasEarlier = this.#edits.hasEarlier;
-    session.connection.subscribe(() => void this.#end('lost'));
-    session.safety.confirmed.subscribe((safe) => void (safe || this.#end('unsafe')));
-    session.servoMoves.count.subscribe(() => void this.#end('job'));
+    session.connection.subscribe(() => void this.#end('over'));
+    session.safety.confirmed.subscribe((safe) => void (safe || this.#end('over')));
+    session.servoMoves.count.subscribe(() => void this.#end('over'));
     effect(() => this.trials.setTrying(this.on.value));
     effect(() => this.#follow());
     effect(() => {
@@ -251,11 +251,11 @@ export class Follow {
     const { editor, runner, nextFlight, safety, onScreen } = this.#session;
     const job = runner.job.value;
     const working = editor.working.value;
-    if (this.#session.connection.value !== connection) return 'lost';
-    if (!safety.confirmed.value) return 'unsafe';
+    if (this.#session.connection.value !== connection) return 'over';
+    if (!safety.confirmed.value) return 'over';
     // While another memory is being selected, nobody knows in which one a position would be stored.
     if (job?.kind === 'select') return 'memory';
-    if (job && !BESIDE.has(job.kind)) return 'job';
+    if (job && !BESIDE.has(job.kind)) return 'over';
     const isSame = working && this.trials.current.value && onScreen.workKey(working) === key;
     return nextFlight.open.value || !isSame ? 'memory' : null;
   }
@@ -295,7 +295,7 @@ export class Follow {
         else await move();
       } catch (error) {
         stand.lose();
-        void this.#end(this.#session.connection.peek() === connection ? 'failed' : 'lost');
+        void this.#end(this.#session.connection.peek() === connection ? 'failed' : 'over');
         throw error;
       }
     });

@@ -36,6 +36,11 @@ export const en = {
     kind === 'function' ? String(slot) : slotName(slot, kind),
   /** Before a sentence about something. */
   about: (name: string) => `${name}:`,
+  previous: 'Previous',
+  next: 'Next',
+  /** The key for less of something, for a screen reader. */
+  less: (what: string) => `${what}: less`,
+  moreOf: (what: string) => `${what}: more`,
   seconds: (time: string) => (time.includes(':') ? time : `${time} s`),
   times: {
     /** “2 min 30 s”, “3 min”, “20 s”. */

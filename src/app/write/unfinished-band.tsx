@@ -1,20 +1,16 @@
 import { useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
-import type { Change } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
-import { dateText, fieldLabel, messages } from '../messages/index.js';
+import { dateText, messages } from '../messages/index.js';
 import { isSimulated } from '../session/knowledge.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import type { OpenTrial } from '../session/trials.js';
 import type { OpenJob } from '../session/unfinished-work.js';
 import { Recovery } from './recovery-panel.js';
-import { graveText, isHere, triedText, type Where, whereOf } from './unfinished-text.js';
+import { graveText, isHere, triedElsewhere, triedText, type Where, whereOf } from './unfinished-text.js';
 import type { WriteFlow } from './write-flow.js';
 import './unfinished-band.css';
-
-/** How many tried positions are named. */
-const NAMED = 3;
 
 interface UnfinishedProps {
   readonly session: Session;
@@ -178,11 +174,7 @@ function Tried(props: TriedProps) {
   const { trials, editor, runner } = session;
   const isNow = trials.current.value?.before === trial.before && session.connection.value !== null;
   const tried = isNow ? trials.tried.value : [];
-  const nameOf = ({ field, from, to }: Change): string =>
-    words.triedOf(fieldLabel(trial.before.identity, field), String(from), String(to));
-  const said = isNow
-    ? words.triedHere(tried.slice(0, NAMED).map(nameOf), Math.max(0, tried.length - NAMED))
-    : triedText(session, trial);
+  const said = isNow ? triedText(trial.before.identity, tried) : triedElsewhere(session, trial);
   const putBack = (): void => {
     editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, trials.takeBack()));
     void write.open();

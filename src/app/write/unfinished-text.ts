@@ -1,6 +1,6 @@
-import type { ProgramField } from '../../program/index.js';
+import type { Change, ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { fieldInSentence, figureText, messages, timerName, valueText } from '../messages/index.js';
+import { changeText, fieldInSentence, figureText, messages, timerName, valueText } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
 import { isSimulated } from '../session/knowledge.js';
 import { openValues } from '../session/known.js';
@@ -14,6 +14,9 @@ import { nextFlightText } from './next-flight-text.js';
 
 /** How many values are named when neither DT nor the motor stop is among them. */
 const NAMED = 2;
+
+/** How many tried positions are named. */
+const NAMED_TRIED = 3;
 
 /** Which memory of which timer something unfinished is about. */
 export interface Where {
@@ -47,8 +50,14 @@ export function graveText(session: Session, job: OpenJob): string | null {
   return nextFlightText(session, job.word, session.connection.value ? 'now' : 'last');
 }
 
+/** “Tried: Function 4, S2: 55 → 70.” */
+export function triedText(identity: Identity, tried: readonly Change[]): string {
+  const named = tried.slice(0, NAMED_TRIED).map((change) => changeText(identity, change));
+  return messages.value.bench.triedHere(named, tried.length - named.length);
+}
+
 /** “Positions were tried in M1 of the F1Q 536.” */
-export function triedText(session: Session, trial: OpenTrial): string {
+export function triedElsewhere(session: Session, trial: OpenTrial): string {
   return messages.value.bench.triedIn(placeText(session, whereOf(trial), trial.before.memory));
 }
 

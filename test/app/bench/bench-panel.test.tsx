@@ -1,6 +1,7 @@
 import { act, fireEvent, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
+import { en } from '../../../src/app/messages/en.js';
 import { bench as words } from '../../../src/app/messages/en-bench.js';
 import type { View } from '../../../src/app/shell/views.js';
 import { HOLD } from '../../../src/app/ui/press-and-hold.js';
@@ -72,10 +73,10 @@ describe('the bench', () => {
     const { timer } = await opened();
     await press('Function 4');
     expect(screen.getByText('Servos at function 4')).toBeTruthy();
-    await press('Next function');
+    await press(en.next);
     expect([timer.core.slot, screen.queryByText('Servos at function 5') !== null]).toEqual([5, true]);
-    await press('Previous function');
-    await press('Previous function');
+    await press(en.previous);
+    await press(en.previous);
     expect(screen.getByText('Servos at function 3')).toBeTruthy();
     await press('DT');
     expect(screen.getByText('Servos at DT')).toBeTruthy();
@@ -95,7 +96,7 @@ describe('the bench', () => {
     const { timer, adapter } = await opened();
     adapter.answersAt = 1;
     await press('Function 4');
-    expect(screen.getByText(/No answer came. The servos may have moved to function 4 anyway/)).toBeTruthy();
+    expect(screen.getByText(words.moveMaybe)).toBeTruthy();
     expect(timer.core.slot).toBe(10);
   });
 
@@ -129,7 +130,7 @@ describe('the grid of the bench', () => {
     await press('Function 4');
     expect(row('Function 4').className).toBe('here');
     expect([...document.querySelectorAll('.bench-table .here')]).toHaveLength(1);
-    await press('Next function');
+    await press(en.next);
     expect([row('Function 4').className, row('Function 5').className]).toEqual(['', 'here']);
   });
 
@@ -150,17 +151,17 @@ describe('trimming', () => {
     expect(trim()).toBeUndefined();
     await press('Function 4');
     expect(trim()).toBe('S2 55−+');
-    await press('Step up Function 4, S2');
-    await press('Step up Function 4, S2');
+    await press(en.moreOf('Function 4, S2'));
+    await press(en.moreOf('Function 4, S2'));
     expect([trim(), stored(app)]).toEqual(['S2 57−+', 55]);
-    expect(screen.getByText(/^What you change waits for Write/)).toBeTruthy();
+    expect(within(document.querySelector('.bench-trim') as HTMLElement).getByText(words.waits)).toBeTruthy();
   });
 
   it('moves the servo with each step while they follow', async () => {
     const app = await opened();
     await press('Function 4');
     await flip();
-    await press('Step down Function 4, S2');
+    await press(en.less('Function 4, S2'));
     expect([trim(), stored(app), app.timer.core.servos[1]]).toEqual(['S2 54−+', 54, 54]);
     await flip();
     expect(screen.getByRole('button', { name: 'Keep it' })).toBeTruthy();
@@ -255,9 +256,9 @@ describe('servos that follow', () => {
     await type('Function 4, S2', '70');
     expect(positions(app)).toEqual([70, 70]);
     show('bench');
-    expect(screen.getAllByText('Tried: 1 position.').length).toBeGreaterThan(0);
+    expect(screen.getByText(words.triedHere(['Function 4, S2: 55 → 70'], 0))).toBeTruthy();
     await press('Stop following');
-    expect([isOn(), isMarked('Function 4'), note().includes('has stopped')]).toEqual([false, false, false]);
+    expect([isOn(), isMarked('Function 4'), note().includes(words.ended.over)]).toEqual([false, false, false]);
     expect(band()).toContain('Tried: Function 4, S2: 55 → 70. Keep what was tried');
     await press('Keep it');
     expect(screen.queryByRole('button', { name: 'Keep it' })).toBeNull();
@@ -321,7 +322,7 @@ describe('servos that follow', () => {
     expect(positions(app)).toEqual([55, 115]);
     const offer = screen.getByRole('button', { name: 'Move the servos to function 4' });
     expect(offer.closest('tr')?.previousElementSibling).toBe(row('Function 4'));
-    expect(offer.closest('tr')?.textContent).toContain('Not in the timer yet.');
+    expect(offer.closest('tr')?.textContent).toContain(words.waits);
     await press('Move the servos to function 4');
     expect([positions(app), isMarked('Function 4')]).toEqual([[70, 70], true]);
     expect(screen.queryByRole('button', { name: /^Move the servos/ })).toBeNull();
@@ -337,14 +338,12 @@ describe('servos that follow', () => {
     await opened();
     await press('Function 4');
     await flip();
-    expect(note()).not.toContain('Times wait');
     await type('Function 4, S2', '70');
     expect(note()).toContain('1 tried in the timer');
     expect(note()).not.toContain('for Write');
     await type('Function 4, S1', '71');
     await type('Function 9 time', '25');
     expect(note()).toContain('2 tried in the timer, 1 waits for Write');
-    expect(note()).toContain('Times wait for Write.');
     await type('Function 5, S1', '7');
     expect(note()).toContain('2 tried in the timer, 2 wait for Write');
   });
@@ -354,17 +353,16 @@ describe('servos that follow', () => {
     await press('Function 4');
     await flip();
     await press('Read again');
-    expect(note()).toContain(
-      'Following has stopped: something else was done with the timer. The timer has been read since then.',
-    );
+    expect(note()).toContain(words.ended.over);
+    expect(note()).not.toContain(words.endUnread);
     await press('Dismiss');
-    expect(note()).not.toContain('has stopped');
+    expect(note()).not.toContain(words.ended.over);
     await flip();
     // After the reading that follows the first position.
     timer.core.onAnswer = ({ name }) => name === 'GETSWVER' && timer.core.sleep();
     await type('Function 4, S2', '70');
     expect(note()).toContain(`${words.ended.failed} ${words.endUnread}`);
-    expect(note()).toContain('The servos may have moved to function 4 anyway');
+    expect(note()).toContain(words.moveMaybe);
   });
 
   it('a timer that keeps no position: says so with values, and leaves what was typed as a change', async () => {
@@ -374,7 +372,7 @@ describe('servos that follow', () => {
     const held = String(editor.working.value?.positions[1]?.[4]);
     await type('Function 4, S2', '70');
     expect(note()).toContain(`${words.ended.unlike} ${words.notTaken('Function 4, S2', '70', held)}`);
-    expect(note()).toContain(words.endRead);
+    expect(note()).not.toContain(words.endUnread);
     expect(editor.changes.value).toMatchObject([{ from: Number(held), to: 70 }]);
     expect(screen.queryByRole('button', { name: words.putBack })).toBeNull();
   });
@@ -400,8 +398,8 @@ describe('servos that follow', () => {
     app.store.broken = true;
     await flip();
     expect(isOn()).toBe(false);
-    expect(screen.getByRole('alert').textContent).toContain('could not keep a backup');
-    await press('Follow without a backup');
+    expect(screen.getByRole('alert').textContent).toContain(en.write.unkept.title);
+    await press(en.write.withoutCopy);
     expect(isOn()).toBe(true);
     await type('Function 4, S2', '70');
     expect(positions(app)).toEqual([70, 70]);

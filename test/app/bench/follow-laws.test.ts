@@ -148,7 +148,7 @@ function perform(app: AppBench, act: Act, lose: (answers: number) => void): void
   else if (act.do === 'select') void session.reader.selectMemory(act.memory);
   else if (act.do === 'follow') void follow.start();
   else if (act.do === 'stop') void follow.stop();
-  else if (act.do === 'hide') void follow.stop('hidden');
+  else if (act.do === 'hide') void follow.stop('over');
   else if (act.do === 'unplug' && adapter.port.connected) adapter.unplug();
   else if (act.do === 'replug' && !adapter.port.connected) adapter.replug();
   else if (act.do === 'sleep') timer.core.sleep();

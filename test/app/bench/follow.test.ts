@@ -212,14 +212,14 @@ it('servos are not sent to another function by an edit there', async () => {
 
 describe('following ends', () => {
   const ends: [reason: string, what: string, done: (app: AppBench) => unknown][] = [
-    ['hidden', 'the page is out of sight', ({ follow }) => follow.stop('hidden')],
-    ['unsafe', 'the tick is taken away', ({ session }) => session.safety.withdraw()],
-    ['lost', 'the plug is pulled', ({ adapter }) => adapter.unplug()],
-    ['lost', 'it is disconnected', ({ session }) => session.timer.disconnect()],
+    ['over', 'the page is out of sight', ({ follow }) => follow.stop('over')],
+    ['over', 'the tick is taken away', ({ session }) => session.safety.withdraw()],
+    ['over', 'the plug is pulled', ({ adapter }) => adapter.unplug()],
+    ['over', 'it is disconnected', ({ session }) => session.timer.disconnect()],
   ];
   const whileFree: typeof ends = [
     [
-      'job',
+      'over',
       'a frame is sent by hand',
       async ({ session }) => {
         const form = new FrameForm(session);
@@ -228,11 +228,11 @@ describe('following ends', () => {
         await form.confirm();
       },
     ],
-    ['job', 'it is read again', ({ session }) => session.reader.read()],
-    ['job', 'a write is shown', ({ write }) => write.open()],
+    ['over', 'it is read again', ({ session }) => session.reader.read()],
+    ['over', 'a write is shown', ({ write }) => write.open()],
     ['memory', 'another memory is asked for', ({ session }) => session.reader.selectMemory(1)],
     [
-      'job',
+      'over',
       'all memories are read',
       ({ memories }) => {
         memories.jobs.open({ kind: 'back-up' });
@@ -320,7 +320,7 @@ describe('following ends', () => {
     set(app, [S2, 70]);
     await idle();
     app.timer.core.answered.length = 0;
-    const stopping = app.follow.stop('hidden');
+    const stopping = app.follow.stop('over');
     expect(app.follow.endRead.value).toBe(false);
     await run(stopping);
     expect([reads(app) > 0, app.follow.endRead.value]).toEqual([true, true]);
@@ -335,7 +335,7 @@ describe('following ends', () => {
     expect(app.follow.endRead.value).toBe(false);
     app.adapter.replug();
     await idle(60_000);
-    expect([app.follow.ended.value?.reason, app.follow.endRead.value]).toEqual(['lost', true]);
+    expect([app.follow.ended.value?.reason, app.follow.endRead.value]).toEqual(['over', true]);
   });
 
   it('when the page stood still while a position was stored: nothing moves after that', async () => {
@@ -510,7 +510,7 @@ describe('without a backup', () => {
     const starting = app.follow.start();
     await vi.advanceTimersByTimeAsync(2000);
     expect(app.follow.starting.value).toBe(true);
-    await app.follow.stop('hidden');
+    await app.follow.stop('over');
     await run(starting);
     expect([app.follow.on.value, app.follow.unkept.value, app.follow.starting.value]).toEqual([false, false, false]);
   });
