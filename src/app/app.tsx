@@ -8,7 +8,7 @@ import { FLIGHTS } from './flights/flight-filter.js';
 import { messages } from './messages/index.js';
 import type { AppModels } from './models.js';
 import * as parts from './parts.js';
-import { PrintMemories } from './print/print-memories.js';
+import { PrintMemories } from './print/print-button.js';
 import { Header } from './shell/header.js';
 import { ViewFrame } from './shell/view-frame.js';
 import { ViewLinks } from './shell/view-links.js';

@@ -105,7 +105,7 @@ function placesOf(bench: AppBench) {
   order.choose([ON_SCREEN, memoryKey(0)]);
   const print = new Print(session, order, 'https://example.org/');
   if (!print.parts.value.has('code')) print.togglePart('code');
-  const [screen, memory] = print.copies.value.map(({ sheet }) => sheet);
+  const [screen, memory] = print.sheets.value;
   const linked = (link: string | null | undefined) => (link ? decodeLink(link) : null);
   offerScreen(session, sharing);
   const offered = sharing.current.value?.step === 'offer' ? sharing.current.value.shared : null;
@@ -214,7 +214,7 @@ describe('every place that names a model or says what a timer holds', () => {
 
     // Paper, its code, and the link.
     const { sheet, memorySheet } = places;
-    expect([sheet?.model, sheet?.setting]).toEqual([model, title]);
+    expect([sheet?.model, sheet?.name]).toEqual([model, title]);
     expect(sheet?.memory.includes(other), 'a memory has no name of another model').toBe(false);
     expect(saidIn(sheet?.origin ?? '')).toEqual(sentence);
     const isCrossing = isConnected && held === 'Lancer' && model === 'Magpie';
@@ -236,7 +236,7 @@ describe('every place that names a model or says what a timer holds', () => {
     // A memory of the timer is of the model of the timer, and on paper it is never now.
     if (held === null) expect(memorySheet).toBeUndefined();
     else {
-      expect([memorySheet?.model, memorySheet?.setting, places.memoryCode?.modelName]).toEqual([own, '', own]);
+      expect([memorySheet?.model, memorySheet?.name, places.memoryCode?.modelName]).toEqual([own, '', own]);
       expect(saidIn(memorySheet?.origin ?? '')).toEqual([standing === 'interrupted' ? 'not' : 'once']);
     }
 

@@ -168,7 +168,6 @@ it('names that are one word without end make nothing wider than a small phone', 
   ] as const) {
     await open(app, hash);
     await own.getByRole('button', { name: task }).click();
-    // The pages that are printed are measured out of sight first.
     await page.locator(shown).filter({ visible: true }).first().waitFor();
     await fits();
     if (task === 'Share…') await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();

@@ -1,17 +1,21 @@
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
+import { print as words } from '../../src/app/messages/en-print.js';
 import { share } from '../../src/app/messages/en-share.js';
+import { PAPERS, type Paper } from '../../src/app/print/print.js';
 import { encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
 import { programOf } from '../app/programs.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
+import { pagesOf } from './pdf.js';
 import { textOfCode } from './qr.js';
 
-const wide = (name: string, functions: number, servos: number, note = ''): SharedSetting => ({
+const wide = (name: string, functions: number, servos: number, note = '', modelName = 'Lancer 07'): SharedSetting => ({
   name,
   note,
   at: 1_795_000_000_000,
   tags: [],
-  modelName: 'Lancer 07',
+  modelName,
   program: programOf(
     'Q',
     Array.from({ length: functions + 1 }, (_, slot) => (slot === functions ? 36_000 : 50 + slot * 38)),
@@ -22,27 +26,16 @@ const wide = (name: string, functions: number, servos: number, note = ''): Share
 });
 const NOTE = `${'The tailplane was lowered by two steps because the model stalled. '.repeat(30)}\n${'x'.repeat(400)}\nlast line`;
 /** The usual one; many servos with a long note; more functions than a page has rows. */
-const SETTINGS = [wide('usual', 10, 3, 'calm'), wide('wide', 20, 8, NOTE), wide('long', 60, 2), wide('widest', 12, 12)];
-
-/** What is outside its page, or cut by the edge. */
-function outside(app: AppPage): Promise<string[]> {
-  return app.page.evaluate(() =>
-    [...document.querySelectorAll('.print-preview article')].flatMap((leaf) => {
-      const body = leaf.querySelector('.leaf-body')?.getBoundingClientRect();
-      const parts = leaf.querySelectorAll('.leaf-body :is(tr, p, h2, h3, svg, caption)');
-      return [...parts].flatMap((part) => {
-        const { top, bottom, left, right, width } = part.getBoundingClientRect();
-        const isIn =
-          body && top >= body.top - 1 && bottom <= body.bottom + 1 && left >= body.left - 1 && right <= body.right + 1;
-        return isIn || width === 0 ? [] : [`${leaf.className}: ${part.outerHTML.slice(0, 90)}`];
-      });
-    }),
-  );
-}
+const SETTINGS = [
+  wide('usual', 10, 3, 'calm'),
+  wide('wide', 20, 8, NOTE),
+  wide('long', 60, 2),
+  wide('widest', 12, 12, '', 'Magpie 3'),
+];
 
 /** The positions in the timelines whose first figure is struck through by their own line. */
 function struckThrough(app: AppPage): Promise<string[]> {
-  return app.page.locator('.print-preview .lane-position').evaluateAll((all) =>
+  return app.page.locator('.leaf .lane-position').evaluateAll((all) =>
     all.flatMap((each) => {
       const text = each as SVGTextElement;
       const line = text.parentElement?.querySelector<SVGPathElement>('.lane-line');
@@ -56,61 +49,68 @@ function struckThrough(app: AppPage): Promise<string[]> {
   );
 }
 
-/** The sizes of the pages in a PDF file, in millimetres. */
-async function sizesOf(app: AppPage): Promise<string[]> {
-  const file = (await app.page.pdf({ preferCSSPageSize: true })).toString('latin1');
-  const pages = file.match(/\/Type\s*\/Page\b(?!s)/g)?.length ?? 0;
-  const boxes = [...file.matchAll(/\/MediaBox\s*\[0 0 ([\d.]+) ([\d.]+)\]/g)].map((box) =>
-    box
-      .slice(1)
-      .map((points) => Math.round((Number(points) / 72) * 25.4))
-      .join('x'),
-  );
-  return [`${pages} pages`, ...new Set(boxes)];
-}
+const solid = (text: string): string => text.replace(/\s/g, '');
 
-test('sheets of several settings: every row on a page, as many pages as shown, on each paper', async () => {
+test('sheets of several programs: each page names its model, and every row is on one, on each paper', async () => {
   const app = await AppPage.open();
   for (const setting of SETTINGS) {
     await app.page.evaluate((to) => void location.assign(to), LINK_MARK + encodeLink(setting));
     await app.button('Keep in the library').click();
     await app.button('Show in the library').click();
   }
-  await app.page
-    .getByRole('link', { name: /Lancer 07/ })
-    .first()
-    .click();
-  await app.button('Print…').first().click();
-  const preview = app.page.getByRole('region', { name: 'Preview' });
-  await preview.getByRole('heading', { name: 'Lancer 07' }).nth(3).waitFor();
-  const papers = {
-    A5: '148x210',
-    A4: '210x297',
-    Letter: '216x279',
-    'A4, two to a page': '297x210',
-    'Letter, two to a page': '279x216',
-  };
-  for (const [paper, size] of Object.entries(papers)) {
-    await app.page.getByRole('radio', { name: paper, exact: true }).check();
+  await app.page.evaluate(() => location.assign('#print'));
+  for (const { name } of SETTINGS) await app.page.getByRole('checkbox', { name: new RegExp(`${name}$`) }).check();
+  const sizes: Readonly<Record<Paper, string>> = { a5: '148x210', a4: '210x297', letter: '216x279' };
+  for (const [paper, size] of Object.entries(sizes)) {
+    await app.page.getByRole('radio', { name: PAPERS[paper as Paper], exact: true }).check();
     // Waits for the fonts: they may come later than the words.
     await app.page.evaluate(() => document.fonts.ready);
-    const printed = async (): Promise<string[]> => {
-      const shown = await preview.locator('.print-page').count();
-      const [pages = '', ...sizes] = await sizesOf(app);
-      return pages === `${shown} pages` ? sizes : [pages, `${shown} shown`];
-    };
-    await expect.poll(printed, { message: paper }).toEqual([size]);
-    await app.page.emulateMedia({ media: 'print' });
-    expect(await outside(app), paper).toEqual([]);
     expect(await struckThrough(app), paper).toEqual([]);
-    // Each slot and the motor stop, once in each table of some servos.
-    const tables = 2;
-    await expect
-      .poll(() => preview.locator('.leaf-table tbody tr').count(), { message: paper })
-      .toBe(12 + 22 + 62 + tables * 14);
-    await expect.poll(() => preview.getByText('last line').count()).toBe(1);
-    await app.page.emulateMedia({ media: null });
+    const pages = pagesOf(await app.page.pdf({ preferCSSPageSize: true }));
+    expect([...new Set(pages.map((page) => page.size))], paper).toEqual([size]);
+    const printed = SETTINGS.map(({ name, modelName, program }) => {
+      const own = pages.filter(({ text }) => text.includes(solid(`${modelName} · ${name} · M1`)));
+      const said = own.map(({ text }) => text).join('');
+      const rows = program.times.slice(1, -1).flatMap((_, at) => {
+        const positions = program.positions.map((row) => String(row[at + 1]));
+        const half = Math.ceil(positions.length / Math.ceil(positions.length / 8));
+        return [positions.slice(0, half), positions.slice(half)]
+          .filter(({ length }) => length > 0)
+          .map((part) => ({
+            row: `Function${at + 1}`,
+            part: part.join(''),
+          }));
+      });
+      return {
+        name,
+        pages: own.length,
+        lost: rows.filter(({ row, part }) => !new RegExp(`${row}[\\d.:]+?${part}`).test(said)),
+      };
+    });
+    expect(
+      printed.map(({ name, lost }) => [name, lost]),
+      paper,
+    ).toEqual(SETTINGS.map(({ name }) => [name, []]));
+    expect(printed[0]?.pages, `${paper}: a usual sheet is one page`).toBe(1);
+    expect(
+      printed.reduce((sum, each) => sum + each.pages, 0),
+      `${paper}: no page is of nobody, or of two`,
+    ).toBe(pages.length);
+    expect(pages.filter(({ text }) => text.includes('lastline')).length, paper).toBe(1);
   }
+});
+
+test('a changed value is marked on paper, and nothing there says that it is in the timer', async () => {
+  const app = await AppPage.open();
+  await app.trySimulated('F1Q');
+  await app.type('DT time', '4:10');
+  await app.page.evaluate(() => location.assign('#print'));
+  await app.page.locator('.leaf').waitFor();
+  const [page, ...others] = pagesOf(await app.page.pdf({ preferCSSPageSize: true }));
+  expect(others).toEqual([]);
+  expect(page?.text).toContain(solid(`4:10${en.knowledge.marks.now('3:00')}`));
+  expect(page?.text).toContain(solid(en.program.changes(1)));
+  expect(page?.text).not.toContain(solid(en.knowledge.readAt('')));
 });
 
 test('the print view is well made, on a phone too, and prints what the browser offers', async () => {
@@ -123,9 +123,9 @@ test('the print view is well made, on a phone too, and prints what the browser o
     });
     await app.trySimulated('F1Q');
     await app.page.evaluate(() => location.assign('#print'));
-    await app.page.getByRole('region', { name: 'Preview' }).getByRole('row', { name: /^DT/ }).waitFor();
+    await app.page.locator('.leaf').getByRole('row', { name: /^DT/ }).waitFor();
     await app.expectNoSidewaysScrolling();
-    await app.button('Print 1 page…').click();
+    await app.button(en.views.print).click();
     await expect.poll(() => app.page.locator('body[data-printed]').count()).toBe(1);
   }
 });
@@ -168,14 +168,14 @@ test('on a paper that is narrower than the window the timeline goes on to DT', a
   expect(await reaches()).toBe(true);
 });
 
-test('the QR code on a sheet is read back, and brings the setting', async () => {
+test('the QR code on a sheet is read back, and brings the program', async () => {
   // About as fine as a printer.
   const app = await AppPage.open({ deviceScaleFactor: 3 });
   await app.trySimulated('F1Q');
   await app.type('DT time', '4:10');
   await app.page.evaluate(() => location.assign('#print'));
-  await app.page.getByRole('checkbox', { name: 'QR code' }).check();
-  const buffer = await app.page.locator('.print-page .leaf-code .qr-code').screenshot();
+  await app.page.getByRole('checkbox', { name: words.parts.code }).check();
+  const buffer = await app.page.locator('.leaf-code .qr-code').screenshot();
   const reader = await app.sibling();
   await reader.page.goto(await textOfCode(app.page, buffer));
   const shown = reader.page.getByRole('dialog', { name: share.received.title });

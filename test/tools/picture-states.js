@@ -527,11 +527,11 @@ export const states = {
     },
   },
   print: {
-    title: 'The setting sheet of what is on the screen',
+    title: 'The sheet of what is on the screen',
     reach: async (page) => {
       await connect(page);
       await goTo(page, 'print');
-      await page.getByRole('region', { name: 'Preview' }).getByRole('table').first().waitFor();
+      await page.locator('.leaf').waitFor();
     },
   },
   share: {

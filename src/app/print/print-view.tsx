@@ -1,17 +1,16 @@
 import { useSignal } from '@preact/signals';
-import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import { useId, useMemo } from 'preact/hooks';
+import { libraryMessages } from '../messages/en-library.js';
 import { print as words } from '../messages/en-print.js';
 import { dateText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { BackHead } from '../ui/back-head.js';
+import { Check } from '../ui/check.js';
 import { Problem } from '../ui/problem.js';
-import type { SetLeaf } from './galley.js';
-import { LeafPage, useLeaves } from './leaf-page.js';
-import { leavesOn, type Paper } from './paper.js';
-import { Print } from './print.js';
-import { PrintChoices } from './print-choices.js';
+import { PAPER_KEYS, PAPERS, Print, SHEET_PARTS, type SheetPart } from './print.js';
 import type { PrintOrder } from './print-order.js';
 import { PrintPicker } from './print-picker.js';
+import { SheetPaper } from './sheet-paper.js';
 import './print-view.css';
 
 export interface PrintViewProps {
@@ -21,32 +20,27 @@ export interface PrintViewProps {
   readonly onPrint: () => void;
 }
 
-/** The setting sheets as the printer will print them. */
+/** The sheets of programs: what is shown below the choices is what is printed. */
 export function PrintView({ session, order, onPrint }: PrintViewProps) {
   const print = useMemo(() => new Print(session, order, location.href), [session, order]);
-  const { leaves, galley } = useLeaves(print.copies.value);
-  const printed = useMemo(() => dateText(Date.now()), [leaves]);
   const failed = useSignal(false);
-  const paper = print.paper.value;
-  const pages = onPaper(leaves, leavesOn(paper));
-  const { value: missing } = print.missing;
-  const { value: left } = print.left;
+  const { value: sheets } = print.sheets;
+  const printed = useMemo(() => dateText(Date.now()), [sheets]);
+  const { names, print: command } = messages.value.views;
   const { value: home } = order.home;
   return (
     <>
       <div class="print-tools">
-        <BackHead back={messages.value.views.names[home]} to={`#${home}`}>
-          {words.title}
+        <BackHead back={names[home]} to={`#${home}`}>
+          {names.print}
         </BackHead>
-        <p class="hint">{words.lead}</p>
-        <PrintChoices print={print} />
-        {left > 0 && <p role="status">{words.left(left)}</p>}
-        {missing > 0 && <p role="status">{words.missing(missing)}</p>}
+        <Choices print={print} />
+        {print.missing.value && <p role="status">{libraryMessages.setting.gone}</p>}
         <div class="buttons">
           <button
             type="button"
             class="primary"
-            disabled={pages.length === 0}
+            disabled={sheets.length === 0}
             onClick={() => {
               try {
                 onPrint();
@@ -56,56 +50,64 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
               }
             }}
           >
-            {words.print(pages.length)}
+            {command}
           </button>
         </div>
         <Problem text={failed.value && words.failed} />
         <PrintPicker print={print} />
       </div>
-      {pages.length === 0 ? <p>{words.nothing}</p> : <Preview {...{ pages, paper, printed }} />}
-      {galley}
+      <div class="print-sheets">
+        {sheets.length === 0 && <p>{words.nothing}</p>}
+        {sheets.map((sheet) => (
+          <SheetPaper
+            key={sheet.key}
+            sheet={sheet}
+            paper={print.paper.value}
+            parts={print.parts.value}
+            printed={printed}
+          />
+        ))}
+      </div>
     </>
   );
 }
 
-/** The pages on each sheet of paper. */
-function onPaper(leaves: readonly SetLeaf[], each: number): readonly (readonly SetLeaf[])[] {
-  return Array.from({ length: Math.ceil(leaves.length / each) }, (_, at) => leaves.slice(at * each, (at + 1) * each));
-}
-
-interface PreviewProps {
-  readonly pages: readonly (readonly SetLeaf[])[];
-  readonly paper: Paper;
-  readonly printed: string;
-}
-
-/** The pages, as large as the room allows. */
-function Preview({ pages, paper, printed }: PreviewProps) {
-  const frame = useRef<HTMLElement>(null);
-  useLayoutEffect(() => {
-    const { current } = frame;
-    if (!current) return;
-    const scale = (): void => {
-      const page = current.querySelector<HTMLElement>('.print-page');
-      if (!page || current.clientWidth === 0) return;
-      current.style.setProperty('--fit', '1');
-      const share = Math.min(1, current.clientWidth / page.offsetWidth);
-      current.style.setProperty('--fit', String(share));
-    };
-    scale();
-    const observer = new ResizeObserver(scale);
-    observer.observe(current);
-    return () => observer.disconnect();
-  }, [paper]);
+/** Chooses the paper, and the parts of the sheet. */
+function Choices({ print }: { readonly print: Print }) {
+  const id = useId();
+  const parts: Readonly<Record<SheetPart, string>> = {
+    timeline: messages.value.timeline.title,
+    notes: words.notes,
+    ...words.parts,
+  };
   return (
-    <section class="print-preview" aria-label={words.preview} ref={frame}>
-      {pages.map((leaves, at) => (
-        <div key={at} class={`print-page on-${paper} paper`}>
-          {leaves.map((leaf) => (
-            <LeafPage key={`${leaf.sheet.key} ${leaf.page}`} set={leaf} printed={printed} />
+    <>
+      <fieldset>
+        <legend>{words.paper}</legend>
+        <div class="print-choices">
+          {PAPER_KEYS.map((paper) => (
+            <label key={paper} class="check">
+              <input
+                type="radio"
+                name={id}
+                checked={paper === print.paper.value}
+                onChange={() => print.setPaper(paper)}
+              />
+              {PAPERS[paper]}
+            </label>
           ))}
         </div>
-      ))}
-    </section>
+      </fieldset>
+      <fieldset>
+        <legend>{words.what}</legend>
+        <div class="print-choices">
+          {SHEET_PARTS.map((part) => (
+            <Check key={part} checked={print.parts.value.has(part)} onChange={() => print.togglePart(part)}>
+              {parts[part]}
+            </Check>
+          ))}
+        </div>
+      </fieldset>
+    </>
   );
 }

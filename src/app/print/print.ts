@@ -4,7 +4,9 @@ import { type SharedSetting, sameLayout, type TimerProgram } from '../../program
 import { tried as attempted } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { changesSince } from '../editing/content.js';
-import { print as words } from '../messages/en-print.js';
+import { dotted } from '../messages/dotted.js';
+import { libraryMessages as words } from '../messages/en-library.js';
+import { print as onPaper } from '../messages/en-print.js';
 import { modelMessages } from '../messages/en-which-model.js';
 import { dateText, messages, timerName } from '../messages/index.js';
 import { foldedText, searchFor } from '../messages/search.js';
@@ -12,22 +14,26 @@ import type { Session } from '../session/session.js';
 import { qrLinkOf, sharedOf } from '../session/setting-link.js';
 import { hintText, madeAs, programName, standingText } from '../session/standing-text.js';
 import type { SettingRecord } from '../storage/index.js';
-import { type Copy, SHEET_PARTS, type SheetPart, sectionsOf } from './galley.js';
-import { leafOf, PAPERS, type Paper } from './paper.js';
 import { isOfLibrary, memoryKey, ON_SCREEN, type PrintOrder } from './print-order.js';
-import { type Marks, memoryText, type SheetSource, sheetOf } from './sheet.js';
+import { type Marks, memoryText, type Sheet, type SheetSource, sheetOf } from './sheet.js';
+
+/** The papers in the printer, by the names that they have in every language. */
+export const PAPERS = { a5: 'A5', a4: 'A4', letter: 'Letter' } as const;
+export type Paper = keyof typeof PAPERS;
+export const PAPER_KEYS = Object.keys(PAPERS) as readonly Paper[];
+
+/** The parts of a sheet that the pilot can choose besides the table. */
+export const SHEET_PARTS = ['timeline', 'notes', 'lines', 'code'] as const;
+export type SheetPart = (typeof SHEET_PARTS)[number];
 
 /** Without the code: most pilots would rather write in its place. */
 const USUAL_PARTS: readonly SheetPart[] = ['timeline', 'notes', 'lines'];
-
-/** How many sheets are laid out at once. Each takes a moment; a pilot who wants more prints in several steps. */
-const MOST_SHEETS = 100;
 
 /** What to print, and on which paper. */
 export class Print {
   readonly #session: Session;
   readonly #page: string;
-  readonly #paper = signal<Paper>(loadSetting('print/paper', v.picklist(PAPERS)) ?? 'a5');
+  readonly #paper = signal<Paper>(loadSetting('print/paper', v.picklist(PAPER_KEYS)) ?? 'a5');
   readonly #parts = signal<ReadonlySet<SheetPart>>(
     new Set(loadSetting('print/parts', v.array(v.picklist(SHEET_PARTS))) ?? USUAL_PARTS),
   );
@@ -36,15 +42,12 @@ export class Print {
   readonly order: PrintOrder;
   readonly paper: ReadonlySignal<Paper> = this.#paper;
   readonly parts: ReadonlySignal<ReadonlySet<SheetPart>> = this.#parts;
-  /** The text of the search among the settings. */
+  /** The text of the search among the saved programs. */
   readonly search: ReadonlySignal<string> = this.#search;
-  /** The sheets to lay out on pages. */
-  readonly copies: ReadonlySignal<readonly Copy[]>;
-  /** How many of the chosen settings are too many for one print. */
-  readonly left: ReadonlySignal<number>;
-  /** How many of the chosen settings are missing: another tab may have deleted them. */
-  readonly missing: ReadonlySignal<number>;
-  /** The settings that the search finds, sorted by model. */
+  readonly sheets: ReadonlySignal<readonly Sheet[]>;
+  /** Whether a chosen program is missing: another tab may have deleted it. */
+  readonly missing: ReadonlySignal<boolean>;
+  /** The saved programs that the search finds, sorted by model. */
   readonly found: ReadonlySignal<readonly SettingRecord[]>;
   readonly hasProgram: ReadonlySignal<boolean>;
   /** The memories of the timer that were read. */
@@ -57,30 +60,24 @@ export class Print {
     this.order = order;
     const { library, editor } = session;
     this.hasProgram = computed(() => editor.working.value !== null);
-    const sources = computed(() =>
+    this.sheets = computed(() =>
       order.keys.value.flatMap((key) => {
-        if (key === ON_SCREEN) return this.#onScreen() ?? [];
-        return (isOfLibrary(key) ? this.#kept(key) : this.#memory(key)) ?? [];
+        const source = key === ON_SCREEN ? this.#onScreen() : isOfLibrary(key) ? this.#kept(key) : this.#memory(key);
+        return source ? [sheetOf(source, editor.shortDt.value)] : [];
       }),
     );
     this.missing = computed(() => {
       const kept = order.keys.value.filter(isOfLibrary);
-      return library.settings.loaded.value ? kept.filter((key) => !library.settings.get(key)).length : 0;
-    });
-    this.left = computed(() => Math.max(0, sources.value.length - MOST_SHEETS));
-    this.copies = computed(() => {
-      const leaf = leafOf(this.#paper.value);
-      const parts = this.#parts.value;
-      return sources.value.slice(0, MOST_SHEETS).map((source) => {
-        const sheet = sheetOf(source, editor.shortDt.value);
-        return { sheet, leaf, sections: sectionsOf(sheet, leaf, parts), hasLines: parts.has('lines') };
-      });
+      return library.settings.loaded.value && kept.some((key) => !library.settings.get(key));
     });
     this.memories = computed(() => {
       const names = session.origin.timer.value?.memoryNames;
-      return session.standings
-        .readMemories()
-        .map(({ memory }) => ({ key: memoryKey(memory), name: memoryText(memory, names?.[memory] ?? '') }));
+      return session.standings.readMemories().map(({ memory, known }) => {
+        const name = memoryText(memory, names?.[memory] ?? '');
+        const { lastReadAt, asLastRead } = messages.value.knowledge;
+        const read = known.state === 'read' ? lastReadAt(dateText(known.at)) : asLastRead;
+        return { key: memoryKey(memory), name: dotted([name, read]) };
+      });
     });
     this.found = computed(() => {
       const isFound = searchFor(this.#search.value);
@@ -97,10 +94,10 @@ export class Print {
     await this.#session.library.load();
   }
 
-  /** The name of a setting among those of other models: “Lancer 07 · calm”. */
+  /** The name of a saved program among those of other models: “Lancer 07 · calm”. */
   nameOf({ setting }: SettingRecord): string {
-    const model = this.#session.library.models.get(setting.model)?.model.name ?? words.noModel;
-    return words.continued(model, setting.name);
+    const model = this.#session.library.models.get(setting.model)?.model.name ?? words.save.noModel;
+    return dotted([model, setting.name]);
   }
 
   setPaper(paper: Paper): void {
@@ -131,7 +128,7 @@ export class Print {
       model,
       name,
       note,
-      origin: words.origins[from](dateText(at)),
+      origin: words.setting.origin(words.setting.from[from], dateText(at)),
       simulated: from === 'simulated',
       link: this.#linkOf(sharedOf(setting, model)),
     };
@@ -213,7 +210,7 @@ export class Print {
       !isOnlyUnfinished && standingText(standing, { tried, changes, unfinished }, made, memory, dateText),
       // Read on paper, it is past: the timer may hold something else by then.
       changes + tried > 0 && hintText(standing.sure === 'now' ? { ...standing, sure: 'once' } : standing, dateText),
-      unfinished > 0 && words.unfinished(unfinished),
+      unfinished > 0 && onPaper.unfinished(unfinished),
     ];
     return said
       .filter((text) => typeof text === 'string')

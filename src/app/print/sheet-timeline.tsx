@@ -1,13 +1,11 @@
 import { useId } from 'preact/hooks';
 import type { TimerProgram } from '../../program/index.js';
-import { print } from '../messages/en-print.js';
 import { figureText, messages, slotLabel } from '../messages/index.js';
 import { marksOf, motorStopOf, type Stage, stagesOf } from '../timeline/flight.js';
 import { scaleOf } from '../timeline/geometry.js';
 import { lanesOf } from '../timeline/lanes.js';
 import { highestOf, Layout, lineOf, spread } from '../timeline/layout.js';
 import { shortTime, ticks } from '../timeline/ticks.js';
-import { type Leaf, MARGIN, pixelsOf } from './paper.js';
 import './sheet-timeline.css';
 
 interface SheetTimelineProps {
@@ -15,9 +13,12 @@ interface SheetTimelineProps {
   /** The servos with a lane, and what each servo moves. */
   readonly servos: readonly number[];
   readonly names: readonly string[];
-  readonly leaf: Leaf;
 }
 
+/** The width of A5 between its margins, in pixels. On larger paper the picture is larger. */
+const WIDTH = 484;
+/** The height of a lane in pixels: the one for a single lane, and the least among many. */
+const LANE = { most: 49, least: 26, lessForEach: 4 };
 /** Pixels: the numbers of the marks above the lanes, the motor and the times below them, the names beside them. */
 const TOP = 16;
 const MOTOR = 13;
@@ -28,13 +29,13 @@ const RIGHT = 10;
 const NUMBER_GAP = 12;
 const TIME_GAP = 36;
 const POSITION_ROOM = 17;
-/** What a position needs above its line, with the letters of large paper. */
+/** What a position needs above its line. */
 const POSITION_HEIGHT = 13;
 /** A longer name is drawn narrower, so that it stays beside its lane. */
 const NAME_FITS = 11;
 
 /** A program over time in black and white. Each lane has its name, so no colour is needed. */
-export function SheetTimeline({ program, servos, names, leaf }: SheetTimelineProps) {
+export function SheetTimeline({ program, servos, names }: SheetTimelineProps) {
   const id = useId();
   const { timeline, servoName } = messages.value;
   const shown = { ...program, positions: servos.map((servo) => program.positions[servo] ?? []) };
@@ -42,9 +43,8 @@ export function SheetTimeline({ program, servos, names, leaf }: SheetTimelinePro
   const stop = motorStopOf(program);
   const dt = stages.at(-1)?.from ?? 0;
   const left = servos.some((servo) => names[servo]) ? NAMES.some : NAMES.none;
-  const width = pixelsOf(leaf.width - 2 * MARGIN);
-  const each = pixelsOf(Math.max(leaf.lane.least, leaf.lane.most - servos.length));
-  const box = { left, right: width - RIGHT, top: TOP, bottom: TOP + each * servos.length };
+  const each = Math.max(LANE.least, LANE.most - LANE.lessForEach * servos.length);
+  const box = { left, right: WIDTH - RIGHT, top: TOP, bottom: TOP + each * servos.length };
   const height = box.bottom + (stop === null ? 0 : MOTOR) + TIMES;
   const scale = scaleOf(program, null, box.right - box.left);
   const layout = new Layout(
@@ -56,8 +56,8 @@ export function SheetTimeline({ program, servos, names, leaf }: SheetTimelinePro
   );
   const words = servos.map((servo) => [servoName(servo), names[servo] ?? ''] as const);
   return (
-    <svg class="sheet-timeline" width={width} height={height} viewBox={`0 0 ${width} ${height}`} role="img">
-      <title>{print.timelineOf(words.map((each) => each.join(' ').trim()))}</title>
+    <svg class="sheet-timeline" viewBox={`0 0 ${WIDTH} ${height}`} role="img">
+      <title>{timeline.picture}</title>
       <pattern id={id} width="4" height="4" patternUnits="userSpaceOnUse">
         <path class="hatch" d="M0 4L4 0" />
       </pattern>
@@ -114,7 +114,7 @@ export function SheetTimeline({ program, servos, names, leaf }: SheetTimelinePro
         return (
           <g key={time} class={time === dt ? 'time of-dt' : 'time'}>
             <path d={`M${x} ${height - TIMES}v3`} />
-            <text x={Math.min(x, width - RIGHT)} y={height - 2}>
+            <text x={Math.min(x, WIDTH - RIGHT)} y={height - 2}>
               {time === 0 ? timeline.zero : shortTime(time)}
             </text>
           </g>

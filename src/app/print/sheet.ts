@@ -10,6 +10,7 @@ import {
 } from '../../program/index.js';
 import { intervalAt } from '../editing/grid.js';
 import { formatInterval, formatTime } from '../editing/units.js';
+import { libraryMessages } from '../messages/en-library.js';
 import {
   dutyName,
   fieldLabel,
@@ -29,7 +30,7 @@ export interface SheetSource {
   readonly key: string;
   readonly program: TimerProgram;
   readonly model: Pick<Model, 'name' | 'servos' | 'memoryNames'> | null;
-  /** The name of the setting; empty without one. */
+  /** The name of the saved program; empty without one. */
   readonly name: string;
   readonly note: string;
   /** Where the values come from, and when: “Kept 12 Nov 2026, 14:32”. */
@@ -60,21 +61,14 @@ export interface SheetRow {
   readonly was: { readonly time: string; readonly positions: readonly string[] };
 }
 
-/** One setting as it is printed, in the words of this language. */
-export interface Sheet {
-  readonly key: string;
-  readonly program: TimerProgram;
+/** One program as it is printed, in words. */
+export interface Sheet extends Pick<SheetSource, 'key' | 'program' | 'name' | 'origin' | 'simulated' | 'link'> {
   /** Empty when the model is not known: there is room to write its name. */
   readonly model: string;
-  readonly setting: string;
-  /** “F1Q”. */
+  /** “F1Q, firmware 536, 10 functions, 3 servos”. */
   readonly timer: string;
-  readonly firmware: string;
   /** “M1 “calm””; empty when it is not known. */
   readonly memory: string;
-  readonly origin: string;
-  readonly simulated: boolean;
-  readonly link: string | null;
   readonly figures: readonly (KeyFigure & { readonly isShort: boolean; readonly was: string })[];
   /** Values beside the table: the idle throttle, if the timer has told it, and times without a meaning. */
   readonly others: readonly { readonly label: string; readonly text: string }[];
@@ -96,17 +90,16 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
   const { about } = messages.value;
   const was = wasIn(identity, source.marks);
   return {
-    key: source.key,
-    program,
+    ...source,
     model: model?.name ?? '',
-    setting: source.name,
-    timer: timerName(identity),
     // A program that was made here has no firmware.
-    firmware: identity.firmware === '000' ? '' : identity.firmware,
+    timer: libraryMessages.setting.timer(
+      timerName(identity),
+      identity.firmware === '000' ? null : identity.firmware,
+      identity.functions - 1,
+      identity.servos,
+    ),
     memory: memory === null ? '' : memoryText(memory, model?.memoryNames[memory] ?? ''),
-    origin: source.origin,
-    simulated: source.simulated,
-    link: source.link,
     figures: keyFigures(program).map((figure) => ({
       ...figure,
       isShort: isShort && figure.field.kind === 'time' && figure.field.slot === identity.functions,
@@ -199,13 +192,4 @@ function rowsOf(program: TimerProgram, was: (field: ProgramField) => string): Sh
   };
   const at = next < 0 ? slots.length : next;
   return [...slots.slice(0, at), motor, ...slots.slice(at)];
-}
-
-/** Divides the servos into tables: as few as possible, and of about equal width. */
-export function servoGroups(servos: number, most: number): readonly (readonly number[])[] {
-  const tables = Math.max(1, Math.ceil(servos / most));
-  const each = Math.ceil(servos / tables);
-  return Array.from({ length: tables }, (_, table) =>
-    Array.from({ length: Math.min(each, servos - table * each) }, (_, i) => table * each + i),
-  );
 }

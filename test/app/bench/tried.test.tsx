@@ -46,7 +46,7 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
     const timer = new Compare(session, new ComparedPair()).sides.value.find(({ kind }) => kind === 'timer');
     return timer ? sideName(session, timer).replaceAll('\u00a0', ' ') : '';
   };
-  const sheet = () => new Print(session, new PrintOrder(), 'https://example.org/').copies.value[0]?.sheet;
+  const sheet = () => new Print(session, new PrintOrder(), 'https://example.org/').sheets.value[0];
   const { modelBackups } = comparingMessages;
   const same = whole(modelBackups.same(modelBackups.now));
   expect(backups()).toContain(same);

@@ -6,7 +6,6 @@ import { pasted, previewPaste } from '../../../src/app/editing/paste.js';
 import { columnNamed, rowNamed } from '../../../src/app/editing/paste-names.js';
 import type { PasteAnswer } from '../../../src/app/editing/paste-questions.js';
 import { formatInterval, formatTime } from '../../../src/app/editing/units.js';
-import { print } from '../../../src/app/messages/en-print.js';
 import { messages } from '../../../src/app/messages/index.js';
 import { sheetOf } from '../../../src/app/print/sheet.js';
 import { slotKind, type TimerProgram } from '../../../src/program/index.js';
@@ -217,7 +216,7 @@ describe("the page's own words", () => {
     for (const name of [program.motorStop, program.motor]) expect(rowNamed(Q10, name, false)).toBe('motor');
     expect(columnNamed(program.slot)).toBe('names');
     expect(columnNamed(`${program.time}\u00a0${times.units.s}`)).toEqual({ column: 0, inMinutes: false });
-    for (const name of [edits.table.interval, print.after]) expect(columnNamed(name)).toMatchObject({ column: 1 });
+    expect(columnNamed(edits.table.interval)).toMatchObject({ column: 1 });
     expect([0, 7].map((servo) => columnNamed(servoName(servo)))).toMatchObject([{ column: 2 }, { column: 9 }]);
   });
 
@@ -287,7 +286,7 @@ describe('any program', () => {
             : column === 'time'
               ? words.program.time
               : column === 'after'
-                ? print.after
+                ? words.edits.table.interval
                 : words.servoName(Number(column));
         const table = [columns.map(headOf), ...rows.map((row) => columns.map((column) => cellOf(row, column)))];
         // A transposed table has its headings first.
@@ -321,7 +320,8 @@ describe('any program', () => {
         });
         const lines = sheet.rows.map(({ label, time, after, positions }) => [label, time, after, ...positions]);
         const servos = program.positions.map((_, servo) => messages.value.servoName(servo));
-        const heads = [messages.value.program.slot, messages.value.program.time, print.after, ...servos];
+        const { program: words, edits } = messages.value;
+        const heads = [words.slot, words.time, edits.table.interval, ...servos];
         const text = [heads, ...lines].map((cells) => cells.join('\t')).join('\n');
         const shown = previewPaste(program, at(1, 0), text);
         expect([shown.problems, shown.questions, shown.ignored, shown.changes]).toEqual([[], [], 0, []]);

@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { type SheetSource, servoGroups, sheetOf } from '../../../src/app/print/sheet.js';
+import { libraryMessages } from '../../../src/app/messages/en-library.js';
+import { type SheetSource, sheetOf } from '../../../src/app/print/sheet.js';
+import { servoGroups } from '../../../src/app/print/sheet-paper.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { MODEL, SETTING } from '../../program/library-examples.js';
 import { programOf } from '../programs.js';
@@ -25,9 +27,8 @@ describe('a setting sheet', () => {
     const sheet = sheetOf(sourceOf(SETTING.program));
     expect(sheet).toMatchObject({
       model: 'Lancer 07',
-      setting: 'calm morning',
-      timer: 'F1Q',
-      firmware: '536',
+      name: 'calm morning',
+      timer: libraryMessages.setting.timer('F1Q', '536', 3, 2),
       memory: 'M2',
       servos: ['Tailplane', 'flaps'],
       note: ['Turns left after 12 s.'],
@@ -83,26 +84,13 @@ describe('a setting sheet', () => {
   });
 
   it.each([
-    [1, 8, [[0]]],
-    [8, 8, [[0, 1, 2, 3, 4, 5, 6, 7]]],
-    [
-      9,
-      8,
-      [
-        [0, 1, 2, 3, 4],
-        [5, 6, 7, 8],
-      ],
-    ],
-    [
-      17,
-      8,
-      [
-        [0, 1, 2, 3, 4, 5],
-        [6, 7, 8, 9, 10, 11],
-        [12, 13, 14, 15, 16],
-      ],
-    ],
-  ])('%i servos stand in tables of at most %i', (servos, most, groups) => {
-    expect(servoGroups(servos, most)).toEqual(groups);
+    [1, [1]],
+    [8, [8]],
+    [9, [5, 4]],
+    [17, [6, 6, 5]],
+  ])('%i servos stand in tables of about equal width', (servos, widths) => {
+    const groups = servoGroups(servos);
+    expect(groups.map(({ length }) => length)).toEqual(widths);
+    expect(groups.flat()).toEqual(Array.from({ length: servos }, (_, servo) => servo));
   });
 });

@@ -1,0 +1,243 @@
+import { dotted } from '../messages/dotted.js';
+import { flightMessages } from '../messages/en-flights.js';
+import { libraryMessages } from '../messages/en-library.js';
+import { print } from '../messages/en-print.js';
+import { messages } from '../messages/index.js';
+import { TimelineNotes } from '../timeline/timeline-notes.js';
+import { QrCode } from '../ui/qr-code.js';
+import type { Paper, SheetPart } from './print.js';
+import type { Sheet } from './sheet.js';
+import { SheetTimeline } from './sheet-timeline.js';
+import './sheet.css';
+
+interface SheetPaperProps {
+  readonly sheet: Sheet;
+  readonly paper: Paper;
+  readonly parts: ReadonlySet<SheetPart>;
+  /** The date of today. */
+  readonly printed: string;
+}
+
+/**
+ * The sheet of a program, as it is shown and as it is printed. The browser breaks it into pages: its outer table has
+ * the names in its head, which stands on each of them, so that no page is mistaken for one of another model.
+ */
+export function SheetPaper({ sheet, paper, parts, printed }: SheetPaperProps) {
+  const { program, note, warnings, link } = sheet;
+  return (
+    <table role="presentation" class={`paper leaf on-${paper}`}>
+      <thead>
+        <tr>
+          <td class="leaf-names">
+            <span>{dotted([sheet.model, sheet.name, sheet.memory])}</span> <span>{print.printed(printed)}</span>
+          </td>
+        </tr>
+      </thead>
+      <tbody>
+        <tr>
+          <td class="leaf-room">
+            <article class="leaf-body">
+              <SheetHead sheet={sheet} />
+              {warnings.length > 0 && (
+                <div class="leaf-warnings">
+                  <SheetLines title={print.warnings} lines={warnings} />
+                </div>
+              )}
+              {servoGroups(program.positions.length).map((group) => (
+                <div key={group[0] ?? 0}>
+                  <SheetTable sheet={sheet} group={group} />
+                  {parts.has('timeline') && group.length > 0 && (
+                    <SheetTimeline program={program} servos={group} names={sheet.servos} />
+                  )}
+                </div>
+              ))}
+              {parts.has('timeline') && <TimelineNotes program={program} />}
+              {parts.has('notes') && note.some(Boolean) && <SheetLines title={print.notes} lines={note} />}
+              {parts.has('code') && link !== null && (
+                <div class="leaf-code">
+                  <QrCode text={link} label={print.parts.code} />
+                  <p>{print.codeHint}</p>
+                </div>
+              )}
+              {parts.has('lines') && <SheetFlights />}
+            </article>
+          </td>
+        </tr>
+      </tbody>
+    </table>
+  );
+}
+
+/** A name with more characters would take half of the page. */
+const LONG = 24;
+
+/** The names, and the key figures. */
+function SheetHead({ sheet }: { readonly sheet: Sheet }) {
+  return (
+    <div class="leaf-head">
+      <div class="leaf-title">
+        <h2 class={sheet.model.length > LONG ? 'is-long' : ''}>
+          <Blank label={libraryMessages.save.model} text={sheet.model} />
+        </h2>
+        <p class="leaf-name">
+          <Blank label={messages.value.views.names.program} text={sheet.name} />
+        </p>
+      </div>
+      <dl class="leaf-figures">
+        {sheet.figures.map(({ label, text, isShort, was }) => (
+          <div key={label}>
+            <dt>{label}</dt>
+            <dd>
+              {text}
+              <Was text={was} />
+              {isShort && <strong class="leaf-loud">{messages.value.program.shortDt}</strong>}
+            </dd>
+          </div>
+        ))}
+      </dl>
+      <p class="leaf-facts">
+        <span>
+          {messages.value.program.memory} <strong>{sheet.memory || <span class="leaf-blank" />}</strong>
+        </span>{' '}
+        <span>{dotted([sheet.timer, ...sheet.others.map(({ label, text }) => `${label} ${text}`)])}</span>
+        {sheet.simulated && <span class="leaf-loud">{print.simulated}</span>}
+      </p>
+      <p class="leaf-origin">{sheet.origin}</p>
+    </div>
+  );
+}
+
+/** A name, or a line to write it on. */
+function Blank({ label, text }: { readonly label: string; readonly text: string }) {
+  if (text) return <>{text}</>;
+  return (
+    <span class="leaf-to-fill">
+      {label} <span class="leaf-blank" />
+    </span>
+  );
+}
+
+/** The mark of a changed value: what it was. */
+function Was({ text }: { readonly text: string }) {
+  return text === '' ? null : <small class="leaf-was">{text}</small>;
+}
+
+/** How many servos stand beside each other in a table. */
+const SERVOS = 8;
+
+/** Divides the servos into tables: as few as possible, and of about equal width. */
+export function servoGroups(servos: number): readonly (readonly number[])[] {
+  const tables = Math.max(1, Math.ceil(servos / SERVOS));
+  const each = Math.ceil(servos / tables);
+  return Array.from({ length: tables }, (_, table) =>
+    Array.from({ length: Math.min(each, servos - table * each) }, (_, i) => table * each + i),
+  );
+}
+
+/** With more servos their names stand below the table: above the columns there is no room. */
+const NAMED_IN_HEAD = 4;
+
+interface SheetTableProps {
+  readonly sheet: Sheet;
+  /** The servos in this table. */
+  readonly group: readonly number[];
+}
+
+/** Functions with their times and the positions of servos; below them the units. */
+function SheetTable({ sheet, group }: SheetTableProps) {
+  const { program: words, servoName } = messages.value;
+  const isNamed = group.length <= NAMED_IN_HEAD;
+  const names = group.flatMap((servo) => (sheet.servos[servo] ? [`${servoName(servo)} ${sheet.servos[servo]}`] : []));
+  const isAbsolute = ['B', 'E'].includes(sheet.program.identity.timerClass);
+  return (
+    <>
+      <table class={`leaf-table of-${group.length}`}>
+        <caption class="visually-hidden">{words.tableCaption}</caption>
+        <thead>
+          <tr>
+            <th scope="col">{words.slot}</th>
+            <th scope="col">{words.time}</th>
+            <th scope="col">{messages.value.edits.table.interval}</th>
+            {group.map((servo) => (
+              <th scope="col" key={servo}>
+                {servoName(servo)} {isNamed && sheet.servos[servo] && <small>{sheet.servos[servo]}</small>}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {sheet.rows.map(({ key, kind, label, time, after, positions, was }) => (
+            <tr key={key} class={`leaf-${kind}`}>
+              <th scope="row">{label}</th>
+              <td>
+                {time}
+                <Was text={was.time} />
+              </td>
+              <td>{after}</td>
+              {kind === 'motor' ? (
+                <td colSpan={group.length} />
+              ) : (
+                group.map((servo) => (
+                  <td key={servo}>
+                    {positions[servo]}
+                    <Was text={was.positions[servo] ?? ''} />
+                  </td>
+                ))
+              )}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <div class="leaf-legend">
+        {!isNamed && names.length > 0 && <p>{dotted(names)}</p>}
+        <p>
+          {print.positions} {isAbsolute && words.absolute}
+        </p>
+      </div>
+    </>
+  );
+}
+
+/** Sentences below a heading. */
+function SheetLines({ title, lines }: { readonly title: string; readonly lines: readonly string[] }) {
+  return (
+    <div class="leaf-lines">
+      <h3>{title}</h3>
+      {lines.map((line, at) => (
+        <p key={at}>{line || '\u00a0'}</p>
+      ))}
+    </div>
+  );
+}
+
+/** As many fit below a usual program on A5. */
+const FLIGHTS = 3;
+
+/** Empty rows to write flights into by hand. */
+function SheetFlights() {
+  const { date, round, wind, temperature, result, note } = flightMessages.csv.columns;
+  const columns = [date, round, wind, temperature, result, note];
+  return (
+    <table class="leaf-flights">
+      <caption>{flightMessages.title}</caption>
+      <thead>
+        <tr>
+          {columns.map((column) => (
+            <th scope="col" key={column}>
+              {column}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {Array.from({ length: FLIGHTS }, (_, row) => (
+          <tr key={row}>
+            {columns.map((column) => (
+              <td key={column} />
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
