@@ -8,7 +8,7 @@ import { root } from './tools/pack.js';
 import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
 import { draw, importsBetween, levels, pictures } from './tools/rooms.js';
-import { dearSelectors, flaws, flawsOfPage, strayClasses } from './tools/styles.js';
+import { deadClasses, dearSelectors, flaws, flawsOfPage, strayClasses, strayThresholds } from './tools/styles.js';
 
 const texts = [
   ...['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'test/rig/README.md'],
@@ -258,6 +258,33 @@ describe('the styles of the page', () => {
       '.a:has(> :not(.b)):focus input {\n  top: 0;\n}\n\n.d :has(svg):hover,\nth:has([open]) {\n  top: 0;\n}\n';
     const found = ['program/a.css: .a:has(> :not(.b)):focus input: styles more than what a key changes'];
     expect([dearSelectors('program/a.css', text), dearSelectors('print/a.css', text)]).toEqual([found, []]);
+  });
+
+  it('know few shapes of the window', () => {
+    const text = (condition: string) => `${condition} {\n  .a {\n    margin: 0;\n  }\n}\n`;
+    for (const condition of [
+      '@media (max-width: 759.98px), (max-height: 479.98px)',
+      '@media (min-width: 1100px) and (pointer: fine)',
+      '@container program-table (max-width: 480px)',
+    ]) {
+      expect(strayThresholds('line/a.css', text(condition))).toEqual([]);
+    }
+    for (const condition of [
+      '@media (max-width: 760px)',
+      '@media (min-width: 560px) and (max-height: 600px)',
+      '@container program-table (max-width: 530px)',
+    ]) {
+      expect(strayThresholds('line/a.css', text(condition))).toEqual([
+        expect.stringContaining('no shape of the window'),
+      ]);
+    }
+  });
+
+  it('have no class that no component uses', () => {
+    const texts = new Map([['line/a.css', '.a:has(.b) .on-a4,\n.gone {\n  margin: 0;\n}\n']]);
+    expect(deadClasses(texts, '<p class={`a b on-$'.concat('{paper}`} />'))).toEqual([
+      'line/a.css: .gone: no component uses it',
+    ]);
   });
 
   it('give a class one home', () => {

@@ -1,4 +1,5 @@
-// Checks the styles of the page: colours and sizes are defined only in ui/tokens.css, and a class means one thing.
+// Checks the styles of the page: colours and sizes are defined only in ui/tokens.css, a class means one thing, and the
+// window has few shapes.
 // Part of `npm run lint`.
 
 import { readdirSync, readFileSync } from 'node:fs';
@@ -71,13 +72,84 @@ export function dearSelectors(file, text) {
     .map((selector) => `${file}: ${selector.trim()}: styles more than what a key changes`);
 }
 
+/**
+ * Where one shape of the window ends and the next begins, in pixels:
+ * - phone: narrower than 760, or than 560 however low it is: one held upright, with its keys in sight;
+ * - phone on its side: at least 560 wide and lower than 480, as is a page at 200 %;
+ * - tablet: from 760 wide, and from 480 high;
+ * - laptop: from 1100 wide, and lower than 720;
+ * - desktop: from 1100 wide, and from 720 high.
+ */
+const EDGES = { width: [560, 760, 1100], height: [480, 720] };
+
+/** The same edge for a reader with larger letters, where the strip would break. */
+const IN_LETTERS = '(max-width: 68.74em)';
+
+/** Parts that are drawn by their own room, each with its one edge. */
+const PARTS = new Map([
+  ['program-table', '(max-width: 480px)'],
+  ['program-side', '(max-height: 670px)'],
+  ['flights', '(max-width: 24rem)'],
+  ['edit-sheet', '(max-width: 17rem)'],
+  ['', '(max-width: 27rem)'],
+]);
+
+/**
+ * Thresholds that are none of the few shapes of the window, or of a part.
+ * @param {string} file
+ * @param {string} text
+ * @returns {string[]} a sentence for each
+ */
+export function strayThresholds(file, text) {
+  return [...bare(text).matchAll(/@(media|container)([^{]*)\{/g)].flatMap(([, rule, condition = '']) => {
+    const name = rule === 'container' ? (/^\s*([\w-]*)/.exec(condition)?.[1] ?? '') : '';
+    return [...condition.matchAll(/\((min|max)-(width|height): ([^)]*)\)/g)].flatMap(([said, end, side, at]) => {
+      const isKnown =
+        rule === 'container'
+          ? PARTS.get(name) === said
+          : said === IN_LETTERS ||
+            EDGES[/** @type {'width' | 'height'} */ (side)].some(
+              (edge) => at === (end === 'min' ? `${edge}px` : `${edge - 0.02}px`),
+            );
+      return isKnown ? [] : [`${file}: ${said}: no shape of the window, see EDGES in test/tools/styles.js`];
+    });
+  });
+}
+
+/**
+ * Classes that no component uses.
+ * @param {ReadonlyMap<string, string>} styles by file
+ * @param {string} source all components; of a class such as `on-${paper}` only the beginning stands there
+ * @returns {string[]} a sentence for each
+ */
+export function deadClasses(styles, source) {
+  const words = new Set(source.match(/[A-Za-z][\w-]*/g));
+  const beginnings = [...source.matchAll(/([a-z][\w-]*-)\$\{/g)].map(([, beginning = '']) => beginning);
+  const isUsed = (/** @type {string} */ name) =>
+    words.has(name) || name.endsWith('-view') || beginnings.some((beginning) => name.startsWith(beginning));
+  return [...styles].flatMap(([file, text]) => {
+    const names = selectorsOf(text).flatMap((selector) =>
+      [...selector.matchAll(/\.([a-z][\w-]*)/g)].map(([, name = '']) => name),
+    );
+    return [...new Set(names)].filter((name) => !isUsed(name)).map((name) => `${file}: .${name}: no component uses it`);
+  });
+}
+
 /** All files of styles, with what is wrong in them. */
 export function flawsOfPage() {
-  const files = readdirSync(page, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.css'));
-  const texts = new Map(files.sort().map((file) => [file, readFileSync(new URL(file, page), 'utf8')]));
+  const files = readdirSync(page, { recursive: true, encoding: 'utf8' }).sort();
+  const read = (/** @type {string} */ file) => readFileSync(new URL(file, page), 'utf8');
+  const texts = new Map(files.filter((file) => file.endsWith('.css')).map((file) => [file, read(file)]));
+  // What the page says is no name of a class.
+  const source = files.filter((file) => /\.(?:tsx?|html)$/.test(file) && !file.startsWith('messages')).map(read);
   return [
-    ...[...texts].flatMap(([file, text]) => [...flaws(file, text), ...dearSelectors(file, text)]),
+    ...[...texts].flatMap(([file, text]) => [
+      ...flaws(file, text),
+      ...strayThresholds(file, text),
+      ...dearSelectors(file, text),
+    ]),
     ...strayClasses(texts),
+    ...deadClasses(texts, bare(source.join('\n'))),
   ];
 }
 
