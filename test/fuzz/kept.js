@@ -132,12 +132,15 @@ const several = (of) => fc.uniqueArray(of, { maxLength: 2, selector: (each) => e
 /** @type {fc.Arbitrary<Library>} */
 export const library = fc.record({ models: several(model), settings: several(setting), flights: several(flight) });
 
+/** A link carries whole characters alone. @param {string} text */
+const whole = (text) => Buffer.from(text).toString();
+
 /** What a link carries. @type {fc.Arbitrary<SharedSetting>} */
 export const shared = fc.record({
-  name: words(60, 1),
-  note: words(300),
-  tags,
+  name: words(60, 1).map(whole),
+  note: words(300).map(whole),
+  tags: tags.map((each) => each.map(whole)),
   at: date,
   program,
-  modelName: words(60),
+  modelName: words(60).map(whole),
 });
