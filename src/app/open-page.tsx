@@ -4,12 +4,12 @@ import { App } from './app.js';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { leaveComposing } from './browser/composing.js';
 import { type Lack, surroundings } from './browser/doors.js';
+import { askBeforeLeaving, on } from './browser/lifecycle.js';
 import { registerOffline } from './browser/offline.js';
 import { OneTab } from './browser/one-tab.js';
 import { platformOf } from './browser/platform.js';
 import { nameplate, service, tried } from './browser/services.js';
 import { keepsSettings } from './browser/settings.js';
-import { onWake } from './browser/wake.js';
 import { clockText } from './messages/index.js';
 import { followDay } from './messages/today.js';
 import { createModels } from './models.js';
@@ -34,8 +34,8 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   }
   const tab = new OneTab();
   // What a pilot opens next, perhaps this page again, must not wait for it.
-  addEventListener('pagehide', () => tab.end(), true);
-  addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
+  on('leave', () => tab.end());
+  on('restore', () => location.reload());
   const begun = await tab.begin();
   if (begun !== 'other') return await work(root, theme, tab, begun === 'unknown' ? ['tabs'] : []);
   render(<OtherTabPage tab={tab} />, root);
@@ -85,12 +85,8 @@ async function work(root: HTMLElement, theme: Theme, tab: OneTab, lacks: readonl
       location.reload();
     },
   );
-  const warn = (event: BeforeUnloadEvent): void => event.preventDefault();
-  effect(() => {
-    // Leaving the page during a write is the one thing that a reload cannot repair.
-    if (session.runner.writing.value) addEventListener('beforeunload', warn);
-    else removeEventListener('beforeunload', warn);
-  });
+  // Leaving the page during a write is the one thing that a reload cannot repair.
+  effect(() => askBeforeLeaving(session.runner.writing.value));
   keeping.onKept(() =>
     tried(() =>
       service('storage')
@@ -98,20 +94,17 @@ async function work(root: HTMLElement, theme: Theme, tab: OneTab, lacks: readonl
         .catch(() => {}),
     ),
   );
-  document.addEventListener('visibilitychange', () => document.hidden && void follow.stop('over'));
-  addEventListener('pagehide', () => {
+  on('hide', () => {
     session.keptWork.keepNow();
+    void follow.stop('over');
+  });
+  on('leave', () => {
     session.backups.flush();
     session.library.flush();
   });
-  // A phone may end a page in the background without any warning.
-  document.addEventListener('visibilitychange', () => {
-    if (document.hidden) session.keptWork.keepNow();
-  });
   // Room is made in another window, or in the settings of a phone.
-  addEventListener('focus', () => keeping.tryAgain());
-  document.addEventListener('visibilitychange', () => document.hidden || keeping.tryAgain());
-  onWake(() => session.link.recheck());
+  on('return', () => keeping.tryAgain());
+  on('wake', () => session.link.recheck());
   followDay();
   tried(() => registerOffline({ onUpdateReady: update.offer, whenFree: update.whenFree, onKept: installation.isKept }));
 }

@@ -1,3 +1,4 @@
+import { on } from './lifecycle.js';
 import { nameplate, service } from './services.js';
 
 /** How often a page that stays open looks for a new version, in milliseconds. */
@@ -72,8 +73,7 @@ function lookAgain(look: () => Promise<unknown>): void {
     look().catch(() => {});
   };
   setInterval(lookIfDue, LOOK_AGAIN / 4);
-  document.addEventListener('visibilitychange', lookIfDue);
-  addEventListener('online', lookIfDue);
+  on('return', lookIfDue);
 }
 
 /** The one address that the page's Trusted Types policy allows. */

@@ -1,6 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
+import { on } from '../browser/lifecycle.js';
 import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { dtText, messages } from '../messages/index.js';
@@ -56,11 +57,7 @@ function Form({ id, session, log }: FormProps) {
     return opened ? new FlightForm(log, opened.flight, before) : null;
   }, [id, log, flights]);
   const box = useRef<HTMLFormElement>(null);
-  useEffect(() => {
-    const keep = (): void => form?.keepNow();
-    addEventListener('pagehide', keep);
-    return () => removeEventListener('pagehide', keep);
-  }, [form]);
+  useEffect(() => on('hide', () => form?.keepNow()), [form]);
   if (!form) return null;
   const flight = form.flight.value;
   const done = (event: Event): void => {

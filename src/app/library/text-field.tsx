@@ -1,5 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useRef } from 'preact/hooks';
+import { on } from '../browser/lifecycle.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { useUnsaved } from '../ui/unsaved.js';
 import './text-field.css';
@@ -51,12 +52,9 @@ export function TextField(props: TextFieldProps) {
     typed.value = null;
   };
   useEffect(() => {
-    const keepNow = (): void => keep();
-    addEventListener('pagehide', keepNow);
-    document.addEventListener('visibilitychange', keepNow);
+    const end = on('hide', keep);
     return () => {
-      removeEventListener('pagehide', keepNow);
-      document.removeEventListener('visibilitychange', keepNow);
+      end();
       keep();
     };
   }, []);

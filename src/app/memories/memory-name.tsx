@@ -1,6 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
+import { on } from '../browser/lifecycle.js';
 import { modelMessages } from '../messages/en-which-model.js';
 import { messages } from '../messages/index.js';
 import { givenName, nameMemory } from '../session/memory-names.js';
@@ -29,12 +30,10 @@ export function MemoryName({ session, memory }: { readonly session: Session; rea
   useEffect(() => {
     if (!isEditing) return undefined;
     // What was typed is kept when the page goes, as when the field is left.
-    const keep = (): void => {
+    return on('hide', () => {
       const text = box.current?.querySelector('input')?.value;
       if (text !== undefined) void nameMemory(session, memory, text);
-    };
-    addEventListener('pagehide', keep);
-    return () => removeEventListener('pagehide', keep);
+    });
   }, [isEditing, session, memory]);
   const model = session.origin.named.value;
   if (!model) return null;

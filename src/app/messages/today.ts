@@ -1,4 +1,5 @@
 import { signal } from '@preact/signals';
+import { on } from '../browser/lifecycle.js';
 
 /** How often the page looks at the calendar, in milliseconds. */
 const LOOK = 60_000;
@@ -35,9 +36,9 @@ export function followDay(): () => void {
   };
   look();
   const looking = setInterval(look, LOOK);
-  document.addEventListener('visibilitychange', look);
+  const end = on('return', look);
   return () => {
     clearInterval(looking);
-    document.removeEventListener('visibilitychange', look);
+    end();
   };
 }

@@ -1,6 +1,7 @@
 import { type DBSchema, deleteDB, type IDBPDatabase, openDB } from 'idb';
 import type { BaseIssue, BaseSchema } from 'valibot';
 import * as v from 'valibot';
+import { on } from '../browser/lifecycle.js';
 import { service } from '../browser/services.js';
 import { whenIdle } from '../browser/when-idle.js';
 import { withPresentNames } from './former-names.js';
@@ -170,13 +171,11 @@ const IDLE_WITHIN = 50;
  */
 function drawn(): Promise<void> {
   return new Promise((resolve) => {
-    const settled = new AbortController();
     const settle = (): void => {
-      settled.abort();
+      end();
       resolve();
     };
-    addEventListener('pagehide', settle, settled);
-    document.addEventListener('visibilitychange', settle, settled);
+    const end = on('hide', settle);
     whenIdle(settle, IDLE_WITHIN);
   });
 }

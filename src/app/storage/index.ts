@@ -1,5 +1,5 @@
+import { isLeaving } from '../browser/lifecycle.js';
 import { type Change, changeShelves, deleteStorage, type Keeper, openStorage, Shelf } from './database.js';
-import { isLeaving } from './leaving.js';
 import { StorageQuestions, type StorageWatch } from './limit.js';
 import {
   type AsideRecord,

@@ -1,4 +1,5 @@
 import { useEffect } from 'preact/hooks';
+import { on } from '../browser/lifecycle.js';
 
 /**
  * Releases what is pressed when the page can no longer hear the end of the press: another window or tab has come before
@@ -7,12 +8,10 @@ import { useEffect } from 'preact/hooks';
 export function useRelease(press: { release(): void }): void {
   useEffect(() => {
     const release = (): void => press.release();
-    addEventListener('blur', release);
-    document.addEventListener('visibilitychange', release);
+    const end = on('away', release);
     return () => {
       release();
-      removeEventListener('blur', release);
-      document.removeEventListener('visibilitychange', release);
+      end();
     };
   }, [press]);
 }
