@@ -77,7 +77,7 @@ test('a port that another program uses is reported as in use, and is connected w
   const pilot = new Pilot(await rig.open());
   await rig.whileHeld(async () => {
     await pilot.clickConnect();
-    await pilot.sees(en.link.refused.title);
+    await pilot.sees(en.link.refused);
   });
   await pilot.isConnected();
 });

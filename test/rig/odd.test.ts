@@ -4,21 +4,12 @@ import { encodeFrame } from '../../src/protocol/index.js';
 import { Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 
-test.for([900, 2000])('a timer that answers after %i ms is read and written, and called slow', async (latency) => {
+test.for([900, 2000])('a timer that answers after %i ms is read and written, and not called noisy', async (latency) => {
   const rig = await Rig.start({ timer: { latency } });
   const pilot = new Pilot(await rig.open());
   pilot.page.setDefaultTimeout(180_000);
   await pilot.clickConnect();
   await pilot.isConnected();
-  await pilot.goTo('settings');
-  await pilot.page.getByText(en.aboutTimer.title).click();
-  // A busy machine adds to it. After a repeat the figure counts from the later request, and is smaller.
-  const said = await pilot.page
-    .getByText(/after \d+\.\d s: slow/)
-    .first()
-    .innerText();
-  expect(Number(/after (\d+\.\d) s/.exec(said)?.[1])).toBeGreaterThan(0.6);
-  await pilot.goTo('program');
   await pilot.type({ 'DT time': '2:30' });
   await pilot.write();
   expect(await pilot.result()).toContain(en.write.verified.title);
@@ -33,9 +24,9 @@ test('a device that sends lines of text is not called a timer, and the timer is 
   onTestFinished(() => clearInterval(talking));
   const pilot = new Pilot(await rig.open());
   await pilot.clickConnect();
-  await pilot.sees('Something else talks on this port.');
+  await pilot.sees(en.link.heard.title);
   await pilot.sees('$GPGGA,092750,5321.68,N*76');
-  await pilot.button(en.link.chooseAnother).waitFor();
+  await pilot.button(en.header.choosePort).waitFor();
   clearInterval(talking);
   rig.timer.core.press();
   await pilot.isConnected();

@@ -35,7 +35,7 @@ export class Pilot {
 
   /** Waits until the page says that the port is gone. */
   async isAway(): Promise<void> {
-    await this.sees(en.link.away.title);
+    await this.sees(en.link.lost.title);
   }
 
   async sees(text: string): Promise<void> {

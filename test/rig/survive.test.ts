@@ -189,7 +189,7 @@ test('a port that fails without an event is reported as lost, and is connected a
   await pilot.type(values(1));
   await rig.breakAdapter();
   // It is still listed, so it is tried again and again.
-  await pilot.sees(en.link.refused.title);
+  await pilot.sees(en.link.refused);
   await rig.mendAdapter();
   await pilot.isConnected();
   expect(await pilot.shown(Object.keys(values(1)))).toEqual(values(1));

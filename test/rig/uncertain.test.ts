@@ -28,7 +28,7 @@ test('unplugged after the last byte of a write: the memory stays uncertain until
   await band.getByText(HOLDS).waitFor();
 
   await pilot.button(en.program.undoAll).click();
-  await pilot.button(en.link.stopWaiting).click();
+  await pilot.button(en.header.stop).click();
   await pilot.button(en.header.connect).first().waitFor();
   await band.getByText(HOLDS).waitFor();
   await page.reload();

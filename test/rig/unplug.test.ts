@@ -97,7 +97,7 @@ test('an adapter that fails while it is plugged in is reported as lost, and late
   await pilot.isConnected();
   await pilot.type({ 'Function 9 time': '7.25' });
   await rig.breakAdapter();
-  await pilot.sees(en.link.brokenOff.title);
+  await pilot.sees(en.link.lost.title);
   await rig.unplug();
   await pilot.isAway();
   await comesBack(rig, pilot);

@@ -1,5 +1,6 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 
 const followSwitch = (app: AppPage): Locator =>
@@ -105,7 +106,7 @@ const returns: Readonly<Record<string, (app: AppPage) => Promise<void>>> = {
   },
   'plugged in again': async (app) => {
     await app.bench((bench) => bench.adapter.unplug());
-    await app.says('The adapter is unplugged.');
+    await app.says(en.link.lost.title);
     await app.bench((bench) => bench.replug());
     await app.isReady();
   },

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { outOfReach } from './in-reach.js';
 import { showTheme } from './themes.js';
@@ -158,7 +159,7 @@ test.each([
     await shut();
     await app.goTo('Program');
     await app.bench((bench) => bench.adapter.unplug());
-    await app.says('The adapter is unplugged.');
+    await app.says(en.link.lost.title);
     await see('unplugged');
     expect(faults).toEqual([]);
   },

@@ -75,7 +75,7 @@ test('in a low window notices scroll away with the page, but what is known of th
   await app.connect();
   await app.type('DT time', '2:00');
   await app.bench((bench) => bench.adapter.unplug());
-  await app.says('The adapter is unplugged.');
+  await app.says(en.link.lost.title);
   /** How far below the upper edge these begin. One below 0 has scrolled away. */
   const places = () =>
     app.page.evaluate(() => {

@@ -11,9 +11,6 @@ describe('finding the timer', () => {
     await app.isReady();
     expect(await app.bench(({ rates }) => rates)).toEqual([9600, 19200]);
     await app.button('Disconnect').click();
-    await app.goTo('Settings');
-    await app.text('last at 19200 baud').waitFor();
-    await app.goTo('Program');
     await app.connect();
     expect(await app.bench(({ rates }) => rates)).toEqual([9600, 19200, 19200]);
 
@@ -29,8 +26,8 @@ describe('finding the timer', () => {
     await app.bench((bench) => bench.sleep());
     await app.button('Connect').click();
     await app.text(/^No answer for /).waitFor();
-    await app.text('Waiting for the timer').waitFor();
-    await app.page.getByRole('heading', { name: 'Hold the infrared head closer than 20 cm' }).waitFor();
+    await app.text(en.link.status.searching).waitFor();
+    await app.page.getByRole('heading', { name: en.link.stages.steps.near }).waitFor();
     await app.bench((bench) => bench.press());
     await app.hasRead();
     await app.text(/^No answer for /).waitFor({ state: 'detached' });
@@ -41,7 +38,7 @@ describe('the adapter comes back', () => {
   test('as another port, as with a cable: without a click, with the edits', async () => {
     const app = await edited();
     await app.bench((bench) => bench.adapter.unplug());
-    await app.says('The adapter is unplugged.');
+    await app.says(en.link.lost.title);
     expect(await app.button(/^Write( \d+ changes?)?…$/).isDisabled()).toBe(true);
     await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
     await app.bench((bench) => bench.replug());
@@ -91,7 +88,7 @@ describe('the port is taken', () => {
     });
     await app.bench((bench) => bench.setBusy(true));
     await app.button('Connect').click();
-    await app.says('This page tries again for 15 seconds.');
+    await app.says(en.link.refused);
     await app.text('Close other programs and tabs that talk to the timer').waitFor();
     await app.page.getByText(en.help.title).first().click();
     const linux = app.page.getByRole('listitem').filter({ hasText: en.help.steps.linux });
@@ -135,15 +132,6 @@ describe('about this timer', () => {
     await app.showAbout();
     await app.text('It rounds times.').waitFor();
   });
-
-  test('errors of the line are counted, and the reading continues', async () => {
-    const app = await AppPage.open({ bench: {} });
-    await app.bench((bench) => bench.failLineAt('GETTIMERS', 'framing'));
-    await app.connect();
-    await expect.poll(() => app.valueOf('DT')).toBe('3:00');
-    await app.showAbout();
-    await app.text('framing 1').waitFor();
-  });
 });
 
 test('with one byte in a hundred damaged, a timer is read, written and verified, and the repeats are shown', async () => {
@@ -160,10 +148,4 @@ test('with one byte in a hundred damaged, a timer is read, written and verified,
   await app.dialog.getByRole('alert').getByText('Verified.').waitFor();
   await app.dialog.getByText(/^The line was disturbed: \d+ requests? (was|were) repeated\.$/).waitFor();
   expect(await held(app)).toEqual([24000, 7]);
-  await app.close();
-  await app.showAbout();
-  await app.page
-    .getByRole('definition')
-    .filter({ hasText: /^[1-9]\d*$/ })
-    .waitFor();
 });

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { showTheme, THEMES } from './themes.js';
 
@@ -43,7 +44,7 @@ test('a disabled control looks disabled, in each theme', async () => {
   const app = await AppPage.open({ bench: {} });
   await app.connect();
   await app.bench((bench) => bench.adapter.unplug());
-  await app.says('The adapter is unplugged.');
+  await app.says(en.link.lost.title);
   for (const theme of THEMES) {
     await showTheme(app, theme);
     const looks = await app.page.evaluate(() => {

@@ -1,4 +1,5 @@
 import { expect, inject, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { newPage } from './page.js';
 
@@ -97,9 +98,9 @@ test('the advice during the search for a timer fills the page, and another port 
   const app = await AppPage.open({ bench: {} });
   await app.bench((bench) => bench.sleep());
   await app.button('Connect').click();
-  await app.page.getByRole('heading', { name: 'Press the switch of the timer briefly' }).waitFor();
+  await app.page.getByRole('heading', { name: en.link.stages.steps.switch }).waitFor();
   expect(await app.page.evaluate(() => document.activeElement?.tagName)).toBe('H1');
-  await expect.poll(() => app.page.getByRole('button').allInnerTexts()).toEqual(['Choose another port', 'Stop']);
+  await expect.poll(() => app.page.getByRole('button').allInnerTexts()).toEqual([en.header.choosePort, 'Stop']);
   await app.button('Stop').click();
   await app.button('Connect').waitFor();
 });

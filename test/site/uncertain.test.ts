@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 
 const HOLDS = 'holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
@@ -25,7 +26,7 @@ test('a cable pulled before the answer to a write makes the timer uncertain unti
   await app.table.getByText('last read 3:00').waitFor();
   await app.button('Undo all').click();
   await isUncertain(app, 'after Undo all');
-  await app.button('Do not wait').click();
+  await app.button(en.header.stop).click();
   await app.button('Connect').first().waitFor();
   await isUncertain(app, 'after Stop');
   await app.kept();

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 import { edited } from './edited.js';
 
@@ -36,7 +37,7 @@ describe('through a serial port', () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.setBusy(true));
     await app.button('Connect').click();
-    await app.says('The port does not open yet.');
+    await app.says(en.link.refused);
     await app.bench((bench) => bench.setBusy(false));
     await app.hasRead();
   });
@@ -76,7 +77,7 @@ describe('the plug is pulled', () => {
     const app = await edited();
     await app.bench((bench) => bench.unplugAt('GETTIMERS'));
     await app.actions.getByRole('button', { name: 'Read again' }).click();
-    await app.says('The adapter is unplugged.');
+    await app.says(en.link.lost.title);
     await expect.poll(() => app.valueOf('DT time')).toBe('4:00');
     await app.bench((bench) => bench.replug());
     await app.isReady();
@@ -91,7 +92,7 @@ describe('the plug is pulled', () => {
     await app.write();
     await app.result('It is not certain what the timer holds.');
     await app.close();
-    await app.says('The adapter is unplugged.');
+    await app.says(en.link.lost.title);
     await expect
       .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
       .toEqual(['4:00', '7']);
@@ -113,7 +114,7 @@ describe('the plug is pulled', () => {
     await app.review();
     await app.tickSafety();
     await app.bench((bench) => bench.adapter.unplug());
-    await app.says('The adapter is unplugged.');
+    await app.says(en.link.lost.title);
     const start = app.dialog.getByRole('button', { name: /^Write/ });
     expect((await start.isVisible()) && (await start.isEnabled())).toBe(false);
   });
@@ -123,8 +124,8 @@ describe('the plug is pulled', () => {
     await app.connect();
     await app.field('DT, S1').scrollIntoViewIfNeeded();
     await app.bench((bench) => bench.adapter.unplug());
-    await app.says('The adapter is unplugged.');
-    const seen = await app.text('The adapter is unplugged.').evaluate(
+    await app.says(en.link.lost.title);
+    const seen = await app.text(en.link.lost.title).evaluate(
       (element) =>
         new Promise<boolean>((resolve) => {
           const observer = new IntersectionObserver(([entry]) => resolve(entry?.isIntersecting ?? false));

@@ -450,7 +450,7 @@ export const states = {
     reach: async (page) => {
       await change(page, connectPort);
       await page.evaluate(() => window.workbench.adapter.unplug());
-      await page.locator('.notices').getByText('The adapter is unplugged.').waitFor();
+      await page.locator('.notices').getByText('The connection to the adapter is lost.').waitFor();
     },
   },
   conflict: {

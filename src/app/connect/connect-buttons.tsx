@@ -9,13 +9,12 @@ interface ConnectButtonsProps {
 }
 
 /**
- * Connect, or Read after a failed first reading. Again the simulated timer, if the program is from it. Choose a port,
- * for when the last one is wrong. With a program on the screen, also the way back to the start.
+ * Connect, or Read after a failed first reading. Choose another adapter, for when the last one is wrong. With a program
+ * on the screen, also the way back to the start.
  */
 export function ConnectButtons({ session, large = false, part }: ConnectButtonsProps) {
   const { header, program } = messages.value;
   const notice = session.notices.current.value;
-  const again = session.timer.simulated;
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
   // A changed program has its own way to the timer.
   const leads = large || session.editor.changes.value.length === 0;
@@ -42,11 +41,6 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
           onClick={() => session.onScreen.closeProgram()}
         >
           {header.closeProgram}
-        </button>
-      )}
-      {part !== 'first' && again && (
-        <button type="button" disabled={session.engaged.value} onClick={() => void session.timer.trySimulated(again)}>
-          {header.trySimulated}
         </button>
       )}
       {part !== 'first' && choice && (

@@ -17,7 +17,7 @@ interface LinkNoticeProps {
 
 /** For use beside other content: what the link does until a timer answers, the step to take now, and how to stop. */
 export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
-  const { link } = messages.value;
+  const { header, link } = messages.value;
   const state = session.link.state.value;
   const seconds = session.link.waited.value;
   const waiting = waitingFor(state, seconds);
@@ -38,7 +38,7 @@ export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
         )}
         {canChoose && step !== 'switch' && <ChooseAnother session={session} />}
         <button type="button" onClick={onStop}>
-          {state.status === 'away' ? link.stopWaiting : link.stop}
+          {header.stop}
         </button>
       </div>
     </div>

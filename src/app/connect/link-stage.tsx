@@ -6,7 +6,7 @@ import type { Session } from '../session/session.js';
 import { disturbedFor } from '../ui/progress-line.js';
 import { ConnectionHelp } from './connection-help-view.js';
 import { StepList } from './step-list.js';
-import { NOTHING, WAIT_STEPS, type Waiting, waitingFor } from './waiting.js';
+import { NOTHING, titled, WAIT_STEPS, type Waiting, waitingFor } from './waiting.js';
 import './link-stage.css';
 
 interface LinkStageProps {
@@ -21,13 +21,13 @@ export function hasStage({ editor, engaged, link }: Session): boolean {
 
 /** Shown in place of a program while connecting: the step to take, large, until the program is there. */
 export function LinkStage({ session, platform }: LinkStageProps) {
-  const { link: words } = messages.value;
+  const { header, link: words, program } = messages.value;
   const state = session.link.state.value;
   const job = session.runner.job.value;
   const seconds = session.link.waited.value;
   const waiting = waitingFor(state, seconds) ?? {
     ...NOTHING,
-    said: job ? words.stages.reading : words.stages.opening,
+    said: titled(job ? program.reading : words.stages.opening),
   };
   const title = useRef<HTMLHeadingElement>(null);
   // The clicked button is gone. So the focus goes to what replaced it, and a screen reader goes on from there.
@@ -61,7 +61,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
         {waiting.step === null && waiting.canChoose && <ChooseAnother session={session} />}
         {state.status !== 'closing' && (
           <button type="button" onClick={() => void session.timer.disconnect()}>
-            {state.status === 'away' ? words.stopWaiting : words.stop}
+            {header.stop}
           </button>
         )}
       </div>
@@ -84,7 +84,7 @@ function Steps({ session, waiting: { step } }: { readonly session: Session; read
         { key: 'open', text: stages.open, done: true },
         ...WAIT_STEPS.map((key) => ({
           key,
-          text: stages.steps[key].text,
+          text: stages.steps[key],
           now: key === step,
           action: key === 'other' && <ChooseAnother session={session} />,
         })),
@@ -97,7 +97,7 @@ function Steps({ session, waiting: { step } }: { readonly session: Session; read
 export function ChooseAnother({ session }: { readonly session: Session }) {
   return (
     <button type="button" onClick={() => void session.timer.chooseAnother()}>
-      {messages.value.link.chooseAnother}
+      {messages.value.header.choosePort}
     </button>
   );
 }

@@ -31,13 +31,12 @@ export function PortList({ session, onConnect }: PortListProps) {
 }
 
 function PortRow({ session, port, onConnect }: PortListProps & { readonly port: KnownPort }) {
-  const { header, ports: words, link } = messages.value;
-  const rate = session.link.recordOf(port.key)?.foundRate;
+  const { header, ports: words } = messages.value;
   const name = portName(port);
   return (
     <li class="port">
       <p>
-        <strong>{name}</strong> {rate && <span class="hint">{link.lastRate(rate)}</span>}
+        <strong>{name}</strong>
       </p>
       <button
         type="button"
@@ -65,8 +64,11 @@ function PortRow({ session, port, onConnect }: PortListProps & { readonly port: 
   );
 }
 
-/** How to open the next port, for adapters that need something special. */
-export function SerialSettingsForm({ link }: { readonly link: Link }) {
+/**
+ * How to open the next port, for adapters that need something special.
+ * @param expert whether to ask for what no adapter is known to need: no document states the form of a byte.
+ */
+export function SerialSettingsForm({ link, expert }: { readonly link: Link; readonly expert: boolean }) {
   const { ports: words } = messages.value;
   const settings = link.settings.value ?? DEFAULT_SETTINGS;
   const set = (part: Partial<SerialSettings>): void => {
@@ -84,20 +86,24 @@ export function SerialSettingsForm({ link }: { readonly link: Link }) {
           chosen={settings.baudRate}
           onChoose={(baudRate) => set({ baudRate })}
         />
-        <Choice
-          label={words.parity}
-          choices={['none', 'even', 'odd'] as const}
-          nameOf={(parity) => words.parities[parity]}
-          chosen={settings.parity}
-          onChoose={(parity) => set({ parity })}
-        />
-        <Choice
-          label={words.stopBits}
-          choices={[1, 2] as const}
-          nameOf={String}
-          chosen={settings.stopBits}
-          onChoose={(stopBits) => set({ stopBits })}
-        />
+        {expert && (
+          <>
+            <Choice
+              label={words.parity}
+              choices={['none', 'even', 'odd'] as const}
+              nameOf={(parity) => words.parities[parity]}
+              chosen={settings.parity}
+              onChoose={(parity) => set({ parity })}
+            />
+            <Choice
+              label={words.stopBits}
+              choices={[1, 2] as const}
+              nameOf={String}
+              chosen={settings.stopBits}
+              onChoose={(stopBits) => set({ stopBits })}
+            />
+          </>
+        )}
         <Signal label={words.dtr} value={settings.dtr} onChoose={(dtr) => set({ dtr })} />
         <Signal label={words.rts} value={settings.rts} onChoose={(rts) => set({ rts })} />
       </div>

@@ -1,4 +1,5 @@
 import type { Heard, LinkState } from '../../serial/index.js';
+import { hexOf } from '../messages/frame-text.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { HelpCode } from './connection-help.js';
 
@@ -33,13 +34,14 @@ export const NOTHING = { step: null, canChoose: false, help: null };
  * @param seconds since the port was opened, or since the first question to the timer.
  */
 export function waitingFor(state: LinkState, seconds: number): Waiting | null {
-  const { link } = messages.value;
+  const { connection, link } = messages.value;
   switch (state.status) {
     case 'choosing':
-      return { ...NOTHING, said: link.stages.choosing };
+      return { ...NOTHING, said: titled(link.stages.choosing) };
     case 'opening':
-      if (state.refusals > 0) return { ...NOTHING, said: link.refused, help: 'busy' };
-      if (seconds < OPENS) return { ...NOTHING, said: link.stages.opening };
+      if (state.refusals > 0)
+        return { ...NOTHING, said: { title: connection.busy.title, advice: link.refused }, help: 'busy' };
+      if (seconds < OPENS) return { ...NOTHING, said: titled(link.stages.opening) };
       return { ...NOTHING, said: link.stages.openingLong, canChoose: true };
     case 'searching':
     case 'waiting': {
@@ -48,24 +50,30 @@ export function waitingFor(state: LinkState, seconds: number): Waiting | null {
       if (seconds < AWAKE && state.status === 'searching')
         return { ...NOTHING, said: link.stages.looking(state.baudRate) };
       const step = seconds < NEAR ? 'switch' : seconds < OTHER ? 'near' : 'other';
-      const said = { title: link.stages.steps[step].now, advice: link.stages.silent };
+      const said = { title: link.stages.steps[step], advice: link.stages.silent };
       return { said, step, canChoose: true, help: seconds < NEAR ? null : 'waiting' };
     }
     case 'away':
-      return { ...NOTHING, said: state.unplugged ? link.away : link.brokenOff, help: 'lost' };
+      return { ...NOTHING, said: link.lost, help: 'lost' };
     case 'closing':
-      return { ...NOTHING, said: link.stages.closing };
+      return { ...NOTHING, said: titled(link.stages.closing) };
     default:
       return null;
   }
 }
 
-/** How many characters of a line of text are shown. */
-const LINE = 40;
+/** What is happening, with nothing to add. */
+export function titled(title: string): Said {
+  return { title, advice: '' };
+}
 
-/** Shows the last complete line of a heard text, shortened. */
+/** How many of the last bytes are shown. */
+const SHOWN = 20;
+
 function heardSaid({ kind, sample, baudRate }: Heard): Said {
-  const lines = readable(sample).split(/·+/);
-  const line = lines.at(-2) || lines.at(-1) || '';
-  return messages.value.link.heard[kind](line.trim().slice(-LINE), baudRate);
+  const { heard, itSaid, slow } = messages.value.link;
+  if (kind === 'slow') return slow(baudRate);
+  const last = sample.slice(-SHOWN);
+  if (last.length === 0) return heard;
+  return { title: heard.title, advice: `${heard.advice} ${itSaid(hexOf(last), readable(last))}` };
 }

@@ -21,8 +21,8 @@ const steps = {
   'firefox-finds':
     'Firefox finds no Bluetooth adapters, and none at all when it comes from the Ubuntu store. Use Chrome.',
   'firefox-reload': 'Firefox keeps an adapter that has failed. Load this page again. What you typed is kept.',
-  switch: waiting.switch.text,
-  near: waiting.near.text,
+  switch: waiting.switch,
+  near: waiting.near,
   battery:
     'Is the battery of the timer charged and plugged in? When its battery is empty, a timer stands at its DT position.',
   restarts:

@@ -28,7 +28,7 @@ export const connection: Record<ConnectionErrorCode, Said> = {
     advice: 'Allow serial ports for this page in the settings of the browser, then press Connect again.',
   },
   busy: {
-    title: 'The port cannot be opened.',
+    title: 'The adapter does not open.',
     advice:
       'Most often another program has it. Close other programs and tabs that talk to the timer, or unplug the adapter and plug it in again. Then press Connect again.',
   },

@@ -10,7 +10,7 @@ import {
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { type KnownPort, portKind } from '../../serial/index.js';
+import type { KnownPort } from '../../serial/index.js';
 import { figureOfTime, formatValue } from '../editing/content.js';
 import type { Obstacle } from '../editing/edit.js';
 import type { GridField } from '../editing/grid.js';
@@ -190,19 +190,10 @@ export function timerName({ timerClass }: Pick<Identity, 'timerClass'>): string 
 
 /** “FTDI adapter”, “USB adapter 1234:5678”. */
 export function portName({ kind, info }: Pick<KnownPort, 'kind' | 'info'>): string {
-  const { portNames, portNumbers } = messages.value.link;
+  const { portNames } = messages.value.link;
   if (kind !== 'usb') return portNames[kind];
   const hex = (value: number | undefined): string => (value ?? 0).toString(16).padStart(4, '0');
-  return `${portNames.usb} ${portNumbers(hex(info.usbVendorId), hex(info.usbProductId))}`;
-}
-
-/** The same for a port of which only the remembered name is left; see `portKey`. */
-export function portKeyName(key: string): string {
-  const [bus, vendor = '', product = ''] = key.split(':');
-  if (bus === 'bluetooth') return messages.value.link.portNames.bluetooth;
-  const info =
-    bus === 'usb' ? { usbVendorId: Number.parseInt(vendor, 16), usbProductId: Number.parseInt(product, 16) } : {};
-  return portName({ kind: portKind(info), info });
+  return `${portNames.usb} ${hex(info.usbVendorId)}:${hex(info.usbProductId)}`;
 }
 
 /** Readable bytes as text, the others as dots. */

@@ -32,14 +32,6 @@ export interface LinkOptions {
   readonly onState: (state: LinkState, before: LinkState) => void;
 }
 
-/** What is assumed about timers of one kind on one port. */
-export interface Assumed {
-  readonly portKey: string;
-  /** See `kindKey`. */
-  readonly kind: string;
-  readonly quirks: AssumedQuirks;
-}
-
 /** The connection to a timer: its state, the known ports, and what is remembered of each. */
 export class Link {
   readonly #state = signal<LinkState>({ status: 'off', error: null }, { name: 'link' });
@@ -70,14 +62,6 @@ export class Link {
     const state = this.state.value;
     return 'port' in state && this.#simulated.has(state.port);
   });
-  /** What is assumed about timers on the remembered ports: a first guess for the next time. */
-  readonly assumed: ReadonlySignal<readonly Assumed[]> = computed(() =>
-    [...this.#records.value.values()].flatMap(({ key, quirks }) =>
-      Object.entries(quirks)
-        .filter(([, assumed]) => Object.keys(assumed).length > 0)
-        .map(([kind, assumed]) => ({ portKey: key, kind, quirks: assumed })),
-    ),
-  );
   /** Why no connection is possible here at all; null when one is. */
   readonly unavailable: 'insecure' | 'policy' | 'unsupported' | null;
   readonly #options: LinkOptions;
@@ -223,10 +207,9 @@ export class Link {
   /**
    * Forgets all assumptions about timers of this kind on this port, also for the connected one if it is of that kind.
    */
-  async forgetAssumed({ portKey, kind }: Pick<Assumed, 'portKey' | 'kind'>): Promise<void> {
-    const connection = this.connection.value;
-    if (connection?.portKey === portKey && kindKey(connection.identity, false) === kind)
-      connection.client.forgetQuirks();
+  async forgetAssumed({ client, identity, portKey }: TimerConnection): Promise<void> {
+    const kind = kindKey(identity, false);
+    client.forgetQuirks();
     await this.#learning;
     const record = this.#records.peek().get(portKey);
     if (!record) return;

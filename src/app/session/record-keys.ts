@@ -6,12 +6,6 @@ export function kindKey({ timerClass, firmware, functions, servos }: Identity, s
   return [simulated ? 'simulated' : 'timer', timerClass, firmware, functions, servos].join('/');
 }
 
-/** The parts of an identity in a key of {@link kindKey}; null when it is no such key. */
-export function identityOfKind(key: string): Pick<Identity, 'timerClass' | 'firmware'> | null {
-  const [, timerClass, firmware] = /^[a-z]+\/(.)\/([^/]*)\//.exec(key) ?? [];
-  return timerClass === undefined || firmware === undefined ? null : { timerClass, firmware };
-}
-
 /** The key of a program: kind of timer and memory. */
 export function programKey(
   { identity, memory }: Pick<TimerProgram, 'identity' | 'memory'>,

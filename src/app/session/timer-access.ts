@@ -2,7 +2,7 @@ import { batch } from '@preact/signals';
 import type { AssumedQuirks } from '../../client/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { LinkState, SerialPortLike, Surroundings } from '../../serial/index.js';
-import { type Assumed, portInfoOf } from './link.js';
+import { portInfoOf } from './link.js';
 import type { Reader } from './reader.js';
 import type { Session } from './session.js';
 
@@ -123,16 +123,13 @@ export class TimerAccess {
     await this.#reader.read();
   }
 
-  /** Forgets all assumptions about such a timer on such a port. Reads the connected one again without them. */
-  async forgetAssumed(assumed: Pick<Assumed, 'portKey' | 'kind'>): Promise<void> {
+  /** Forgets all assumptions about the connected kind of timer on its port, and reads it again without them. */
+  async forgetAssumed(): Promise<void> {
     const { runner, link } = this.#session;
-    if (runner.busy.value) return;
     const connection = link.connection.value;
-    const wasAssumed = connection?.client.quirksAssumed;
-    await link.forgetAssumed(assumed);
-    if (connection && connection === link.connection.value && connection.client.quirksAssumed !== wasAssumed) {
-      await this.#reader.read();
-    }
+    if (runner.busy.value || !connection) return;
+    await link.forgetAssumed(connection);
+    if (connection === link.connection.value) await this.#reader.read();
   }
 
   /** The state of the link has changed: tells everything that depends on which timer is there. */

@@ -52,7 +52,7 @@ export function SettingsView(props: SettingsViewProps) {
       {!session.link.unavailable && (
         <section class="setting">
           <PortList session={session} onConnect={() => views.show('program')} />
-          <SerialSettingsForm link={session.link} />
+          <SerialSettingsForm link={session.link} expert={views.expert.value} />
         </section>
       )}
       <div class="setting">

@@ -268,10 +268,12 @@ function LinkState({ link, simulated, model }: LinkStateProps) {
     );
   }
   const busy = state.status === 'off' ? '' : 'busy';
-  const status = state.status === 'away' && !state.unplugged ? 'brokenOff' : state.status;
+  const { choosing } = words.stages;
+  const { status } = state;
+  const said = status === 'choosing' ? choosing : words.status[status === 'waiting' ? 'searching' : status];
   return (
-    <p key={status} class={`link-state ${busy}`}>
-      {words.status[status]}
+    <p key={said} class={`link-state ${busy}`}>
+      {said}
       {simulated && <span class="badge">{header.simulated}</span>}
     </p>
   );

@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { messages } from '../../../src/app/messages/index.js';
 import type { PortRecord } from '../../../src/app/storage/index.js';
 import { encodeFrame } from '../../../src/protocol/index.js';
@@ -30,34 +31,6 @@ async function about(): Promise<HTMLElement> {
 }
 
 describe('what is known to differ can be forgotten', () => {
-  it('while nothing is connected', async () => {
-    const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
-    expect(within(await about()).getByText(/^F1Q, firmware 536 at FTDI adapter$/)).toBeTruthy();
-    expect(within(await about()).getByText('The two bytes of each time are swapped')).toBeTruthy();
-    await press('Forget what is known to differ: F1Q, firmware 536 at FTDI adapter');
-    expect(quirksKept(bench)).toEqual({});
-    expect(within(await about()).getByText('Nothing.')).toBeTruthy();
-  });
-
-  it('while the adapter is not plugged in', async () => {
-    const bench = await opened({ store: kept() });
-    await about();
-    await press(/^Forget what is known to differ: F1Q/);
-    expect(quirksKept(bench)).toEqual({});
-  });
-
-  it('while a timer is waited for', async () => {
-    const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
-    bench.timer.core.sleep();
-    await press('Connect');
-    await about();
-    await press(/^Forget what is known to differ: F1Q/);
-    expect(quirksKept(bench)).toEqual({});
-    bench.timer.core.press();
-    await idle();
-    expect(bench.session.connection.value?.client.quirksAssumed).toEqual({});
-  });
-
   it('while no program can be shown, and the timer is then read again without it', async () => {
     const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
     let mute = true;
@@ -75,32 +48,14 @@ describe('what is known to differ can be forgotten', () => {
     expect(quirksKept(bench)).not.toMatchObject({ [KIND]: { bigEndianTimes: true } });
   });
 
-  it('of another kind of timer while one is connected, which is not read again', async () => {
-    const bench = await connected({ store: kept({ 'timer/B/411/8/2': { servoFirst: true } }), info: FTDI });
-    bench.timer.core.answered.length = 0;
-    await about();
-    await press('Forget what is known to differ: F1B, firmware 411 at FTDI adapter');
-    expect(quirksKept(bench)).toEqual({ [KIND]: {} });
-    expect(bench.timer.core.answered).toEqual([]);
-  });
-
-  it('and is not shown before an adapter is known', async () => {
-    await opened({ info: FTDI });
+  it('and is not shown before a timer is connected', async () => {
+    await opened({ store: kept(), info: FTDI, plug: { granted: true } });
     await goTo('settings');
-    expect(screen.queryByText('About this timer')).toBeNull();
+    expect(screen.queryByText(en.aboutTimer.title)).toBeNull();
   });
 });
 
 describe('what the line says of the timer', () => {
-  it('a slow one answers after so many seconds, and is not called noisy', async () => {
-    await connected({ latency: 900 });
-    const facts = within(await about())
-      .getAllByRole('definition')
-      .map(({ textContent }) => textContent);
-    expect(facts).toContain('after 0.9 s: slow');
-    expect(screen.queryByText(/noisy/)).toBeNull();
-  });
-
   it('replies about the idle throttle that are damaged in one way are named, and hide nothing else', async () => {
     const { editor, timer } = await connected({ quirks: { idleThrottleLength3: true } });
     expect(editor.baseline.value).toMatchObject({ times: timer.core.content.times, idleThrottle: null });
@@ -119,7 +74,7 @@ describe('what the line says of the timer', () => {
     expect(screen.queryByText(messages.value.timer.unstable.title)).toBeNull();
   });
 
-  it('answers that nobody asked for are counted and shown', async () => {
+  it('answers that nobody asked for bring the warning of another timer', async () => {
     const bench = await connected();
     bench.port.device.write(encodeFrame(0x62, Array<number>(22).fill(0)));
     await press('Read again');
@@ -136,11 +91,11 @@ describe('something else than a timer', () => {
     await press('Connect');
     bench.port.device.write(new TextEncoder().encode('$GPGGA,0927,N\r\n$GPRMC,0928,A\r\n'));
     await idle(3000);
-    expect(screen.getByText('Something else talks on this port.')).toBeTruthy();
-    expect(screen.getByText(/such as “\$GPRMC,0928,A”/)).toBeTruthy();
+    expect(screen.getByText(en.link.heard.title)).toBeTruthy();
+    expect(screen.getByText(/“[^”]*GPRMC,0928,A[^”]*”/)).toBeTruthy();
     const other = bench.serial.plug({ usbVendorId: 0x10c4 });
     bench.serial.choose(other);
-    await press('Choose another port');
+    await press(en.header.choosePort);
     expect(bench.session.link.state.value).toMatchObject({ port: other });
   });
 
@@ -148,9 +103,9 @@ describe('something else than a timer', () => {
     const bench = await opened({ info: FTDI, quirks: { echo: true }, plug: { granted: true } });
     bench.timer.core.sleep();
     await press('Connect');
-    expect(screen.getByText('Only what this page sends comes back.')).toBeTruthy();
+    expect(screen.getByText(en.link.heard.title)).toBeTruthy();
     bench.serial.choose(null);
-    await press('Choose another port');
+    await press(en.header.choosePort);
     expect(bench.session.link.state.value.status).toBe('waiting');
     bench.timer.core.press();
     await idle();

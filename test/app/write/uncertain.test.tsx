@@ -82,7 +82,7 @@ describe('after a write whose answer never came', () => {
     expect(screen.getByText('Not known what M1 holds')).toBeTruthy();
     expect(screen.queryByText(/As in the timer|No change/)).toBeNull();
     expect(screen.queryByRole('button', { name: 'Forget this…' }), 'not while the adapter is waited for').toBeNull();
-    await press('Do not wait');
+    await press(en.header.stop);
     expect(band()).toContain(ELSEWHERE);
     expect(button('Forget this…')).toBeTruthy();
   });
@@ -131,7 +131,7 @@ describe('after a write whose answer never came', () => {
 
   it('it goes when the pilot says so, after a question', async () => {
     await press('Close');
-    await press('Do not wait');
+    await press(en.header.stop);
     await press('Forget this…');
     expect(band()).toContain('Forget it only if you have read that timer elsewhere');
     await press('Keep it');
