@@ -41,7 +41,7 @@ export function App({ models }: { readonly models: AppModels }) {
   // The title that the page came with.
   const title = useRef(document.title);
   useEffect(() => {
-    document.title = shown === 'program' ? title.current : words.window(words.names[shown], title.current);
+    document.title = shown === 'program' ? title.current : `${words.names[shown]} · ${title.current}`;
     // For the styles of everything around a view.
     document.documentElement.setAttribute('data-view', shown);
   }, [shown, words]);
@@ -127,7 +127,7 @@ function NoDialogs() {
   const { parts: words } = messages.value;
   return (
     <div class="notice bad" role="alert">
-      <p>{words.dialogsFailed}</p>
+      <p>{words.failed}</p>
       <button type="button" onClick={() => void parts.fetchParts()}>
         {words.again}
       </button>

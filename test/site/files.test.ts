@@ -76,7 +76,7 @@ test('dialogs that did not come at first come with the next part of the page', a
   await page.goto(inject('site'));
   await new AppPage(page).hasParts();
   expect(asked).toBeGreaterThan(2);
-  expect(await page.getByText('The dialogs of this page could not be loaded.').count()).toBe(0);
+  expect(await page.getByText(en.parts.failed).count()).toBe(0);
   expect(new Set(faults)).toEqual(new Set(['Failed to load resource: net::ERR_FAILED']));
 });
 

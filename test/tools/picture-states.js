@@ -64,7 +64,7 @@ async function trim(page) {
 
 /** Shares the program on the screen, through the list of commands. @param {Page} page */
 async function offer(page) {
-  await command(page, 'share this');
+  await command(page, 'share');
   await page.getByRole('dialog', { name: /^Share/ }).waitFor();
 }
 
@@ -686,7 +686,8 @@ export const states = {
     title: 'Before a memory is copied',
     reach: async (page) => {
       await connect(page);
-      await command(page, 'copy m1 to m2');
+      await goTo(page, 'memories');
+      await press(page, /^Copy M1 to M2/);
       await page.getByRole('dialog').getByRole('checkbox').first().waitFor();
     },
   },

@@ -14,17 +14,9 @@ export class ProgramPicture {
   readonly player = new Player();
   readonly #behind = signal(HELD);
   readonly behind: ReadonlySignal<string> = this.#behind;
-  readonly #shiftAsked = signal<number | null>(null);
-  /** The slot whose tools were asked for outside of the table; null once they are open, or when none was. */
-  readonly shiftAsked: ReadonlySignal<number | null> = this.#shiftAsked;
 
   /** @param key {@link HELD}, {@link NOTHING}, or that of a backup. */
   compareWith(key: string): void {
     this.#behind.value = key;
-  }
-
-  /** @param slot null once the table has opened them. */
-  askShift(slot: number | null): void {
-    this.#shiftAsked.value = slot;
   }
 }

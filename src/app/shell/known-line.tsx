@@ -25,8 +25,8 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
   // The same, for the room on a phone.
   const short = {
     open: strip.notCertain,
-    differs: isTried ? strip.tried(tried) : strip.shortChanges(tried + count || unfinished),
-    known: strip.asInTimer,
+    differs: isTried ? strip.tried(tried) : String(tried + count || unfinished),
+    known: '✓',
     once: made === null ? strip.asRead : made === 'new' ? strip.made : strip.ofSetting(made.changes),
   }[state];
   const long = standingText(standing, { tried, changes: count, unfinished }, made, memory, clockText);

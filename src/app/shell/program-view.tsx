@@ -1,4 +1,4 @@
-import { useComputed, useSignal, useSignalEffect } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import { useCallback, useEffect, useMemo } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
@@ -51,13 +51,6 @@ export function ProgramView(props: ProgramViewProps) {
   const isNarrow = useQuery(NARROW).value;
   const picture = useSignal(false);
   const tools = useMemo(() => new RowTools(session.editor), [session]);
-  useSignalEffect(() => {
-    const slot = programPicture.shiftAsked.value;
-    if (slot === null) return;
-    picture.value = false;
-    tools.show(slot);
-    programPicture.askShift(null);
-  });
   const toggle = (): void => {
     picture.value = !picture.value;
     // Table and picture each begin at their top.

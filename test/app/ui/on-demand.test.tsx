@@ -1,5 +1,6 @@
 import { render, screen } from '@testing-library/preact';
 import { expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { onDemand } from '../../../src/app/ui/on-demand.js';
 
 const Text = ({ text }: { readonly text: string }) => <p>{text}</p>;
@@ -24,9 +25,9 @@ it('a part that does not come says so, and can be fetched again', async () => {
     return Text;
   });
   render(<Part text="here" />);
-  await screen.findByText('This part of the page could not be loaded.');
+  await screen.findByText(en.parts.failed);
   broken = false;
-  screen.getByRole('button', { name: 'Try again' }).click();
+  screen.getByRole('button', { name: en.parts.again }).click();
   await screen.findByText('here');
 });
 
