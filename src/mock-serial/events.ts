@@ -3,10 +3,19 @@ import { invalidState } from './errors.js';
 /** What the handler attributes accept. */
 export type EventHandler = ((event: Event) => void) | null;
 
+const CAPTURING = 1;
+const AT_TARGET = 2;
+const BUBBLING = 3;
+
 type ListenerArguments = Parameters<EventTarget['addEventListener']>;
 
 /** The browser's own events. */
 const announced = new WeakSet<Event>();
+/**
+ * What an event shows to a listener at this point of its way. Only a listener sees it: a platform may read the same
+ * properties while it passes the event to its listeners, as happy-dom does.
+ */
+const views = new WeakMap<Event, PropertyDescriptorMap>();
 
 /** Fires an event of the browser's own at a port. It bubbles to Serial. */
 export function announce(target: EventTarget, type: 'connect' | 'disconnect'): void {
@@ -73,36 +82,33 @@ export class ConnectionTarget extends EventTarget {
 
   /** @throws InvalidStateError when the event is being dispatched already. */
   override dispatchEvent(event: Event): boolean {
-    if (event.eventPhase !== Event.NONE) throw invalidState('The event is being dispatched.');
+    if (event.eventPhase !== 0) throw invalidState('The event is being dispatched.');
     const path = this.#parent ? [this, this.#parent] : [this];
     let stopped = false;
     const stop = (): void => {
       stopped = true;
     };
-    const pass = (target: ConnectionTarget, phase: number, ...keepers: EventTarget[]): void => {
-      show(event, { currentTarget: { value: target }, eventPhase: { value: target === this ? 2 : phase } });
+    const stopAtOnce = (): void => {
+      stop();
+      Event.prototype.stopImmediatePropagation.call(event);
+    };
+    const target = { target: { value: this }, srcElement: { value: this } };
+    const pass = (current: ConnectionTarget, phase: number, ...keepers: EventTarget[]): void => {
+      views.set(event, {
+        ...target,
+        currentTarget: { value: current },
+        eventPhase: { value: current === this ? AT_TARGET : phase },
+        composedPath: { value: () => [...path] },
+        stopPropagation: { value: stop },
+        stopImmediatePropagation: { value: stopAtOnce },
+        cancelBubble: { get: () => stopped, set: (value) => value && stop() },
+      });
       for (const keeper of stopped ? [] : keepers) keeper.dispatchEvent(event);
     };
-    show(event, {
-      target: { value: this },
-      srcElement: { value: this },
-      composedPath: { value: () => [...path] },
-      stopPropagation: { value: stop },
-      cancelBubble: { get: () => stopped, set: (value) => value && stop() },
-      stopImmediatePropagation: {
-        value: () => {
-          stop();
-          Event.prototype.stopImmediatePropagation.call(event);
-        },
-      },
-    });
-    for (const target of [...path].reverse()) pass(target, Event.CAPTURING_PHASE, target.#down);
-    for (const target of event.bubbles ? path : [this])
-      pass(target, Event.BUBBLING_PHASE, target.#up, ...(announced.has(event) ? [] : [target.#passedBy]));
-    // The target stays. The rest is again as the platform has it for an event that is on no way.
-    for (const name of ['composedPath', 'stopPropagation', 'stopImmediatePropagation', 'cancelBubble'])
-      Reflect.deleteProperty(event, name);
-    show(event, { currentTarget: { value: null }, eventPhase: { value: Event.NONE } });
+    for (const each of [...path].reverse()) pass(each, CAPTURING, each.#down);
+    for (const each of event.bubbles ? path : [this])
+      pass(each, BUBBLING, each.#up, ...(announced.has(event) ? [] : [each.#passedBy]));
+    show(event, { ...target, composedPath: { value: () => [] } });
     return !event.defaultPrevented;
   }
 
@@ -111,8 +117,14 @@ export class ConnectionTarget extends EventTarget {
     const bound =
       this.#bound.get(listener) ??
       ((event: Event): void => {
-        if (typeof listener === 'function') listener.call(this, event);
-        else listener.handleEvent(event);
+        const view = views.get(event) ?? {};
+        show(event, view);
+        try {
+          if (typeof listener === 'function') listener.call(this, event);
+          else listener.handleEvent(event);
+        } finally {
+          for (const name of Object.keys(view)) Reflect.deleteProperty(event, name);
+        }
       });
     this.#bound.set(listener, bound);
     return bound;
@@ -142,7 +154,7 @@ function listenerOptions(options: ListenerArguments[2] | null): { capture?: bool
   return typeof options === 'object' ? { ...options } : { capture: Boolean(options) };
 }
 
-// An event has getters for these properties, which only a dispatch of the platform's own sets.
+// An event has getters for these properties, which only the platform sets.
 function show(event: Event, properties: PropertyDescriptorMap): void {
   for (const [name, property] of Object.entries(properties))
     Object.defineProperty(event, name, { ...property, configurable: true });
