@@ -55,12 +55,14 @@ export class Standings {
   /** How it differs from what was last read of its memory: by what was typed, and by what was sent since. */
   readonly sinceRead: ReadonlySignal<readonly Change[]>;
   readonly #parts: StandingParts;
+  /** The memory of the program on the screen: not the program, which changes with each digit. */
+  readonly #memory: ReadonlySignal<number | null>;
 
   constructor(parts: StandingParts) {
     this.#parts = parts;
     const { editor } = parts;
-    const memory = computed(() => editor.working.value?.memory ?? null);
-    const held = computed(() => this.of(memory.value));
+    this.#memory = computed(() => editor.working.value?.memory ?? null);
+    const held = computed(() => this.of(this.#memory.value));
     this.screen = computed(() => {
       const { known, sure } = held.value;
       if (known.state === 'uncertain') return { sure: 'not', at: known.readAt };
@@ -86,7 +88,7 @@ export class Standings {
     const { knowledge, editor, connection } = this.#parts;
     const known = knowledge.of(memory);
     if (known.state === 'uncertain') return { known, sure: 'not' };
-    const isOnScreen = (editor.working.value?.memory ?? null) === memory;
+    const isOnScreen = this.#memory.value === memory;
     const isFresh = !knowledge.isSent(memory) && (editor.fresh.value || !isOnScreen);
     return { known, sure: known.state === 'read' && connection.value && isFresh ? 'now' : 'once' };
   }
