@@ -16,7 +16,7 @@ test('an event goes from the port to Serial where the platform is happy-dom', as
   serial.addEventListener('disconnect', hear, { capture: true });
   serial.ondisconnect = hear;
   port.addEventListener('disconnect', hear);
-  port.addEventListener('disconnect', hear, { once: true });
+  port.addEventListener('disconnect', (event) => hear(event), { once: true });
   serial.unplug(port);
   await settled();
   const path = [port, serial];
