@@ -55,7 +55,6 @@ function placesOf(models: AppModels): Places {
           <li>
             <a class="library-item" href={`#library/${FLIGHTS}`} onClick={() => flights.showOnly()}>
               <b>{flightMessages.title}</b>
-              <span>{flightMessages.about}</span>
             </a>
           </li>
         </ul>

@@ -1,9 +1,8 @@
-import type { ComponentChildren } from 'preact';
 import { flightMessages } from '../messages/en-flights.js';
+import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { Select } from '../ui/choice.js';
-import { type ModelFilter, PERIODS } from './flight-filter.js';
-import { modelsOf, placesOf } from './flight-list.js';
+import { Choice } from '../ui/choice.js';
+import { PERIODS } from './flight-filter.js';
 import type { FlightLog } from './flight-log.js';
 import './filter-bar.css';
 
@@ -15,97 +14,38 @@ interface FilterBarProps {
 /** Chooses which flights of the log are shown. */
 export function FilterBar({ session, log }: FilterBarProps) {
   const { filter: words } = flightMessages;
-  const { flights, models, settings } = session.library;
+  const { search } = messages.value.label;
   const filter = log.filter.value;
-  const list = flights.list.value;
-  const names = modelsOf(list);
-  const places = placesOf(list);
-  const settingName =
-    filter.setting &&
-    (settings.get(filter.setting)?.setting.name ??
-      list.find(({ flight }) => flight.setting === filter.setting)?.flight.settingName);
+  const name = nameOf(session, log);
   return (
-    <search class="flight-filter" aria-label={words.title}>
-      <Choice label={words.text}>
+    <search class="flight-filter" aria-label={search}>
+      <label>
+        <span>{search}</span>
         <input
           type="search"
           autocomplete="off"
           value={filter.text}
           onInput={({ currentTarget }) => log.narrow({ text: currentTarget.value })}
         />
-      </Choice>
-      <Choice label={words.model}>
-        <select
-          value={modelKey(filter.model)}
-          onChange={({ currentTarget }) => log.narrow({ model: modelOf(currentTarget.value) })}
-        >
-          <option value="all">{words.allModels}</option>
-          {[...names].map(([id, name]) => (
-            <option key={id} value={`id ${id}`}>
-              {models.get(id)?.model.name ?? name}
-            </option>
-          ))}
-          {typeof filter.model === 'object' && !names.has(filter.model.id) && (
-            <option value={modelKey(filter.model)}>{models.get(filter.model.id)?.model.name}</option>
-          )}
-          <option value="none">{words.noModel}</option>
-        </select>
-      </Choice>
-      <Choice label={words.place}>
-        <select
-          value={filter.place === null ? 'all' : `in ${filter.place}`}
-          onChange={({ currentTarget: { value } }) => log.narrow({ place: value === 'all' ? null : value.slice(3) })}
-        >
-          <option value="all">{words.allPlaces}</option>
-          {filter.place !== null && !places.includes(filter.place) && filter.place !== '' && (
-            <option value={`in ${filter.place}`}>{filter.place}</option>
-          )}
-          {places.map((place) => (
-            <option key={place} value={`in ${place}`}>
-              {place}
-            </option>
-          ))}
-          <option value="in ">{words.noPlace}</option>
-        </select>
-      </Choice>
-      <Choice label={words.period}>
-        <Select
-          choices={PERIODS}
-          nameOf={(period) => words.periods[period]}
-          chosen={filter.period}
-          onChoose={(period) => log.narrow({ period })}
-        />
-      </Choice>
-      {filter.period === 'own' &&
-        (['from', 'until'] as const).map((end) => (
-          <Choice key={end} label={words[end]}>
-            <input
-              type="date"
-              value={filter[end]}
-              onChange={({ currentTarget }) => log.narrow({ [end]: currentTarget.value })}
-            />
-          </Choice>
-        ))}
-      {settingName && <p>{words.setting(settingName)}</p>}
+      </label>
+      <Choice
+        label={words.period}
+        choices={PERIODS}
+        nameOf={(period) => words.periods[period]}
+        chosen={filter.period}
+        onChoose={(period) => log.narrow({ period })}
+      />
+      {name && <p>{words.of(name)}</p>}
     </search>
   );
 }
 
-function Choice({ label, children }: { readonly label: string; readonly children: ComponentChildren }) {
-  return (
-    // biome-ignore lint/a11y/noLabelWithoutControl: the control is what is inside.
-    <label>
-      <span>{label}</span>
-      {children}
-    </label>
-  );
-}
-
-function modelKey(model: ModelFilter): string {
-  return typeof model === 'object' ? `id ${model.id}` : model;
-}
-
-function modelOf(key: string): ModelFilter {
-  if (key === 'all' || key === 'none') return key;
-  return { id: key.slice(3) };
+/** The name of the model or the saved program whose flights are shown; in the log it stays when that is gone. */
+function nameOf({ library }: Session, log: FlightLog): string | null {
+  const { model, setting } = log.filter.value;
+  const of = (id: string, field: 'model' | 'setting') =>
+    library.flights.list.value.find(({ flight }) => flight[field] === id)?.flight;
+  if (setting !== null)
+    return library.settings.get(setting)?.setting.name ?? of(setting, 'setting')?.settingName ?? null;
+  return model && (library.models.get(model)?.model.name ?? of(model, 'model')?.modelName ?? null);
 }

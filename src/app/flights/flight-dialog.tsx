@@ -47,7 +47,8 @@ interface FormProps extends FlightDialogProps {
 }
 
 function Form({ id, session, log }: FormProps) {
-  const { form: words, row, flying } = flightMessages;
+  const { form: words, flying } = flightMessages;
+  const { delete: remove, done: doneLabel, label, noModel } = messages.value;
   const { flights } = session.library;
   const form = useMemo(() => {
     const list = flights.list.peek();
@@ -70,7 +71,7 @@ function Form({ id, session, log }: FormProps) {
   return (
     <form class="flight-form" ref={box} noValidate onSubmit={done}>
       <p class="flight-of">
-        <strong>{dotted([flight.modelName || row.noModel, flight.settingName])}</strong>
+        <strong>{dotted([flight.modelName || noModel, flight.settingName])}</strong>
         <span>{heldText(flight.program)}</span>
         <span class="hint">{dotted([dayHeading(flight), clockOf(flight), flight.place])}</span>
       </p>
@@ -83,7 +84,7 @@ function Form({ id, session, log }: FormProps) {
         <Stepper form={form} measure="temperature" label={words.temperature} unit={words.temperatureUnit} />
       </div>
       <label class="flight-field">
-        {words.note}
+        {label.note}
         <textarea
           rows={2}
           maxLength={LIMITS.note}
@@ -95,20 +96,15 @@ function Form({ id, session, log }: FormProps) {
       <Flown form={form} />
       <div class="buttons">
         <button type="button" class="quiet" onClick={() => log.remove(id)}>
-          {words.remove}
+          {remove}
         </button>
         <button type="button" class="quiet" onClick={() => log.fillIn(log.flyAgain(flight))}>
           {flying.again}
         </button>
       </div>
       <div class="buttons">
-        {form.changed.value && (
-          <button type="button" class="quiet" onClick={() => form.undo()}>
-            {words.undo}
-          </button>
-        )}
         <button type="submit" class="primary">
-          {words.done}
+          {doneLabel}
         </button>
       </div>
     </form>
@@ -145,7 +141,7 @@ function Result({ form }: { readonly form: FlightForm }) {
           onEscape={() => form.answer(null)}
         />
       )}
-      <MeasureProblem form={form} measure="result" unit={words.resultUnit} note={note} />
+      <MeasureProblem form={form} measure="result" unit="s" note={note} />
       <span class="hint" id={hint}>
         {result === null ? words.resultHint : understood(result)}
       </span>
@@ -174,18 +170,22 @@ function understood(result: number): string {
   return result < 60 ? text : words.readAs(text, measureText(result));
 }
 
+const FLY_OFF = 'fly-off';
+/** The rounds that have buttons. */
+const ROUNDS: readonly string[] = ['1', '2', '3', '4', '5', FLY_OFF];
+
 /** A round that a button tells is not told again in the field for others. */
 function Round({ form }: { readonly form: FlightForm }) {
   const { form: words } = flightMessages;
   const { round } = form.flight.value;
   // While it is typed: “1” may become “12”.
   const typed = useSignal('');
-  const isTold = round in words.rounds && round !== typed.value;
+  const isTold = ROUNDS.includes(round) && round !== typed.value;
   return (
     <fieldset class="flight-field flight-rounds">
       <legend>{words.round}</legend>
       <span class="flight-chips">
-        {Object.entries(words.rounds).map(([value, name]) => (
+        {ROUNDS.map((value) => (
           <button
             type="button"
             class="chip"
@@ -193,7 +193,7 @@ function Round({ form }: { readonly form: FlightForm }) {
             aria-pressed={round === value}
             onClick={() => form.pickRound(value)}
           >
-            {name}
+            {value === FLY_OFF ? words.flyOff : value}
           </button>
         ))}
         <input
@@ -248,7 +248,8 @@ function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: Fl
 }
 
 function Where({ session, form }: { readonly session: Session; readonly form: FlightForm }) {
-  const { form: words, row } = flightMessages;
+  const { form: words } = flightMessages;
+  const { label, noModel } = messages.value;
   const { models, flights } = session.library;
   const flight = form.flight.value;
   const places = useId();
@@ -286,14 +287,14 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
           ))}
         </datalist>
         <label class="flight-field">
-          {words.model}
+          {label.model}
           <Select
             choices={[
               null,
               ...(flight.model !== null && !known ? [flight.model] : []),
               ...listed.map(({ key }) => key),
             ]}
-            nameOf={(key) => (key === null ? row.noModel : (models.get(key)?.model.name ?? flight.modelName))}
+            nameOf={(key) => (key === null ? noModel : (models.get(key)?.model.name ?? flight.modelName))}
             chosen={flight.model}
             onChoose={(key) => form.setModel(models.get(key)?.model ?? null)}
           />
@@ -310,7 +311,7 @@ function Flown({ form }: { readonly form: FlightForm }) {
   return (
     <details>
       <summary>{words.flown}</summary>
-      <TimesTable program={program} caption={words.flownCaption} />
+      <TimesTable program={program} caption={messages.value.program.tableCaption} />
     </details>
   );
 }

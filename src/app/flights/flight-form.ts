@@ -15,8 +15,6 @@ type Field = Measure | 'at';
  */
 export class FlightForm {
   readonly flight: ReadonlySignal<Flight>;
-  /** Whether anything has changed since the form was opened. */
-  readonly changed: ReadonlySignal<boolean>;
   readonly problems: ReadonlySignal<ReadonlyMap<Field, Problem>>;
   /** What the result may mean; null where its text is clear. */
   readonly either: ReadonlySignal<Ambiguous['either'] | null>;
@@ -40,11 +38,6 @@ export class FlightForm {
     this.#opened = opened;
     this.#before = lastNoted(before.filter((flight) => dayOf(flight) === dayOf(opened)));
     this.flight = computed(() => ({ ...opened, ...this.#changes.value }));
-    this.changed = computed(
-      () =>
-        this.#texts.value.size > 0 ||
-        Object.entries(this.#changes.value).some(([name, value]) => opened[name as keyof Flight] !== value),
-    );
     this.problems = computed(
       () =>
         new Map(
@@ -140,14 +133,6 @@ export class FlightForm {
   /** @param model null for none. */
   setModel(model: Model | null): void {
     this.#change({ model: model?.id ?? null, modelName: model?.name ?? '' });
-  }
-
-  /** Restores everything as it was when the form was opened. */
-  undo(): void {
-    this.#texts.value = new Map();
-    const names = Object.keys(this.#changes.peek()) as (keyof Flight)[];
-    // Fields that only another tab has changed stay.
-    this.#change(Object.fromEntries(names.map((name) => [name, this.#opened[name]])));
   }
 
   #text(field: Field, text: string | null): void {

@@ -12,9 +12,6 @@ export interface Totals {
   /** Seconds; null when fewer than two flights have a result. */
   readonly best: number | null;
   readonly average: number | null;
-  /** How many flights of numbered rounds have a result, and how many of those reached the maximum. */
-  readonly rounds: number;
-  readonly maxima: number;
 }
 
 /** When a flight was: a moment, and the clock of its field. */
@@ -33,15 +30,14 @@ export interface FlightDay {
  * @param now milliseconds since 1970, because periods end today.
  */
 export function filtered(records: readonly FlightRecord[], filter: FlightFilter, now: number): readonly FlightRecord[] {
-  const { model, setting, place } = filter;
-  const { from, before } = rangeOf(filter, now);
+  const { model, setting } = filter;
+  const from = beginOf(filter.period, now);
   const isFound = searchFor(filter.text);
   return records.filter((record) => {
     const { flight } = record;
-    if (model !== 'all' && flight.model !== (model === 'none' ? null : model.id)) return false;
+    if (model !== null && flight.model !== model) return false;
     if (setting !== null && flight.setting !== setting) return false;
-    if (place !== null && flight.place !== place) return false;
-    if ((from !== null && flight.at < from) || (before !== null && flight.at >= before)) return false;
+    if (flight.at < from) return false;
     return filter.text === '' || isFound(textOf(record));
   });
 }
@@ -60,19 +56,12 @@ export function grouped(records: readonly FlightRecord[]): readonly FlightDay[] 
 }
 
 export function totalsOf(records: readonly FlightRecord[]): Totals {
-  let [timed, sum, best, rounds, maxima] = [0, 0, Number.NEGATIVE_INFINITY, 0, 0];
-  for (const { flight } of records) {
-    if (flight.result === null) continue;
-    timed += 1;
-    sum += flight.result;
-    best = Math.max(best, flight.result);
-    if (!isRound(flight)) continue;
-    rounds += 1;
-    if (flight.result >= ROUND_MAXIMUM) maxima += 1;
-  }
+  const results = records.flatMap(({ flight }) => flight.result ?? []);
   // Of a single result, best and average would be that result.
-  const isFew = timed < 2;
-  return { flights: records.length, best: isFew ? null : best, average: isFew ? null : sum / timed, rounds, maxima };
+  if (results.length < 2) return { flights: records.length, best: null, average: null };
+  const best = results.reduce((one, other) => Math.max(one, other));
+  const sum = results.reduce((one, other) => one + other);
+  return { flights: records.length, best, average: sum / results.length };
 }
 
 /** Whether it was a numbered round. A fly-off goes on past the maximum. */
@@ -91,42 +80,16 @@ export function placesOf(records: readonly FlightRecord[]): readonly string[] {
   return [...new Set(records.map(({ flight }) => flight.place))].filter((place) => place !== '');
 }
 
-/** The models of the log by id, with the name of the latest flight. */
-export function modelsOf(records: readonly FlightRecord[]): ReadonlyMap<string, string> {
-  const models = new Map<string, string>();
-  for (const { flight } of records) {
-    if (flight.model !== null && !models.has(flight.model)) models.set(flight.model, flight.modelName);
-  }
-  return models;
-}
-
 /** The midnight at which a day begins, or that of some days before or after. */
 export function midnight(at: number, days = 0): number {
   const date = new Date(at);
   return new Date(date.getFullYear(), date.getMonth(), date.getDate() + days).getTime();
 }
 
-/** The period of a filter: from the first millisecond to before the second. A missing day leaves it open. */
-export function rangeOf(
-  { period, from, until }: Pick<FlightFilter, 'period' | 'from' | 'until'>,
-  now: number,
-): { readonly from: number | null; readonly before: number | null } {
-  if (period === 'own') return { from: beginOf(from), before: beginOf(until, 1) };
-  const begins = {
-    all: null,
-    today: midnight(now),
-    month: midnight(now, -30),
-    year: new Date(new Date(now).getFullYear(), 0, 1).getTime(),
-  };
-  return { from: begins[period], before: null };
-}
-
-/** The beginning of a day as written in a field, or of a day some days after it; null when the text is no day. */
-function beginOf(day: string, after = 0): number | null {
-  const [, year, month, date] = /^(\d{4,6})-(\d\d)-(\d\d)$/.exec(day) ?? [];
-  if (year === undefined) return null;
-  const begin = new Date(Number(year), Number(month) - 1, Number(date) + after).getTime();
-  return Number.isFinite(begin) ? begin : null;
+/** The first millisecond of a period. */
+export function beginOf(period: FlightFilter['period'], now: number): number {
+  if (period === 'all') return Number.NEGATIVE_INFINITY;
+  return period === 'today' ? midnight(now) : new Date(new Date(now).getFullYear(), 0, 1).getTime();
 }
 
 const two = (part: number): string => String(part).padStart(2, '0');

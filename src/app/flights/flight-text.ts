@@ -1,7 +1,7 @@
 import type { Flight, TimerProgram } from '../../program/index.js';
 import { formatFigure } from '../editing/units.js';
 import { formatDate } from '../messages/date-format.js';
-import { flightMessages } from '../messages/en-flights.js';
+import { dotted } from '../messages/dotted.js';
 import { messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { deviceOffset, offsetText, onClock, ROUND_MAXIMUM, timeOfDay, type When } from './flight-list.js';
@@ -26,8 +26,7 @@ function figuresOf(program: TimerProgram): readonly string[] {
 /** The memory and the figures of a program that a timer holds. */
 export function heldText(program: TimerProgram): string {
   const { memory } = program;
-  const { flying } = flightMessages;
-  return flying.held(memory === null ? null : messages.value.memoryName(memory), figuresOf(program));
+  return dotted([memory === null ? null : messages.value.memoryName(memory), ...figuresOf(program)]);
 }
 
 /** A day as the heading of a group: “Sun 22 Nov 2026”. */

@@ -1,5 +1,6 @@
 import { useEffect } from 'preact/hooks';
 import { flightMessages } from '../messages/en-flights.js';
+import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { type FlightFilter, NO_FILTER } from './flight-filter.js';
 import { filtered } from './flight-list.js';
@@ -12,7 +13,7 @@ interface FlightsSectionProps {
   readonly session: Session;
   readonly log: FlightLog;
   /** Whose flights: those of a model or of a setting, by its id. */
-  readonly of: { readonly model: string } | { readonly setting: string };
+  readonly of: Pick<FlightFilter, 'model'> | Pick<FlightFilter, 'setting'>;
   /** Opens the log. */
   readonly onAll: () => void;
 }
@@ -25,12 +26,11 @@ export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps)
   const words = flightMessages;
   const { flights } = session.library;
   useEffect(() => void flights.load(), [flights]);
-  const only: Partial<FlightFilter> = 'model' in of ? { model: { id: of.model } } : { setting: of.setting };
   const showAll = (): void => {
-    log.showOnly(only);
+    log.showOnly(of);
     onAll();
   };
-  const records = filtered(flights.list.value, { ...NO_FILTER, ...only }, 0);
+  const records = filtered(flights.list.value, { ...NO_FILTER, ...of }, 0);
   // A setting stands beside its model, which says that there is none.
   if ('setting' in of && records.length === 0 && !flights.failed.value) return null;
   return (
@@ -38,7 +38,7 @@ export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps)
       <h2>{words.title}</h2>
       {records.length === 0 ? (
         <p class="hint">
-          {flights.failed.value ? words.failed : flights.loaded.value ? words.section.none : words.loading}
+          {flights.failed.value ? words.failed : flights.loaded.value ? words.empty.title : messages.value.parts.coming}
         </p>
       ) : (
         <>

@@ -1,5 +1,6 @@
 import { useEffect, useLayoutEffect } from 'preact/hooks';
 import { flightMessages } from '../messages/en-flights.js';
+import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { BackHead } from '../ui/back-head.js';
 import { CsvExport } from './csv-export.js';
@@ -17,9 +18,13 @@ export interface FlightsViewProps {
   readonly log: FlightLog;
 }
 
+/** From how many flights on a filter is of use. */
+const MANY = 10;
+
 /** The log of flights with its filter and totals: newest first, by day and place. */
 export function FlightsView({ session, log }: FlightsViewProps) {
   const words = flightMessages;
+  const { parts, views } = messages.value;
   const { library } = session;
   const { list, loaded, failed } = library.flights;
   useLayoutEffect(() => {
@@ -34,20 +39,20 @@ export function FlightsView({ session, log }: FlightsViewProps) {
   const shown = filtered(list.value, filter, Date.now());
   return (
     <div class="flights">
-      <BackHead back={words.library} to="#library">
+      <BackHead back={views.names.library} to="#library">
         {words.title}
       </BackHead>
       <FlyingThis session={session} log={log} again />
       {!loaded.value && list.value.length === 0 && (
         <p class="hint" role="status">
-          {words.loading}
+          {parts.coming}
         </p>
       )}
       {failed.value && (
         <div class="notice bad" role="alert">
           <p>{words.failed}</p>
           <button type="button" onClick={() => void library.flights.load()}>
-            {words.again}
+            {parts.again}
           </button>
         </div>
       )}
@@ -61,11 +66,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
       )}
       {list.value.length > 0 && (
         <>
-          <details class="flights-tools" open={filter !== NO_FILTER}>
-            <summary>{words.filter.title}</summary>
-            <FilterBar session={session} log={log} />
-            {loaded.value && <CsvExport records={shown} />}
-          </details>
+          {(list.value.length >= MANY || filter !== NO_FILTER) && <FilterBar session={session} log={log} />}
           <div class="flights-sum">
             <TotalsLine records={shown} />
             {shown.length < list.value.length && (
@@ -75,6 +76,11 @@ export function FlightsView({ session, log }: FlightsViewProps) {
             )}
           </div>
           {shown.length === 0 && <p class="hint">{words.nothingFound}</p>}
+          {loaded.value && (
+            <div class="buttons">
+              <CsvExport records={shown} />
+            </div>
+          )}
           <FlightRows days={grouped(shown)} shortDt={session.shortDt} onOpen={(key) => log.fillIn(key)} />
         </>
       )}

@@ -1,6 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
+import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
 import { timeOfDay } from './flight-list.js';
@@ -19,7 +20,8 @@ interface FlyingThisProps {
 
 /** One tap logs a flight with what the timer holds. Then it says so, and offers to undo it or to fill it in. */
 export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThisProps) {
-  const { flying: words, row } = flightMessages;
+  const { flying: words } = flightMessages;
+  const { noModel, notKept, undo } = messages.value;
   const { flights } = session.library;
   const key = log.logged.value;
   const logged = flights.get(key)?.flight;
@@ -36,12 +38,12 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
     return (
       <div class="flying-this" {...box}>
         <p role="status">
-          <strong>{words.logged(timeOfDay(logged), [logged.modelName || row.noModel, logged.place])}</strong>
-          {log.unkept.value && <span class="bad-text"> {words.unkept}</span>}
+          <strong>{dotted([words.logged(timeOfDay(logged)), logged.modelName || noModel, logged.place])}</strong>
+          {log.unkept.value && <span class="bad-text"> {notKept}</span>}
         </p>
         <div class="buttons">
           <button type="button" class="quiet" onClick={() => log.undo()}>
-            {words.undo}
+            {undo}
           </button>
           <button type="button" onClick={fillIn}>
             {words.fillIn}
@@ -52,7 +54,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   }
   const last = again ? flights.list.value[0]?.flight : undefined;
   if (!held && last) {
-    const names = [last.modelName || row.noModel, last.settingName, heldText(last.program)];
+    const names = [last.modelName || noModel, last.settingName, heldText(last.program)];
     return (
       <div class="flying-this" {...box}>
         <p class="hint">{dotted(names)}</p>

@@ -1,5 +1,6 @@
 import { useId } from 'preact/hooks';
 import { flightMessages } from '../messages/en-flights.js';
+import { messages } from '../messages/index.js';
 import type { FlightForm } from './flight-form.js';
 import { type Measure, RANGES } from './measures.js';
 import './stepper.css';
@@ -13,7 +14,7 @@ interface StepperProps {
 
 /** A number for cold hands: a field between a large button down and one up. */
 export function Stepper({ form, measure, label, unit }: StepperProps) {
-  const { form: words } = flightMessages;
+  const { less, moreOf } = messages.value;
   const [id, note] = [useId(), useId()];
   return (
     <div class="stepper">
@@ -21,12 +22,12 @@ export function Stepper({ form, measure, label, unit }: StepperProps) {
         {label} <small>{unit}</small>
       </label>
       <span class="stepper-line">
-        <button type="button" aria-label={words.less(label)} onClick={() => form.step(measure, -1)}>
-          {words.stepDown}
+        <button type="button" aria-label={less(label)} onClick={() => form.step(measure, -1)}>
+          {'−'}
         </button>
         <MeasureField {...{ form, measure, id, note }} />
-        <button type="button" aria-label={words.more(label)} onClick={() => form.step(measure, 1)}>
-          {words.stepUp}
+        <button type="button" aria-label={moreOf(label)} onClick={() => form.step(measure, 1)}>
+          {'+'}
         </button>
       </span>
       <MeasureProblem {...{ form, measure, unit, note }} />

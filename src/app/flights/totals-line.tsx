@@ -3,16 +3,15 @@ import type { FlightRecord } from '../storage/index.js';
 import { totalsOf } from './flight-list.js';
 import { resultText } from './flight-text.js';
 
-/** One line: how many flights, the best, the average, and the full rounds. */
+/** One line: how many flights, the best, and the average. */
 export function TotalsLine({ records }: { readonly records: readonly FlightRecord[] }) {
   const { totals: words } = flightMessages;
-  const { flights, best, average, rounds, maxima } = totalsOf(records);
+  const { flights, best, average } = totalsOf(records);
   return (
     <p class="flight-totals">
       <strong>{words.flights(flights)}</strong>
       {best !== null && <span>{words.best(resultText(best))}</span>}
       {average !== null && <span>{words.average(resultText(tenthsDown(average)))}</span>}
-      {rounds > 0 && <span>{words.maxima(maxima, rounds)}</span>}
     </p>
   );
 }

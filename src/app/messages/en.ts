@@ -172,6 +172,8 @@ export const en = {
   copy: 'Copy',
   copied: 'Copied.',
   dismiss: 'Dismiss',
+  done: 'Done',
+  undo: 'Undo',
   open: 'Open',
   save: 'Save',
   delete: 'Delete',

@@ -263,24 +263,6 @@ describe('the form of a flight', () => {
     expect([form.problems.value.has('at'), latest(app).at]).toEqual([true, new Date(2026, 10, 20, 9, 30).getTime()]);
   });
 
-  it('is put back as it was, but keeps what another tab has changed meanwhile', async () => {
-    const { app, form } = await opened({ wind: 2 });
-    const first = latest(app);
-    form.type('wind', '5');
-    form.type('result', 'x');
-    form.setNote('typed');
-    await idle(0);
-    await app.session.library.keepFlight({ ...latest(app), temperature: 20 });
-    expect(form.changed.value).toBe(true);
-    form.undo();
-    await idle(0);
-    expect(latest(app)).toEqual({ ...first, temperature: 20 });
-    expect([form.changed.value, form.textOf('wind'), form.textOf('result')]).toEqual([false, '2', '']);
-    form.setNote('again');
-    await idle(0);
-    expect(latest(app).note).toBe('again');
-  });
-
   it('keeps the last of many letters typed while the browser is slow', async () => {
     const { app, form } = await opened();
     for (const note of ['g', 'go', 'goo', 'good']) form.setNote(note);
@@ -300,10 +282,6 @@ describe('the form of a flight', () => {
     form.takeProposed();
     await idle();
     expect([latest(app), form.proposed.value]).toMatchObject([{ round: '4', wind: 4 }, null]);
-    form.undo();
-    expect(form.proposed.value).toEqual({ round: '4', wind: 4 });
-    form.setRound('1');
-    expect(form.proposed.value, 'it never replaces what is noted').toBeNull();
     const { form: next } = await opened({}, [{ ...PLAIN, at: PLAIN.at - 86_400_000, round: '3', wind: 4 }]);
     expect(next.proposed.value, 'yesterday says nothing').toBeNull();
   });

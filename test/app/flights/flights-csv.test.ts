@@ -62,7 +62,7 @@ describe('the table of flights', () => {
     };
     const [head, row] = flightsCsv([flight], { marks: marksOf('de'), heads }).split('\r\n');
     expect(head).toBe(
-      '\uFEFF"Date";"Time";"Time zone";"Place";"Model";"Setting";"Timer class";"Memory";"DT (s)";"Motor stop (s)";"Wind (m/s)";"Temperature (°C)";"Round";"Result (s)";"Note"',
+      '\uFEFF"Date";"Time";"Time zone";"Place";"Model";"Program";"Timer class";"Memory";"DT (s)";"Motor stop (s)";"Wind (m/s)";"Temperature (°C)";"Round";"Result (s)";"Note"',
     );
     expect(row).toBe(`2026-11-22;14:05;"UTC+01:00";;;;"Q";1;180;10;3,5;-2,5;;178,25;"'=HYPERLINK(""x"")"`);
   });
