@@ -37,7 +37,7 @@ async function printed(app: AppPage): Promise<string> {
 
 async function goToPrint(app: AppPage): Promise<void> {
   await app.page.evaluate(() => location.assign('#print'));
-  await app.page.getByRole('region', { name: 'Preview' }).getByRole('row', { name: /^DT/ }).waitFor();
+  await app.page.locator('.leaf').getByRole('row', { name: /^DT/ }).waitFor();
   await app.page.evaluate(() => document.fonts.ready);
 }
 
