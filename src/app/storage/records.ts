@@ -3,12 +3,14 @@ import {
   type Model,
   requireFlight,
   requireModel,
+  requireProgram,
   requireSetting,
+  requireShape,
   type ServoUse,
   sameLayout,
   type TimerProgram,
 } from '../../program/index.js';
-import { type Identity, MAX_TIME, requireIdentity, slotCount } from '../../protocol/index.js';
+import { type Identity, requireIdentity } from '../../protocol/index.js';
 import type { Content } from '../editing/content.js';
 import { FORMER_STEPS, type History, MAX_STEPS, STEP_CODES, type StepName } from '../editing/history.js';
 import { withPresentNames } from './former-names.js';
@@ -23,52 +25,46 @@ const whole = (min: number, max: number) => v.pipe(v.number(), v.safeInteger(), 
 const date = v.pipe(v.number(), v.finite(), v.minValue(0), v.maxValue(8.64e15));
 const key = v.pipe(v.string(), v.maxLength(200));
 
-const identity: v.GenericSchema<unknown, Identity> = v.pipe(
+/** A schema made from a check of another room. */
+const checked = <T>(require: (value: unknown) => T): v.GenericSchema<unknown, T> =>
+  v.pipe(
+    v.unknown(),
+    v.rawTransform(({ dataset, addIssue, NEVER }) => {
+      try {
+        return require(dataset.value);
+      } catch (cause) {
+        addIssue({ message: cause instanceof Error ? cause.message : String(cause) });
+        return NEVER;
+      }
+    }),
+  );
+
+const identity = checked((value): Identity => {
+  requireIdentity(value as Identity);
+  const { timerClass, firmware, functions, memories, servos } = value as Identity;
+  return { timerClass, firmware, functions, memories, servos };
+});
+/** The values that a timer can report. */
+const held = checked((value) => requireProgram(value));
+const typed = whole(-999_999, 999_999);
+/** The values that can be typed. Those that no timer takes are kept until the pilot corrects them. */
+const wanted: v.GenericSchema<unknown, TimerProgram> = v.pipe(
   v.object({
-    timerClass: v.string(),
-    firmware: v.string(),
-    functions: v.number(),
-    memories: v.number(),
-    servos: v.number(),
+    identity,
+    memory: v.nullable(whole(0, 254)),
+    times: v.array(whole(-1e9, 1e9)),
+    positions: v.array(v.array(typed)),
+    idleThrottle: v.nullable(typed),
   }),
-  v.check((value) => {
+  v.check((program) => {
     try {
-      requireIdentity(value);
-      return true;
+      requireShape(program);
+      return program.memory === null || program.memory < program.identity.memories;
     } catch {
       return false;
     }
-  }, 'no timer says this of itself'),
+  }, 'the lists do not have the shape of the identity'),
 );
-
-interface Ranges {
-  readonly time: readonly [number, number];
-  readonly position: readonly [number, number];
-  readonly throttle: readonly [number, number];
-}
-/** The values that a timer can report. */
-const HELD: Ranges = { time: [0, MAX_TIME], position: [0, 255], throttle: [0, 255] };
-/** The values that can be typed. Those that no timer takes are kept until the pilot corrects them. */
-const TYPED: Ranges = { time: [-1e9, 1e9], position: [-999_999, 999_999], throttle: [-999_999, 999_999] };
-
-const programIn = ({ time, position, throttle }: Ranges): v.GenericSchema<unknown, TimerProgram> =>
-  v.pipe(
-    v.object({
-      identity,
-      memory: v.nullable(whole(0, 254)),
-      times: v.array(whole(...time)),
-      positions: v.array(v.array(whole(...position))),
-      idleThrottle: v.nullable(whole(...throttle)),
-    }),
-    v.check(({ identity: of, memory, times, positions }) => {
-      const slots = slotCount(of);
-      const fits =
-        times.length === slots && positions.length === of.servos && positions.every((row) => row.length === slots);
-      return fits && (memory === null || memory < of.memories);
-    }, 'the lists do not have the shape of the identity'),
-  );
-const held = programIn(HELD);
-const wanted = programIn(TYPED);
 
 const texts = v.pipe(
   v.record(v.pipe(v.string(), v.maxLength(100)), v.pipe(v.string(), v.maxLength(10_000))),
@@ -187,19 +183,6 @@ export const backupSchema = v.object({
 });
 export type Backup = v.InferOutput<typeof backupSchema>;
 
-/** A schema made from a check of the program room. */
-const checked = <T>(require: (value: unknown) => T): v.GenericSchema<unknown, T> =>
-  v.pipe(
-    v.unknown(),
-    v.rawTransform(({ dataset, addIssue, NEVER }) => {
-      try {
-        return require(dataset.value);
-      } catch (cause) {
-        addIssue({ message: cause instanceof Error ? cause.message : String(cause) });
-        return NEVER;
-      }
-    }),
-  );
 /** Earlier versions did not check the order of a servo's ends: a model from a file may have them swapped. */
 function withEndsInOrder(model: unknown): unknown {
   const { servos } = { ...(model as Partial<Model> | null) };

@@ -85,6 +85,15 @@ describe('what a pilot has typed', () => {
     expect(v.is(draftSchema, { ...DRAFT, working })).toBe(true);
   });
 
+  it.each([
+    { memory: 4 },
+    { times: [1000, 0, 100] },
+    { positions: [] },
+    { identity: { ...PROGRAM.identity, memories: 0 } },
+  ])('has the shape of a timer: not %j', (change) => {
+    expect(v.is(draftSchema, { ...DRAFT, working: spoil(change) })).toBe(false);
+  });
+
   it.each([1e300, 1.5, Number.NaN])('cannot be a time of %s', (time) => {
     expect(v.is(draftSchema, { ...DRAFT, working: { ...PROGRAM, times: [1000, 0, time, 18000] } })).toBe(false);
   });
