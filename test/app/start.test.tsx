@@ -98,7 +98,7 @@ describe('a storage that does not answer', () => {
     answer();
     await idle();
     expect([bench.editor.textOf(S1), bench.keeping.kept.value]).toEqual(['7', true]);
-    expect(screen.getByText('Your changes are back.')).toBeTruthy();
+    expect(screen.getByText(en.notes.back.title)).toBeTruthy();
   });
 
   it('does not overwrite what was typed meanwhile when it answers at last, and loses neither', async () => {

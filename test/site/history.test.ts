@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { Trail } from './sheet.js';
 
@@ -48,7 +49,7 @@ for (const end of ['is loaded again', 'crashes']) {
     if (end === 'crashes') await crash(app);
     else await app.reload();
     const next = end === 'crashes' ? await app.sibling() : app;
-    await next.says('Your changes are back.');
+    await next.says(en.notes.back.title);
     await expect.poll(() => next.entries()).toEqual(entries);
     await expect.poll(() => steps(next)).toEqual(names);
     await next.connect();
@@ -82,7 +83,7 @@ test('a key that is pressed just before the page is left is kept', async () => {
       location.reload();
     }, keys);
     await loaded;
-    await app.says('Your changes are back.');
+    await app.says(en.notes.back.title);
     await expect.poll(() => app.valueOf('Function 2, S1')).toBe(keys.at(-1));
   }
 });

@@ -85,7 +85,7 @@ test.each([
     await shut();
     await app.bench((bench) => bench.dismissChooser());
     await app.button('Connect').click();
-    await app.says('No port was chosen.');
+    await app.says(en.connection['nothing-chosen'].title);
     await see('no port');
     await app.bench((bench) => bench.chooseAdapter());
     await app.connect();

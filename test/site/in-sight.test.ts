@@ -59,7 +59,7 @@ test('the picture beside the table moves down when a notice appears', async () =
   await app.connect();
   await app.type('Function 2, S1', '7');
   await app.fly('M2');
-  await app.says('Your changes of the other memory are kept.');
+  await app.says(en.notes.kept.title);
   await app.page.mouse.wheel(0, 400);
   const edges = () =>
     app.page.evaluate(() => {
@@ -103,7 +103,7 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   await app.type('Function 2, S1', '7');
   await app.kept();
   await app.reload();
-  await app.says('Your changes are back.');
+  await app.says(en.notes.back.title);
   await app.expectNoSidewaysScrolling();
   await app.connect();
   const isIn = async (place: Locator): Promise<void> => {

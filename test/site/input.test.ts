@@ -70,7 +70,7 @@ describe('what was typed is kept', () => {
     await app.type('DT time', '4:00');
     await app.kept();
     await app.reload();
-    await app.says('Your changes are back.');
+    await app.says(en.notes.back.title);
     await expect
       .poll(async () => [await app.valueOf('Function 2, S1'), await app.valueOf('DT')])
       .toEqual(['7', '4:00']);
@@ -84,7 +84,7 @@ describe('what was typed is kept', () => {
     await app.reload();
     await app.kept();
     await expect
-      .poll(() => app.text('Your changes are back.').count(), { message: 'nothing is left to bring back' })
+      .poll(() => app.text(en.notes.back.title).count(), { message: 'nothing is left to bring back' })
       .toBe(0);
   });
 
@@ -117,7 +117,7 @@ describe('what was typed is kept', () => {
       });
     });
     await app.page.close();
-    await other.says('Your changes are back.');
+    await other.says(en.notes.back.title);
     await expect.poll(() => other.valueOf('Function 2, S1')).toBe('7');
   });
 });

@@ -1,4 +1,5 @@
 import { expect, it } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 
@@ -30,7 +31,7 @@ it('a pilot keeps a setting, finds it after a reload, changes, archives and dele
   await app.type('DT time', '2:30');
   await app.kept();
   await app.reload();
-  await app.says('Your program is back.');
+  await app.says(en.notes.back.title);
   await expect.poll(() => app.valueOf('DT time')).toBe('2:30');
   await app.button('Save over fly-off, calm of Lancer 07').click();
   await app.button(/^Save over/).waitFor({ state: 'hidden' });

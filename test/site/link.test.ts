@@ -42,7 +42,6 @@ describe('the adapter comes back', () => {
     expect(await app.button(/^Write( \d+ changes?)?…$/).isDisabled()).toBe(true);
     await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
     await app.bench((bench) => bench.replug());
-    await app.says('The timer is back.');
     await app.isReady();
     await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
     await app.write();
@@ -57,7 +56,7 @@ describe('the adapter comes back', () => {
       bench.content.times[10] = 21000;
       bench.replug();
     });
-    await app.says('The timer holds other values than when you made your changes.');
+    await app.says(en.notes.moved.title);
     await app.isReady();
     await app.review();
     const conflicts = app.dialog.getByRole('table').first();

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { edited, edits, held } from './edited.js';
 
@@ -11,7 +12,7 @@ describe('a write that the page did not survive', () => {
     await app.write();
     await expect.poll(() => held(app)).toEqual([24000, 35]);
     await app.reload();
-    await app.says('Your changes are back.');
+    await app.says(en.notes.back.title);
     return app;
   }
   const panel = (app: AppPage) => app.page.getByRole('region', { name: 'An earlier write was interrupted' });

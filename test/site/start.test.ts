@@ -68,7 +68,7 @@ test('a program is made without a timer, survives a reload, and is written after
   await app.type('Function 4, S2', '70');
   await app.kept();
   await app.reload();
-  await app.says('Your program is back.');
+  await app.says(en.notes.back.title);
   await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
   expect(await app.bench(({ sets, rates }) => [sets, rates]), 'nothing was sent and no port was opened').toEqual([
     [],

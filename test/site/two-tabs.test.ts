@@ -23,13 +23,13 @@ test.each(Object.entries(timers))(
       [second, first],
     ] as const) {
       await to.button(takeOver).click();
-      await to.says('Your changes are back.');
+      await to.says(en.notes.back.title);
       await expect.poll(() => to.valueOf('Function 2, S1')).toBe('7');
       await from.page.getByRole('heading', { name: isOpen }).waitFor();
       expect(await from.table.count()).toBe(0);
     }
     await first.page.close();
-    await second.says('Your changes are back.');
+    await second.says(en.notes.back.title);
   },
 );
 

@@ -181,7 +181,7 @@ describe('an impatient pilot', () => {
     await app.dialog.getByRole('button', { name: 'Stop' }).waitFor();
     await app.reload();
     expect(asked).toBe(1);
-    await app.says('Your changes are back.');
+    await app.says(en.notes.back.title);
     await expect
       .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
       .toEqual(['4:00', '7']);

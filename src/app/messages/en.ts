@@ -7,7 +7,7 @@ import { knowledge } from './en-knowledge.js';
 import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
 import { look, memories, nextFlight, overview } from './en-memories.js';
-import { alike, connection, notes, timer } from './en-notices.js';
+import { alike, byteOrder, connection, notes, timer } from './en-notices.js';
 import { preview } from './en-preview.js';
 import { memoryNames, recognition } from './en-recognition.js';
 import { backups, recovery } from './en-recovery.js';
@@ -111,13 +111,7 @@ export const en = {
   write,
   line,
   report,
-  byteOrder: {
-    title: 'The times of this timer fall from row to row.',
-    advice:
-      'They would rise if the two bytes of each time were swapped. Compare both with what you know of the timer, and choose before you write times.',
-    keep: 'They are right as shown',
-    exchange: 'Swap them and read again',
-  },
+  byteOrder,
   update,
   aboutPage,
   help,

@@ -4,24 +4,20 @@ import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 
 /** Messages that are not about errors. */
 export type NoteCode =
-  | 'edits-restored'
-  | 'edits-kept'
-  | 'edits-moved'
-  | 'edits-set-aside'
-  | 'back-same'
-  | 'back-changed'
+  | 'back'
+  | 'moved'
+  | 'timer-moved'
+  | 'kept'
   | 'other-kind'
   | 'write-completed'
   | 'nothing-written'
   | 'select-unanswered'
   | 'strays'
-  | 'made-restored'
   | 'made-laid'
-  | 'made-put-away'
   | 'unexpected';
 
 /** Those about changes on the screen. They end with the last change. */
-export const ABOUT_CHANGES: ReadonlySet<string> = new Set<NoteCode>(['edits-restored', 'edits-kept', 'edits-moved']);
+export const ABOUT_CHANGES: ReadonlySet<string> = new Set<NoteCode>(['back', 'moved']);
 
 /** A message to the pilot, as a code. messages/ has the sentence. */
 export type Notice =

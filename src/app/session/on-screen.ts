@@ -59,7 +59,7 @@ export class OnScreen {
       this.#simulated.value = draft.simulated;
       origin.take(draft.model);
       if (typeof draft.readAt === 'number') knowledge.remember(draft.baseline, draft.readAt);
-      notices.sayIfSilent(draft.madeAt === undefined ? 'edits-restored' : 'made-restored');
+      notices.sayIfSilent('back');
     });
   }
 

@@ -122,7 +122,7 @@ export class Reader {
     batch(() => {
       knowledge.read(read, Date.now(), verified);
       if (!shown || programKey(shown, wasSimulated) !== programKey(read, simulated)) return;
-      if (editor.rebase(read)) notices.sayIfSilent('edits-moved');
+      if (editor.rebase(read)) notices.sayIfSilent('moved');
     });
   }
 
@@ -165,13 +165,13 @@ export class Reader {
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
       onScreen.wasRead(simulated);
       if (completed) notices.say('write-completed');
-      else if (made) notices.say(laid ? 'made-laid' : 'made-put-away');
-      else if (moved && !explained) notices.say('edits-moved');
-      else if (draft && editor.dirty.value && !explained) notices.say('edits-kept');
+      else if (made) notices.say(laid ? 'made-laid' : 'kept');
+      else if (moved && !explained) notices.say('moved');
+      else if (draft && editor.dirty.value && !explained) notices.say('back');
       else if (isBack && otherKind) notices.say('other-kind');
-      else if (setAside) notices.say('edits-set-aside');
-      else if (isBack && same && held && !explained) {
-        notices.say(differences(held, read).length === 0 ? 'back-same' : 'back-changed');
+      else if (setAside) notices.say('kept');
+      else if (isBack && same && held && !explained && differences(held, read).length > 0) {
+        notices.say('timer-moved');
       }
     });
   }

@@ -17,13 +17,10 @@ import type { UpdateOffer } from './update-offer.js';
 
 const CALM: ReadonlySet<Notice['code']> = new Set([
   'nothing-chosen',
-  'edits-restored',
-  'edits-kept',
-  'edits-set-aside',
-  'back-same',
+  'back',
+  'kept',
   'write-completed',
   'nothing-written',
-  'made-restored',
   'made-laid',
 ]);
 
@@ -118,5 +115,5 @@ function said(notice: Notice, platform: Platform, uncertain: boolean): Said {
   if (notice.kind === 'connection') return connectionSaid(notice.code, platform);
   if (notice.kind === 'timer') return timerSaid({ details: {}, ...notice });
   // The result of an interrupted write is not known before a reading.
-  return notes[uncertain && notice.code === 'edits-restored' ? 'edits-uncertain' : notice.code];
+  return notes[uncertain && notice.code === 'back' ? 'back-uncertain' : notice.code];
 }

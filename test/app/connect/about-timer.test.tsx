@@ -78,7 +78,7 @@ describe('what the line says of the timer', () => {
     const bench = await connected();
     bench.port.device.write(encodeFrame(0x62, Array<number>(22).fill(0)));
     await press('Read again');
-    expect(screen.getByText('Answers came that nobody asked for.')).toBeTruthy();
+    expect(screen.getByText(en.notes.strays.title)).toBeTruthy();
     expect(within(await about()).getByText(/^Another timer or programmer may be in the beam/)).toBeTruthy();
     expect(bench.session.connection.value?.client.strays).toBe(1);
   });
@@ -116,7 +116,7 @@ describe('something else than a timer', () => {
     const bench = await opened({ info: FTDI, plug: { granted: true } });
     bench.timer.core.answer = () => encodeFrame(0x6c, [0x51, 0x35, 0x33, 0x36, 0x37, 0x31, 0x20, 10, 4, 3, 0x20]);
     await press('Connect');
-    expect(screen.getByText('Something answered, but not as a timer does.')).toBeTruthy();
+    expect(screen.getByText(en.connection['bad-reply'].title)).toBeTruthy();
     expect(screen.getByText('What came: 51 35 33 36 37 31 20 0a 04 03 20 (“Q53671 ··· ”).')).toBeTruthy();
     expect(screen.queryByText(/noisy/)).toBeNull();
   });
@@ -127,7 +127,7 @@ describe('a choice of memory that is not answered', () => {
     const bench = await connected({ quirks: { bareChecksumRequests: true } });
     await run(bench.session.reader.selectMemory(2));
     await idle();
-    expect(screen.getByText('The timer did not answer when a memory was selected.')).toBeTruthy();
+    expect(screen.getByText(en.notes['select-unanswered'].title)).toBeTruthy();
     expect(bench.session.link.state.value.status).toBe('on');
     expect(bench.editor.baseline.value?.memory).toBe(0);
     await press('Try it without a correct checksum');

@@ -56,7 +56,7 @@ describe('the adapters that are known', () => {
     serial.choose(null);
     await goTo('program');
     await press('Connect');
-    expect(screen.getByText('No port was chosen.')).toBeTruthy();
+    expect(screen.getByText(en.connection['nothing-chosen'].title)).toBeTruthy();
   });
 
   it('are not shown before one was allowed', async () => {
@@ -321,7 +321,7 @@ describe('the write dialog', () => {
     timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && fireEvent.click(button('Stop'));
     await press('Write 1 change');
     expect(screen.queryByRole('dialog')).toBeNull();
-    expect(screen.getByText('Nothing was written.').closest('.notice')?.className).toBe('notice');
+    expect(screen.getByText(en.write.refused).closest('.notice')?.className).toBe('notice');
   });
 
   it('shows no such table when nothing has changed', async () => {
@@ -367,7 +367,7 @@ describe('what an interrupted job left behind', () => {
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
     await press('Write 1 change');
     const { textContent } = screen.getByRole('alert');
-    expect(textContent).toContain('It comes back by itself. If the adapter was unplugged, plug it in again.');
+    expect(textContent).toContain(en.link.lost.advice);
     expect(textContent).not.toContain('press Connect');
   });
 

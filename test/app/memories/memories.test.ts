@@ -74,7 +74,7 @@ describe('the memories at a glance', () => {
     expect(editor.baseline.value?.positions[0]?.slice(2, 4)).toEqual([60, 61]);
     expect(editor.working.value?.positions[0]?.slice(2, 4)).toEqual([7, 61]);
     expect(session.standing.value.sure).toBe('now');
-    expect(session.notices.current.value).toEqual({ kind: 'note', code: 'edits-moved' });
+    expect(session.notices.current.value).toEqual({ kind: 'note', code: 'moved' });
   });
 
   it('are forgotten for the next timer, because it may be another', async () => {
@@ -466,7 +466,7 @@ describe('a plug that is pulled in the middle', () => {
     adapter.replug();
     await idle();
     // It was this page that changed it.
-    expect(session.notices.current.value).toEqual({ kind: 'note', code: 'back-same' });
+    expect(session.notices.current.value).toBeNull();
   });
 
   it('never lends its readings to the timer that comes next, however slow the storage is', async () => {

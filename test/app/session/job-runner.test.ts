@@ -181,11 +181,11 @@ describe('the message of a job', () => {
       });
       return notices.current.value?.code;
     };
-    expect([await again(() => {}), await again(() => notices.say('back-changed'))]).toEqual([
+    expect([await again(() => {}), await again(() => notices.say('timer-moved'))]).toEqual([
       'nothing-written',
-      'back-changed',
+      'timer-moved',
     ]);
     notices.sayIfSilent('strays');
-    expect(notices.current.value?.code).toBe('back-changed');
+    expect(notices.current.value?.code).toBe('timer-moved');
   });
 });

@@ -40,7 +40,7 @@ describe('a program that was made here', () => {
     const bench = await made();
     await idle();
     const untouched = await reloaded(bench);
-    expect([untouched.editor.working.value, notice(untouched)]).toEqual([newProgram(USUAL), 'made-restored']);
+    expect([untouched.editor.working.value, notice(untouched)]).toEqual([newProgram(USUAL), undefined]);
     untouched.editor.type(S2, '70');
     await idle();
     const after = await reloaded(untouched);
@@ -82,11 +82,7 @@ describe('a program that was made here', () => {
   ])('%s than the timer is closed and kept', async (_, program) => {
     const bench = await made(program);
     await run(bench.session.timer.connect());
-    expect([notice(bench), bench.editor.changes.value, bench.editor.working.value?.memory]).toEqual([
-      'made-put-away',
-      [],
-      0,
-    ]);
+    expect([notice(bench), bench.editor.changes.value, bench.editor.working.value?.memory]).toEqual(['kept', [], 0]);
     await idle();
     expect(kept(bench).map(({ working, shelved }) => [working, shelved])).toEqual([[program, true]]);
   });
@@ -96,7 +92,7 @@ describe('a program that was made here', () => {
     bench.editor.type(S2, 'x');
     await run(bench.session.timer.connect());
     await idle();
-    expect([notice(bench), bench.editor.changes.value.length]).toEqual(['made-put-away', 0]);
+    expect([notice(bench), bench.editor.changes.value.length]).toEqual(['kept', 0]);
     expect(kept(bench).map(({ texts }) => texts)).toEqual([{ 'position:1:3': 'x' }]);
   });
 

@@ -212,7 +212,7 @@ describe('a lost port', () => {
     bench.timer.core.answered.length = 0;
     bench.adapter.replug();
     await idle();
-    expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
     expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
     await run(bench.session.reader.read());
     expect(notice(bench), 'the notice of the return is gone after a reading').toBeUndefined();
@@ -227,7 +227,7 @@ describe('a lost port', () => {
     expect([bench.editor.textOf(S1), bench.editor.textOf(DT)]).toEqual(['7', 'x']);
     bench.adapter.replug();
     await idle();
-    expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
     expect([bench.editor.textOf(S1), bench.editor.textOf(DT)]).toEqual(['7', 'x']);
     expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
   });
@@ -242,10 +242,10 @@ describe('a lost port', () => {
       await idle();
     };
     await elsewhere(98);
-    expect([status(bench), notice(bench)]).toEqual(['on', 'back-changed']);
+    expect([status(bench), notice(bench)]).toEqual(['on', 'timer-moved']);
     bench.editor.type(S1, '7');
     await elsewhere(99);
-    expect([status(bench), notice(bench)]).toEqual(['on', 'edits-moved']);
+    expect([status(bench), notice(bench)]).toEqual(['on', 'moved']);
     expect([bench.editor.textOf(S1), bench.editor.working.value?.positions[2]?.[4]]).toEqual(['7', 99]);
     bench.editor.revertAll();
     expect(notice(bench), 'no change is kept or marked any more').toBeUndefined();
@@ -271,7 +271,7 @@ describe('a lost port', () => {
     expect(bench.editor.textOf(S1)).toBe('7');
     bench.adapter.replug();
     await idle();
-    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['on', 'back-same', false]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['on', undefined, false]);
     expect(bench.editor.textOf(S1)).toBe('7');
   });
 
@@ -281,7 +281,7 @@ describe('a lost port', () => {
     await Promise.resolve();
     bench.adapter.replug();
     await idle();
-    expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
   });
 
   it('comes back also when Connect is clicked while the old connection is still closing', async () => {
@@ -303,7 +303,7 @@ describe('disconnect', () => {
   it('closes the port, and keeps what was typed', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
-    bench.session.notices.say('back-same');
+    bench.session.notices.say('write-completed');
     await run(bench.session.timer.disconnect());
     expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
     expect(bench.editor.textOf(S1)).toBe('7');
@@ -391,15 +391,11 @@ describe('another memory', () => {
     await run(bench.session.reader.selectMemory(1));
     expect(bench.timer.core.memory).toBe(1);
     expect([bench.editor.working.value?.memory, bench.editor.textOf(DT)]).toEqual([1, '3:30']);
-    expect([bench.editor.textOf(S1), bench.editor.dirty.value, notice(bench)]).toEqual([
-      '35',
-      false,
-      'edits-set-aside',
-    ]);
+    expect([bench.editor.textOf(S1), bench.editor.dirty.value, notice(bench)]).toEqual(['35', false, 'kept']);
 
     bench.editor.type(S1, '8');
     await run(bench.session.reader.selectMemory(0));
-    expect([bench.editor.textOf(S1), bench.editor.textOf(DT), notice(bench)]).toEqual(['7', 'x', 'edits-kept']);
+    expect([bench.editor.textOf(S1), bench.editor.textOf(DT), notice(bench)]).toEqual(['7', 'x', 'back']);
     await run(bench.session.reader.selectMemory(1));
     expect(bench.editor.textOf(S1)).toBe('8');
   });
@@ -446,7 +442,7 @@ describe('read again', () => {
     bench.editor.type(S1, '7');
     (bench.timer.core.content.positions[2] as number[])[4] = 99;
     await run(bench.session.reader.read());
-    expect([notice(bench), bench.editor.textOf(S1)]).toEqual(['edits-moved', '7']);
+    expect([notice(bench), bench.editor.textOf(S1)]).toEqual(['moved', '7']);
     expect(bench.editor.working.value?.positions[2]?.[4]).toBe(99);
   });
 
@@ -461,7 +457,7 @@ describe('read again', () => {
     bench.timer.core.answered.length = 0;
     bench.timer.core.press();
     await idle();
-    expect([status(bench), notice(bench), bench.editor.textOf(S1)]).toEqual(['on', 'back-same', '7']);
+    expect([status(bench), notice(bench), bench.editor.textOf(S1)]).toEqual(['on', undefined, '7']);
     expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
   });
 
@@ -494,7 +490,7 @@ describe('after a reload', () => {
     await idle();
 
     const after = await appBench({ store });
-    expect([notice(after), status(after)]).toEqual(['edits-restored', 'off']);
+    expect([notice(after), status(after)]).toEqual(['back', 'off']);
     expect([after.editor.textOf(S1), after.editor.textOf(DT), after.editor.blocked.value]).toEqual(['7', 'soon', true]);
     await run(after.session.timer.connect());
     expect([after.editor.textOf(S1), after.editor.textOf(DT)]).toEqual(['7', 'soon']);
@@ -588,11 +584,7 @@ describe('after a reload', () => {
     const after = await appBench({ store });
     expect([after.session.simulated.value, after.editor.textOf(S1)]).toEqual([true, '7']);
     await run(after.session.timer.connect());
-    expect([after.session.simulated.value, after.editor.textOf(S1), notice(after)]).toEqual([
-      false,
-      '35',
-      'edits-set-aside',
-    ]);
+    expect([after.session.simulated.value, after.editor.textOf(S1), notice(after)]).toEqual([false, '35', 'kept']);
     await run(after.session.timer.disconnect());
     await run(after.session.timer.trySimulated('Q'));
     expect(after.editor.textOf(S1)).toBe('7');

@@ -42,7 +42,7 @@ describe('a write', () => {
     await run(bench.write.open());
     expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
     expect(bench.editor.textOf(S3)).toBe('99');
-    expect(bench.session.notices.current.value?.code).toBe('edits-moved');
+    expect(bench.session.notices.current.value?.code).toBe('moved');
   });
 
   it('ends the conflicts', async () => {
@@ -62,7 +62,7 @@ describe('a write', () => {
     bench.editor.type(S1, '7');
     bench.timer.core.memory = 2;
     await run(bench.write.open());
-    expect(bench.session.notices.current.value?.code).toBe('edits-set-aside');
+    expect(bench.session.notices.current.value?.code).toBe('kept');
     expect(bench.write.current.value).toBeNull();
   });
 
