@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { print as words } from '../../src/app/messages/en-print.js';
 import { share } from '../../src/app/messages/en-share.js';
-import { PAPERS, type Paper } from '../../src/app/print/print.js';
+import { PAPERS, type Paper } from '../../src/app/print/print-order.js';
 import { encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
 import { programOf } from '../app/programs.js';
 import { AppPage } from './app-page.js';

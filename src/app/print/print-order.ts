@@ -9,6 +9,11 @@ export const memoryKey = (memory: number): string => `memory ${memory}`;
 /** Whether it is the key of a setting in the library: none of those has a space. */
 export const isOfLibrary = (key: string): boolean => !key.includes(' ');
 
+/** The papers in the printer, by the names that they have in every language. */
+export const PAPERS = { a5: 'A5', a4: 'A4', letter: 'Letter' } as const;
+export type Paper = keyof typeof PAPERS;
+export const PAPER_KEYS = Object.keys(PAPERS) as readonly Paper[];
+
 /** A view from which something is printed. */
 export type PrintHome = 'program' | 'memories' | 'library';
 

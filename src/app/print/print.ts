@@ -14,13 +14,8 @@ import type { Session } from '../session/session.js';
 import { qrLinkOf, sharedOf } from '../session/setting-link.js';
 import { hintText, madeAs, programName, standingText } from '../session/standing-text.js';
 import type { SettingRecord } from '../storage/index.js';
-import { isOfLibrary, memoryKey, ON_SCREEN, type PrintOrder } from './print-order.js';
+import { isOfLibrary, memoryKey, ON_SCREEN, PAPER_KEYS, type Paper, type PrintOrder } from './print-order.js';
 import { type Marks, memoryText, type Sheet, type SheetSource, sheetOf } from './sheet.js';
-
-/** The papers in the printer, by the names that they have in every language. */
-export const PAPERS = { a5: 'A5', a4: 'A4', letter: 'Letter' } as const;
-export type Paper = keyof typeof PAPERS;
-export const PAPER_KEYS = Object.keys(PAPERS) as readonly Paper[];
 
 /** The parts of a sheet that the pilot can choose besides the table. */
 export const SHEET_PARTS = ['timeline', 'notes', 'lines', 'code'] as const;
