@@ -53,7 +53,7 @@ function placesOf(models: AppModels): Places {
       <>
         <ul class="library-list">
           <li>
-            <a class="library-item" href={`#library/${FLIGHTS}`} onClick={() => flights.showOnly()}>
+            <a class="stack library-item" href={`#library/${FLIGHTS}`} onClick={() => flights.showOnly()}>
               <b>{flightMessages.title}</b>
             </a>
           </li>

@@ -18,7 +18,7 @@ export function Motor({ session, bench }: MotorProps) {
   const hasThrottle = typeof session.editor.working.value?.idleThrottle === 'number';
   const id = useId();
   return (
-    <section class="bench-motor">
+    <section class="stack bench-motor">
       <h2>{program.motor}</h2>
       <p class="bad-text" id={id}>
         {words.unlockHint}
@@ -45,7 +45,7 @@ export function Jump({ bench }: { readonly bench: Bench }) {
   const { bench: words } = messages.value;
   const asked = useSignal(false);
   return (
-    <section class="bench-motor">
+    <section class="stack bench-motor">
       <h2>{words.experimental}</h2>
       <p class="hint">{words.jumpHint}</p>
       <div class="buttons">

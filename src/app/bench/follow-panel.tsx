@@ -24,7 +24,7 @@ export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
   const open = !on && tried.length > 0;
   const isStarting = follow.starting.value;
   return (
-    <section class={`bench-follow ${on ? 'on' : ''}`}>
+    <section class={`stack bench-follow ${on ? 'on' : ''}`}>
       <Switch
         on={on}
         disabled={!on && (open || isStarting || !bench.ready.value)}
@@ -85,7 +85,7 @@ export function FollowNote({ session, bench, follow }: FollowNoteProps) {
   if (follow.on.value) {
     const at = bench.stand.at.value;
     return (
-      <div class="follow-note">
+      <div class="row follow-note">
         <p>
           <strong>{words.followingNow}</strong> <span role="status">{standText(identity, at)}</span>
         </p>
@@ -111,7 +111,7 @@ function EndNote({ bench, follow, identity }: EndNoteProps) {
   const done = bench.done.value;
   if (!ended) return null;
   return (
-    <div class="follow-note" role="status">
+    <div class="row follow-note" role="status">
       <p>
         <strong>{words.ended[ended.reason]}</strong> {ended.unlike && `${unlikeText(identity, ended.unlike)} `}
         {!follow.endRead.value && `${words.endUnread} `}

@@ -31,11 +31,11 @@ export function ComparePage({ session, pair, following, onBack }: ComparePagePro
   const first = compare.first.value;
   const second = compare.second.value;
   return (
-    <section class="compare-page" aria-labelledby="compare-title">
+    <section class="stack gap-3 compare-page" aria-labelledby="compare-title">
       <BackHead back={words.back} to={onBack} titleId="compare-title" heading={heading}>
         {words.title}
       </BackHead>
-      <div class="compare-choice">
+      <div class="row compare-choice">
         <Choice
           label={words.first}
           session={session}

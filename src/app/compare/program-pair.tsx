@@ -32,8 +32,8 @@ export function ProgramPair({ first, second, names, title, actionOf, children }:
   // A small difference shows only in the tall lane. The pilot may then choose another one.
   useLayoutEffect(() => model.bringToFront(servo), [model, servo]);
   return (
-    <div class="program-pair">
-      <div class="pair-values">
+    <div class="stack gap-4 program-pair">
+      <div class="stack gap-3 pair-values">
         <p role="status">
           <strong>{changes.length === 0 ? words.same : words.differs(changes.length)}</strong>
         </p>

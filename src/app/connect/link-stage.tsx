@@ -41,7 +41,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
   const share = progress && progress.total > 0 && { value: progress.done, max: progress.total };
   const left = disturbedFor(progress);
   return (
-    <section class="link-stage" aria-labelledby="stage-title">
+    <section class="stack gap-4 link-stage" aria-labelledby="stage-title">
       {share ? (
         <progress aria-label={waiting.said.title} {...share} />
       ) : (

@@ -33,7 +33,7 @@ function Choices({ onMake, onClose }: Omit<NewProgramDialogProps, 'open'>) {
   };
   return (
     <form
-      class="new-program"
+      class="stack gap-4 new-program"
       onSubmit={(event) => {
         event.preventDefault();
         onClose();

@@ -19,7 +19,7 @@ export function PortList({ session, onConnect }: PortListProps) {
   const ports = link.ports.value;
   if (ports.length === 0) return null;
   return (
-    <section class="ports">
+    <section class="stack ports">
       <h2>{words.title}</h2>
       <ul>
         {ports.map((port, index) => (
@@ -34,7 +34,7 @@ function PortRow({ session, port, onConnect }: PortListProps & { readonly port: 
   const { header, ports: words } = messages.value;
   const name = portName(port);
   return (
-    <li class="port">
+    <li class="row port">
       <p>
         <strong>{name}</strong>
       </p>

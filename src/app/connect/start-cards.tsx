@@ -84,7 +84,7 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
   const [dt] = keyFigures(working);
   if (asked.value) {
     return (
-      <li class="kept-program">
+      <li class="row kept-program">
         <strong role="status">{words.sure}</strong>
         <button type="button" onClick={() => void session.keptPrograms.remove(draft)}>
           {words.remove}
@@ -96,7 +96,7 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
     );
   }
   return (
-    <li class="kept-program">
+    <li class="row kept-program">
       <button
         type="button"
         class="quiet open"

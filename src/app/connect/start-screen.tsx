@@ -28,10 +28,10 @@ export function StartScreen({ session, installation, platform }: StartScreenProp
   const { unavailable } = session.link;
   if (hasStage(session)) return <LinkStage session={session} platform={platform} />;
   return (
-    <div class="start-screen">
+    <div class="stack start-screen">
       <OnThisDevice installation={installation} />
       <div class="hero">
-        <div class="hero-main">
+        <div class="stack gap-4 hero-main">
           <h1>{start.title}</h1>
           <p class="lead">{start.lead}</p>
           {unavailable ? (
@@ -107,7 +107,7 @@ function KeptPicture({ session }: Pick<StartScreenProps, 'session'>) {
   const [dt, motor] = keyFigures(program);
   const memory = program.memory === null ? '' : `, ${memoryName(program.memory)}`;
   return (
-    <figure class="kept-picture">
+    <figure class="stack kept-picture">
       <figcaption>
         <strong>{kept ? `${timerName(program.identity)}${memory}` : start.picture.example}</strong>
         {kept && <span>{start.picture.kept(clockText(kept.savedAt))}</span>}

@@ -15,7 +15,7 @@ export interface StepRow {
 /** Steps to take, one after the other. Finished steps have a tick. */
 export function StepList({ steps }: { readonly steps: readonly StepRow[] }) {
   return (
-    <ol class="step-list">
+    <ol class="stack gap-3 step-list">
       {steps.map(({ key, text, done = false, now = false, action }) => (
         <li key={key} class={done ? 'done' : ''} aria-current={now ? 'step' : undefined}>
           {done && <Tick />}

@@ -69,8 +69,8 @@ function Form({ id, session, log }: FormProps) {
     else log.close();
   };
   return (
-    <form class="flight-form" ref={box} noValidate onSubmit={done}>
-      <p class="flight-of">
+    <form class="stack gap-4 flight-form" ref={box} noValidate onSubmit={done}>
+      <p class="stack gap-1">
         <strong>{dotted([flight.modelName || noModel, flight.settingName])}</strong>
         <span>{heldText(flight.program)}</span>
         <span class="hint">{dotted([dayHeading(flight), clockOf(flight), flight.place])}</span>
@@ -79,11 +79,11 @@ function Form({ id, session, log }: FormProps) {
       <Proposed form={form} />
       <Round form={form} />
       <ShortDtNote {...{ session, log, form, id }} />
-      <div class="flight-steppers">
+      <div class="stack">
         <Stepper form={form} measure="wind" label={words.wind} unit={words.windUnit} />
         <Stepper form={form} measure="temperature" label={words.temperature} unit={words.temperatureUnit} />
       </div>
-      <label class="flight-field">
+      <label class="stack gap-1 flight-field">
         {label.note}
         <textarea
           rows={2}
@@ -116,7 +116,7 @@ function Result({ form }: { readonly form: FlightForm }) {
   const [id, note, hint] = [useId(), useId(), useId()];
   const { result } = form.flight.value;
   return (
-    <div class="flight-field">
+    <div class="stack gap-1 flight-field">
       <label for={id}>{words.result}</label>
       <span class="flight-result-line">
         <MeasureField form={form} measure="result" id={id} note={`${note} ${hint}`} />
@@ -182,7 +182,7 @@ function Round({ form }: { readonly form: FlightForm }) {
   const typed = useSignal('');
   const isTold = ROUNDS.includes(round) && round !== typed.value;
   return (
-    <fieldset class="flight-field flight-rounds">
+    <fieldset class="stack gap-1 flight-field flight-rounds">
       <legend>{words.round}</legend>
       <span class="flight-chips">
         {ROUNDS.map((value) => (
@@ -258,8 +258,8 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
   return (
     <details>
       <summary>{words.when}</summary>
-      <div class="flight-where">
-        <label class="flight-field">
+      <div class="stack gap-3">
+        <label class="stack gap-1 flight-field">
           {words.date}
           <input
             type="datetime-local"
@@ -270,7 +270,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
         </label>
         <Problem text={form.problems.value.has('at') && words.unreadable['not-a-date']} />
         {flight.utcOffset === undefined && <p class="hint">{words.noOffset}</p>}
-        <label class="flight-field">
+        <label class="stack gap-1 flight-field">
           {words.place}
           <input
             type="text"
@@ -286,7 +286,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
             <option key={place} value={place} />
           ))}
         </datalist>
-        <label class="flight-field">
+        <label class="stack gap-1 flight-field">
           {label.model}
           <Select
             choices={[

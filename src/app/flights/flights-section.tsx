@@ -34,7 +34,7 @@ export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps)
   // A setting stands beside its model, which says that there is none.
   if ('setting' in of && records.length === 0 && !flights.failed.value) return null;
   return (
-    <section class="flights-of">
+    <section class="stack flights-of">
       <h2>{words.title}</h2>
       {records.length === 0 ? (
         <p class="hint">

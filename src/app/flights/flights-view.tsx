@@ -57,7 +57,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
         </div>
       )}
       {loaded.value && !failed.value && list.value.length === 0 && (
-        <div class="flights-empty">
+        <div class="stack flights-empty">
           <p>
             <strong>{words.empty.title}</strong>
           </p>
@@ -67,7 +67,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
       {list.value.length > 0 && (
         <>
           {(list.value.length >= MANY || filter !== NO_FILTER) && <FilterBar session={session} log={log} />}
-          <div class="flights-sum">
+          <div class="row flights-sum">
             <TotalsLine records={shown} />
             {shown.length < list.value.length && (
               <button type="button" class="quiet" onClick={() => log.showOnly()}>

@@ -36,7 +36,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
       log.fillIn(logged.id);
     };
     return (
-      <div class="flying-this" {...box}>
+      <div class="row flying-this" {...box}>
         <p role="status">
           <strong>{dotted([words.logged(timeOfDay(logged)), logged.modelName || noModel, logged.place])}</strong>
           {log.unkept.value && <span class="bad-text"> {notKept}</span>}
@@ -56,7 +56,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   if (!held && last) {
     const names = [last.modelName || noModel, last.settingName, heldText(last.program)];
     return (
-      <div class="flying-this" {...box}>
+      <div class="row flying-this" {...box}>
         <p class="hint">{dotted(names)}</p>
         <button type="button" class="primary" onClick={() => log.flyAgain(last)}>
           {words.again}
@@ -66,7 +66,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   }
   if (!held) return null;
   return (
-    <div class="flying-this" {...box}>
+    <div class="row flying-this" {...box}>
       {/* After a write, the figures stand above. */}
       <p class="hint">{again ? heldText(held) : words.purpose}</p>
       <button type="button" class={again ? 'primary' : undefined} onClick={() => log.flying()}>

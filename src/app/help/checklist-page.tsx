@@ -21,7 +21,7 @@ export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
   // A new version must not take the ticks away in the middle.
   useUnsaved(checklist.begun.value);
   return (
-    <div class="checklist">
+    <div class="stack gap-3 checklist">
       <p>{words.lead}</p>
       <ul>
         {checklist.items.value.map((id) => (

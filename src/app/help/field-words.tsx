@@ -13,7 +13,7 @@ const MOTOR: ReadonlySet<Field> = new Set(['motorStop', 'idleThrottle']);
 /** Explains each value in full. */
 export function WordsPage() {
   return (
-    <dl class="field-words">
+    <dl class="stack gap-3 field-words">
       {FIELDS.map((field) => {
         const { name, short, range } = words.fields[field];
         return (
@@ -45,7 +45,7 @@ export function WordsDialog({ help, session, onMore }: WordsDialogProps) {
   const close = (): void => help.explain(false);
   return (
     <Modal open={isOpen} title={words.title} onEscape={close}>
-      <dl class="field-words">
+      <dl class="stack gap-3 field-words">
         {FIELDS.filter((field) => hasMotor || !MOTOR.has(field)).map((field) => (
           <div key={field}>
             <dt>{words.fields[field].name}</dt>

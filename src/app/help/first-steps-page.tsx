@@ -4,7 +4,7 @@ import './first-steps-page.css';
 /** What a new pilot is told. */
 export function FirstStepsPage() {
   return (
-    <ol class="steps-page">
+    <ol class="stack gap-4 steps-page">
       {firstSteps.map((step) => (
         <li key={step}>{step}</li>
       ))}

@@ -11,7 +11,7 @@ const SYMPTOMS = Object.keys(words.symptoms) as Symptom[];
  */
 export function TroublePage({ connection }: { readonly connection: (symptom: Symptom) => ComponentChildren }) {
   return (
-    <div class="trouble-page">
+    <div class="stack trouble-page">
       {SYMPTOMS.map((symptom) => {
         const { title, steps } = words.symptoms[symptom];
         return (

@@ -39,7 +39,7 @@ export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
   }
   if (session.library.models.list.value.length > 0) return null;
   return (
-    <div class="library-none">
+    <div class="stack gap-3 library-none">
       <EmptyWords />
     </div>
   );

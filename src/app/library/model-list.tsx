@@ -48,7 +48,7 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
       {found === null || foundBeside ? (
         <>
           {isEmpty && alone && !library.unread.value && (
-            <div class="library-empty">
+            <div class="stack library-empty">
               <EmptyWords />
             </div>
           )}
@@ -62,7 +62,7 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
               count={library.models.list.value.filter(({ model }) => model.archived).length}
             />
           </div>
-          <div class="library-more">{places.library}</div>
+          <div class="stack gap-3 library-more">{places.library}</div>
         </>
       ) : (
         <>
@@ -101,7 +101,7 @@ function Models({ session, browse, chosen }: Pick<ModelListProps, 'session' | 'b
       ))}
       {loose > 0 && (
         <li key={NO_MODEL}>
-          <a class="library-item" href={addressOf(null)} aria-current={chosen === NO_MODEL ? 'true' : undefined}>
+          <a class="stack library-item" href={addressOf(null)} aria-current={chosen === NO_MODEL ? 'true' : undefined}>
             <b>{words.models.loose}</b>
             <span>{words.models.settings(loose)}</span>
           </a>
@@ -124,7 +124,7 @@ function ModelRowContent({ record, count, isChosen, isKept }: ModelRowProps) {
   const words = libraryMessages;
   const { name, timerClass, archived } = record.model;
   return (
-    <a class="library-item" href={addressOf(record.key)} aria-current={isChosen ? 'true' : undefined}>
+    <a class="stack library-item" href={addressOf(record.key)} aria-current={isChosen ? 'true' : undefined}>
       <b>{name}</b>
       <span>
         {dotted([

@@ -23,7 +23,7 @@ export function ModelServos({ session, record, onChange }: ModelServosProps) {
   const program = programOf(session, record);
   const isSaid = servos.length > 0;
   return (
-    <section class="model-servos">
+    <section class="stack model-servos">
       <h3>{words.servos}</h3>
       {isSaid ? (
         <ul>

@@ -32,7 +32,7 @@ function Form({ session, onClose, onMade }: Omit<NewModelDialogProps, 'open'>) {
   const timerClass = useSignal<string | null>(session.editor.identity.peek()?.timerClass ?? null);
   return (
     <form
-      class="library-form"
+      class="stack gap-4 library-form"
       onSubmit={(event) => {
         event.preventDefault();
         const model = emptyModel(newId(), name.value.trim(), timerClass.value);

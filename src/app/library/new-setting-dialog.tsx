@@ -52,7 +52,7 @@ function Form({ session, model, onClose, onMade }: Omit<NewSettingDialogProps, '
   };
   return (
     <form
-      class="library-form"
+      class="stack gap-4 library-form"
       onSubmit={(event) => {
         event.preventDefault();
         const setting = {

@@ -44,7 +44,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
   const isOther = whose !== null && to !== undefined && to.id !== whose.id;
   return (
     <form
-      class="library-form"
+      class="stack gap-4 library-form"
       onSubmit={(event) => {
         event.preventDefault();
         const under = model.value === NEW ? { name: modelName.value.trim() } : model.value || null;
@@ -75,7 +75,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
           onChange={(text) => (modelName.value = text)}
         />
       )}
-      <label class="library-field">
+      <label class="stack gap-1 library-field">
         <span>{words.note}</span>
         <textarea
           rows={2}

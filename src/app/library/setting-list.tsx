@@ -55,7 +55,7 @@ function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }:
   const { name, at, tags, program } = record.setting;
   const [dt] = keyFigures(program);
   return (
-    <a class="library-item" href={address} aria-current={isChosen ? 'true' : undefined}>
+    <a class="stack library-item" href={address} aria-current={isChosen ? 'true' : undefined}>
       <span class="library-line">
         <b>{name}</b>
         <span>{dt && `${dt.label} ${dt.text}`}</span>

@@ -64,7 +64,7 @@ export function SettingPage(props: SettingPageProps) {
     void library.keepSetting({ ...now, ...changed });
   };
   return (
-    <article class="setting-page" aria-label={setting.name}>
+    <article class="stack gap-3 setting-page" aria-label={setting.name}>
       {way}
       <Heading class="setting-title">{setting.name}</Heading>
       <TextField

@@ -73,7 +73,7 @@ export function TextField(props: TextFieldProps) {
   // A reload would take the field from under the pilot's fingers.
   useUnsaved(typed.value !== null);
   return (
-    <div class="text-field">
+    <div class="stack gap-1 text-field">
       <label class={hiddenLabel ? 'visually-hidden' : undefined} for={id}>
         {label}
       </label>

@@ -20,7 +20,7 @@ export function LinePanel({ session, view, form }: LinePanelProps) {
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the button beside it takes a file too
     <div
-      class="line-body"
+      class="stack gap-3 line-body"
       onDragOver={(event) => event.preventDefault()}
       onDrop={(event) => {
         event.preventDefault();

@@ -27,7 +27,7 @@ export function LineTable({ view }: { readonly view: LineView }) {
           <Group key={group.key} group={group} timeText={timeText} />
         ))}
       </table>
-      {found === 0 && <p class="hint line-end">{line.empty}</p>}
+      {found === 0 && <p class="hint row line-end">{line.empty}</p>}
       {found > shown && <Older key={shown} view={view} />}
     </div>
   );
@@ -80,7 +80,7 @@ function Older({ view }: { readonly view: LineView }) {
   const showOlder = useCallback(() => view.showOlder(), [view]);
   useNear(place, showOlder, 400);
   return (
-    <div ref={place} class="line-end">
+    <div ref={place} class="row line-end">
       <p class="hint">{line.more(view.shownCount.value, view.found.value.length)}</p>
       <button type="button" onClick={showOlder}>
         {line.older}

@@ -94,7 +94,7 @@ interface HexFieldProps {
 function HexField({ id, label, value, fault, onType }: HexFieldProps) {
   const faultId = `${id}-fault`;
   return (
-    <div class="hex-field">
+    <div class="stack gap-1 hex-field">
       <label>
         <span>{label}</span>
         <input
@@ -125,7 +125,7 @@ function Preview({ form }: { form: FrameForm }) {
   const bytes = form.bytes.value;
   if (!frame || !bytes) return null;
   return (
-    <p class="frame-preview">
+    <p class="stack frame-preview">
       {send.preview} <code>{hexOf(bytes)}</code> <Words form={form} frame={frame} direction="out" />
     </p>
   );

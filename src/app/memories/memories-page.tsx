@@ -30,8 +30,8 @@ export function MemoriesPage(props: MemoriesPageProps) {
   const { overview: words, memories: all, views } = messages.value;
   const baseline = session.editor.baseline.value;
   return (
-    <div class="memories-page">
-      <div class="memories-head">
+    <div class="stack gap-4">
+      <div class="row memories-head">
         <h1>{words.title}</h1>
         {baseline && baseline.memory !== null && (
           <div class="buttons">

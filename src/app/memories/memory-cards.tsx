@@ -62,7 +62,7 @@ function Card({ known, scale, ...props }: CardProps) {
   const program = lastRead(known);
   return (
     <li>
-      <article {...box} class={`memory-card ${isCurrent ? 'current' : ''}`} aria-labelledby={title}>
+      <article {...box} class={`stack memory-card ${isCurrent ? 'current' : ''}`} aria-labelledby={title}>
         <header>
           <h2 id={title}>{memoryName(memory)}</h2>
           <MemoryName session={session} memory={memory} />
@@ -123,7 +123,7 @@ function Unread({ session, memories, memory, current }: UnreadProps) {
   const isBusy = !session.runner.ready.value;
   const name = memoryName(memory);
   return (
-    <div class="card-unread">
+    <div class="stack card-unread">
       {/* Not disabled: it would lose the focus during the reading. */}
       <button
         type="button"
@@ -164,7 +164,7 @@ function Actions({ session, memories, memory, current, count, isRead, onProgram,
     box.current?.querySelector<HTMLElement>(isCopying ? '.picks button' : '.copy-to')?.focus();
   }, [isCopying]);
   return (
-    <div class="card-actions" ref={box}>
+    <div class="row card-actions" ref={box}>
       {isCopying ? (
         <>
           <Picks

@@ -26,12 +26,12 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
   const isBusy = !runner.ready.value;
   const noWayBack = memories.noWayBack.value;
   return (
-    <section class="memory-look" aria-labelledby="look-title">
+    <section class="stack memory-look" aria-labelledby="look-title">
       <div role="status">
         <h2 id="look-title">{headline(known, name)}</h2>
       </div>
       {current !== null && <p class="hint">{words.lead(memoryText(session, current))}</p>}
-      <div class="look-way">
+      <div class="row look-way">
         <button
           type="button"
           aria-disabled={isBusy}

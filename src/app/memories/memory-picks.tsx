@@ -13,7 +13,7 @@ interface PicksProps {
 export function Picks({ label, picks, disabled, nameOf, onPick }: PicksProps) {
   const { memoryName } = messages.value;
   return (
-    <div class="picks">
+    <div class="row picks">
       <span>{label}</span>
       <div class="segments">
         {picks.map((memory) => (

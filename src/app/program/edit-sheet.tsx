@@ -97,7 +97,7 @@ function Sheet({ identity, standing, held }: SheetProps) {
   return (
     <section
       ref={element}
-      class="edit-sheet"
+      class="stack edit-sheet"
       popover="manual"
       aria-label={words.title(label)}
       // The focus stays in the field.
@@ -164,7 +164,7 @@ function Sheet({ identity, standing, held }: SheetProps) {
           <StepKey {...{ value, act }} direction={1} tenfold />
         </div>
       )}
-      <div class="sheet-pad">
+      <div class="stack sheet-pad">
         {digits('7', '8', '9')}
         {isTime ? digits(words.digits.colon) : goTo(goals.above, words.above)}
         {digits('4', '5', '6')}

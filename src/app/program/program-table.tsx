@@ -147,7 +147,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
           </table>
         </div>
         <KeysHint selection={selection} />
-        <div class="range-foot" ref={foot}>
+        <div class="stack range-foot" ref={foot}>
           <RangeBar
             {...{ identity, selection }}
             text={selectedText}

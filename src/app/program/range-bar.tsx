@@ -27,7 +27,7 @@ export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }:
       </p>
       {range && (
         <div
-          class="range-bar"
+          class="row gap-1 range-bar"
           role="toolbar"
           aria-label={words.title}
           onPointerDown={(event) => event.target instanceof HTMLButtonElement && event.preventDefault()}

@@ -117,7 +117,7 @@ function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onCl
       <p class="row-panel-title">{shifts ? shift.from(name, isDt) : name}</p>
       {shifts && <Moved tools={tools} identity={identity} />}
       {shifts && <ShiftFields tools={tools} />}
-      <div class="row-panel-foot">
+      <div class="row row-panel-foot">
         {shifts && !isDt && (
           <Check checked={tools.moveDt.value} onChange={(checked) => tools.setMoveDt(checked)}>
             {shift.moveDt}

@@ -151,7 +151,7 @@ function CompareWith({ session, program, isTrial, isDrawn, chosen, onChoose }: C
     return dotted([memory, dateText(savedAt), words.reasons[reason], simulated && header.simulated]);
   };
   return (
-    <label class="timeline-choice">
+    <label class="row timeline-choice">
       {isDrawn && <BehindSwatch />}
       {timeline.compareWith}
       <Select

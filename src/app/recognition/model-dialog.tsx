@@ -52,7 +52,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
       <p class="hint">{found?.kind === 'said' ? dialog.said(found.model.name) : dialog.lead}</p>
       {found?.kind === 'several' && <p class="hint">{dialog.moreMemories}</p>}
       {inOrder.length > SEARCHED && (
-        <label class="model-search">
+        <label class="stack gap-1">
           {dialog.search}
           <input
             type="search"

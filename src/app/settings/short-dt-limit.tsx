@@ -19,7 +19,7 @@ export function ShortDtLimit({ preferences }: { readonly preferences: Preference
   };
   return (
     <>
-      <label class="short-dt-limit">
+      <label class="row short-dt-limit">
         {shortDt.settings.limit}
         <input
           type="text"

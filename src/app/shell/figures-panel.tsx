@@ -49,7 +49,7 @@ export function FiguresPanel({ id, session, memories, preferences, saveSetting, 
   }, []);
   if (!identity) return null;
   return (
-    <section ref={panel} class="strip-panel" id={id} aria-label={strip.panel} inert={leavesMemory}>
+    <section ref={panel} class="stack gap-3 strip-panel" id={id} aria-label={strip.panel} inert={leavesMemory}>
       {rest?.choice}
       {isLooking ? (
         memory !== null && <p class="hint">{look.lead(memoryText(session, memory))}</p>

@@ -36,7 +36,7 @@ export function HelpView({ session, help, platform, path }: HelpViewProps) {
     <>
       <h1>{messages.value.views.names.help}</h1>
       <HelpNav shown={shown} />
-      <section class="help-page" aria-labelledby="help-page-title">
+      <section class="stack help-page" aria-labelledby="help-page-title">
         <h2 id="help-page-title">{guide.pages[shown]}</h2>
         {pages[shown]()}
       </section>

@@ -67,7 +67,7 @@ function Choice({ commands, onClose }: PaletteProps & { readonly onClose: () => 
   };
   const id = (index: number): string => `${list}-${index}`;
   return (
-    <div class="palette">
+    <div class="stack palette">
       <input
         autofocus
         type="text"

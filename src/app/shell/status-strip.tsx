@@ -260,7 +260,7 @@ function LinkState({ link, simulated, model }: LinkStateProps) {
   if (state.status === 'on') {
     const { identity } = state.connection;
     return (
-      <p class={`link-state on ${model === null ? 'of-class' : ''}`}>
+      <p class={`row link-state on ${model === null ? 'of-class' : ''}`}>
         <strong key={model ?? timerName(identity)}>{model ?? timerName(identity)}</strong>{' '}
         <span key={identity.firmware}>{header.firmware(identity.firmware)}</span>
         {link.simulated.value && <span class="badge">{header.simulated}</span>}
@@ -272,7 +272,7 @@ function LinkState({ link, simulated, model }: LinkStateProps) {
   const { status } = state;
   const said = status === 'choosing' ? choosing : words.status[status === 'waiting' ? 'searching' : status];
   return (
-    <p key={said} class={`link-state ${busy}`}>
+    <p key={said} class={`row link-state ${busy}`}>
       {said}
       {simulated && <span class="badge">{header.simulated}</span>}
     </p>

@@ -19,7 +19,7 @@ export function TimelineNotes({ program }: { program: TimerProgram }) {
     });
   if (notes.length === 0) return null;
   return (
-    <ul class="timeline-notes">
+    <ul class="stack gap-1 timeline-notes">
       {notes.slice(0, MOST_NOTES).map((note) => (
         <li key={note}>{note}</li>
       ))}

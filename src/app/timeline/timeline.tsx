@@ -199,7 +199,7 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
       </p>
       <Spoken program={program} model={model} />
       <TimelineNotes program={program} />
-      <div class="timeline-foot">{calls.foot ?? (overlay && <Behind name={overlay.name} />)}</div>
+      <div class="row timeline-foot">{calls.foot ?? (overlay && <Behind name={overlay.name} />)}</div>
     </section>
   );
 }

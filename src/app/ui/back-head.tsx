@@ -22,7 +22,7 @@ export function BackHead({ back, to, titleId, heading = null, children }: BackHe
     </>
   );
   return (
-    <div class="back-head">
+    <div class="row back-head">
       {typeof to === 'string' ? (
         <a href={to}>{way}</a>
       ) : (

@@ -68,7 +68,7 @@ function OpenModal({ title, head, onEscape, held = false, children }: Omit<Modal
         else onEscape();
       }}
     >
-      <div class="dialog-head">
+      <div class="stack dialog-head">
         <h2 id={titleId} ref={heading} tabIndex={-1}>
           {title}
         </h2>

@@ -23,7 +23,7 @@ export function ProgressLine({ label, progress, onStop }: ProgressLineProps) {
   const share = progress && progress.total > 0 ? { value: progress.done, max: progress.total } : {};
   const left = disturbedFor(progress);
   return (
-    <div class="progress-line">
+    <div class="row gap-4 progress-line">
       <span role="status">{label}</span>
       <progress aria-label={label} {...share} />
       {left !== null && <span class="hint">{messages.value.disturbed.job(left)}</span>}

@@ -14,7 +14,7 @@ interface SegmentChoiceProps<T extends string> {
 export function SegmentChoice<T extends string>(props: SegmentChoiceProps<T>) {
   const { name, title, choices, names, chosen, onChoose } = props;
   return (
-    <fieldset class="segment-choice">
+    <fieldset class="row segment-choice">
       <legend>{title}</legend>
       <div class="segments">
         {choices.map((choice) => (

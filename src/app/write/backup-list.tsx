@@ -38,7 +38,7 @@ export function BackupList(props: BackupListProps) {
   const all = session.backups.list.value.filter(({ model }) => of === null || model === of.key);
   const shown = all.slice(0, room.value);
   return (
-    <section {...box} class="backups" aria-labelledby="backups-title">
+    <section {...box} class="stack backups" aria-labelledby="backups-title">
       <h2 id="backups-title" tabIndex={-1}>
         {words.title}
       </h2>

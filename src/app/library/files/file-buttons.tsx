@@ -41,7 +41,7 @@ function ExportReminder({ files }: { readonly files: LibraryFiles }) {
   const due = files.marks.due.value;
   if (due === null) return null;
   return (
-    <div class="export-reminder">
+    <div class="row export-reminder">
       <p>{filesMessages.reminder(due)}</p>
       <button type="button" class="quiet" onClick={() => files.marks.putOff()}>
         {messages.value.notNow}

@@ -116,7 +116,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
       <p>{words.lead(dateText(step.writtenAt), counted(step.holds))}</p>
       {step.ignored > 0 && <p class="hint">{words.ignored(step.ignored)}</p>}
       {groups.some(({ entries }) => entries.some(differs)) && (
-        <div class="import-ways">
+        <div class="stack">
           <SegmentChoice
             name="import-way"
             title={words.differs}
@@ -128,7 +128,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
           <p class="hint">{words.wayText[way]}</p>
         </div>
       )}
-      <ul class="import-groups">
+      <ul class="stack import-groups">
         {groups.map((group) => (
           <GroupRow key={group.id} group={group} />
         ))}

@@ -31,7 +31,7 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
   return (
     <>
       <div class="share-offer">
-        <div class="share-words">
+        <div class="stack gap-3">
           <p>{words.lead}</p>
           {qr ? <p>{words.scan}</p> : <p class="hint">{words.tooLong}</p>}
         </div>

@@ -62,7 +62,7 @@ function Head({ shared, isKept }: { readonly shared: SharedSetting; readonly isK
   const { program, name, modelName, at } = shared;
   const { identity } = program;
   return (
-    <div class="received-head">
+    <div class="stack gap-1">
       <p class="received-name">
         <strong>{name}</strong> {modelName && words.from(modelName)}
       </p>

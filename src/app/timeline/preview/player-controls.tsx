@@ -25,7 +25,7 @@ export function PlayerControls({ program, player }: PlayerControlsProps) {
     player.seek(eventsBetween(program, player.shown.peek(), flightEnd(program))[0]?.time ?? flightEnd(program));
   };
   return (
-    <div class="preview-controls">
+    <div class="row preview-controls">
       <PlayButton player={player} />
       <button type="button" class="chip" aria-label={preview.back} onClick={back}>
         <Icon path="M5 4V16M16 4L8 10L16 16Z" />

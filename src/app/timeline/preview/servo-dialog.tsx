@@ -35,7 +35,7 @@ function ServoForm({ uses, isNamed, onSave, onCancel }: Omit<ServoDialogProps, '
   const draft = useSignal(uses);
   return (
     <form
-      class="servo-form"
+      class="stack gap-3 servo-form"
       onSubmit={(event) => {
         event.preventDefault();
         onSave(draft.value.map(inOrder));
@@ -85,7 +85,7 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
   const name = servoName(servo);
   const isSurface = SURFACES.some((surface) => surface === use.duty);
   return (
-    <fieldset class={`servo-row ${servoClass(servo)}`}>
+    <fieldset class={`row servo-row ${servoClass(servo)}`}>
       <legend>{name}</legend>
       <Select
         name={words.duty(name)}
