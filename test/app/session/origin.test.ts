@@ -233,7 +233,7 @@ describe('where a saved program comes from', () => {
     await run(bench.session.opened.saveAs({ model: null, name: 'new' }));
     const {
       setting: { from, at },
-    } = bench.session.library.settings.list.value.at(-1) as SettingRecord;
+    } = bench.session.library.settings.list.value.find(({ setting }) => setting.name === 'new') as SettingRecord;
     return { from, at };
   };
 
