@@ -41,7 +41,7 @@ export function BenchPanel({ session, bench, follow, expert }: BenchPanelProps) 
         </div>
         {connected && <BenchTrim session={session} bench={bench} follow={follow} />}
         {connected && (
-          <div class="stack gap-4 bench-side">
+          <div class="bench-side">
             {identity.timerClass === 'Q' && <Motor session={session} bench={bench} />}
             {expert && <Jump bench={bench} />}
           </div>

@@ -50,7 +50,7 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
   usePlaces(path, one && isLoaded);
   if (!isLoaded) {
     return (
-      <section class="stack gap-3 library-coming" aria-busy="true">
+      <section class="library-coming" aria-busy="true">
         <h1>{words.title}</h1>
         <p class="hint" role="status">
           {words.coming}

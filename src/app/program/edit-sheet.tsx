@@ -164,7 +164,7 @@ function Sheet({ identity, standing, held }: SheetProps) {
           <StepKey {...{ value, act }} direction={1} tenfold />
         </div>
       )}
-      <div class="stack sheet-pad">
+      <div class="sheet-pad">
         {digits('7', '8', '9')}
         {isTime ? digits(words.digits.colon) : goTo(goals.above, words.above)}
         {digits('4', '5', '6')}
