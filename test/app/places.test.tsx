@@ -151,7 +151,7 @@ function placesOf(bench: AppBench) {
 const SAYS = {
   now: words.readAt('').trim(),
   verified: words.verified('').trim(),
-  once: words.asLastRead,
+  once: words.lastReadAt(null),
   not: words.unknown('M1'),
 };
 

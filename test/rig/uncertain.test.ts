@@ -63,7 +63,7 @@ test('another content under the head between dialog and Write: it is shown, and 
   await pilot.review();
   core.content.times[10] = 12_000;
   await pilot.startWriting();
-  await pilot.page.getByRole('dialog').getByText(en.write.moved.timer.title).waitFor();
+  await pilot.page.getByRole('dialog').getByText(en.timer.stale.title).waitFor();
   expect(core.content.times[10]).toBe(12_000);
   expect(core.answered.some(({ name }) => name.startsWith('SET'))).toBe(false);
   await pilot.startWriting();

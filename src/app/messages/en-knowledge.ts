@@ -12,11 +12,9 @@ export const knowledge = {
   thisMemory: 'the current memory',
   /** For a timer that is not connected. */
   memoryOf: (memory: string, timer: string) => `${memory} of ${timer}`,
-  timer: (name: string, firmware: string, simulated: boolean) =>
-    `the ${simulated ? 'simulated ' : ''}${name} ${firmware}`,
-  /** The same, while another timer of the same kind is connected. */
-  otherTimer: (name: string, firmware: string, simulated: boolean) =>
-    `another ${simulated ? 'simulated ' : ''}${name} ${firmware}`,
+  /** @param other while another timer of the same kind is connected. */
+  timer: (name: string, firmware: string, simulated: boolean, other: boolean) =>
+    `${other ? 'another' : 'the'} ${simulated ? 'simulated ' : ''}${name} ${firmware}`,
   dt: 'DT',
   motorStop: 'motor stop',
   either: (name: string, before: string, goal: string) => `${name} is ${before} or ${goal}`,
@@ -29,13 +27,12 @@ export const knowledge = {
   forget: 'Forget this…',
   forgetSure: 'Forget it only if you have read that timer elsewhere, or no longer have it.',
   forgetNow: 'Forget it now',
-  keep: 'Keep it',
 
   /** In place of “No changes”. */
   verified: (time: string) => `As in the timer, verified ${time}`,
   readAt: (time: string) => `As in the timer, read ${time}`,
-  lastReadAt: (time: string) => `As last read ${time}`,
-  asLastRead: 'As last read',
+  /** @param time null when it was not kept. */
+  lastReadAt: (time: string | null) => (time === null ? 'As last read' : `As last read ${time}`),
   /** For a setting of the library, by its model and name. */
   ofSetting: (name: string, changes: number) =>
     changes === 0 ? `${apart(name)}: saved` : `${apart(name)}: ${plural(changes, 'change', 'changes')} not saved`,
@@ -47,20 +44,14 @@ export const knowledge = {
   unknown: (memory: string) => `Not known what ${memory} holds`,
   unfinished: (count: number) => `${plural(count, 'field has', 'fields have')} no value yet`,
   hints: {
-    now: () => 'Marked fields differ from what the timer holds.',
+    now: 'Marked fields differ from what the timer holds.',
+    /** @param time null when it was not kept. */
     once: (time: string | null) => `Marked fields differ from what was last read${time === null ? '' : `, ${time}`}.`,
-    not: () => 'Marked fields differ from what was last read. That is not certain now.',
   },
   /** Under a changed value: its old value. */
   marks: {
     now: (value: string) => `was ${value}`,
     once: (value: string) => `last read ${value}`,
-    not: (value: string) => `last read ${value}`,
-  },
-  /** The same in a cell, which has room for a figure only. */
-  old: {
-    now: (value: string) => value,
-    not: (value: string) => `${value}?`,
   },
   /** For screen readers. */
   notCertain: ', not certain now',
@@ -68,6 +59,5 @@ export const knowledge = {
   held: {
     now: 'Timer holds',
     once: 'Last read',
-    not: 'Last read',
   },
 };

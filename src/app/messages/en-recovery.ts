@@ -18,12 +18,8 @@ export const recovery = {
   sameTimer: 'It is the same timer: show what was to be written',
   compare: 'Compare',
   before: 'Before',
-  goal: 'To be written',
-  held: 'Timer holds now',
   elsewhere: (memory: string) =>
-    `A write into ${memory} of a timer of this kind was interrupted. To see what ${memory} holds now, make it fly next.`,
-  show: (memory: string) => `Make ${memory} fly next and look`,
-  leftTitle: 'The memory that flies next has changed',
+    `A write into ${memory} of a timer of this kind was interrupted. Make ${memory} fly next to see what it holds.`,
   /** @param interrupted one of the sentences below. */
   left: (interrupted: string, original: string, current: string) =>
     `${interrupted} Now ${current} flies next. Before that it was ${original}.`,
@@ -40,7 +36,6 @@ export const recovery = {
   },
   /** What else is unfinished. */
   more: (count: number) => `And ${count} more`,
-  makeCurrent: (memory: string) => `Make ${memory} fly next again`,
   unknownMemory: 'an unknown memory',
 };
 

@@ -16,6 +16,6 @@ export const shortDt = {
   settings: {
     title: 'Short DT',
     limit: 'A DT is short below',
-    hint: 'A short DT is red. Before you disconnect, this page asks whether to put it back to what it was, or to what a round of the class needs. With 0 s it never asks.',
+    hint: 'A shorter DT is red, and the page asks before you disconnect. With 0 s it never asks.',
   },
 };

@@ -10,23 +10,13 @@ export const write = {
   from: 'Timer holds',
   to: 'Will hold',
   wasRead: 'Was read',
-  conflict: {
-    title: 'The timer holds other values than when you made your changes.',
-    advice: 'Is this the same timer?',
-  },
+  /** Why the difference is shown again. Nothing was sent. */
   moved: {
-    timer: {
-      title: 'The timer does not hold what was shown.',
-      advice: 'Nothing was written. This is what a write would change now.',
-    },
     model: {
       title: 'This timer seems to belong to another model now.',
       advice: 'Nothing was written. Look at the names of the models.',
     },
-    edits: {
-      title: 'The program has changed since this was shown.',
-      advice: 'Nothing was written. This is what a write would change now.',
-    },
+    edits: { title: 'The program has changed since this was shown.' },
   },
   unkept: {
     title: 'This device could not keep a backup of what the timer holds now.',
@@ -35,7 +25,6 @@ export const write = {
   /** The name of a table of values, made from its columns. */
   sideBySide: (names: readonly string[]) => `Values: ${names.join(', ')}`,
   withoutCopy: 'Go on without a backup',
-  notWithout: 'Do not write',
   safety: 'The propeller is off or the model is held, and the timer is not armed.',
   acknowledge: 'I have read this and want to write it anyway.',
   stillToTick: (ticks: readonly string[]) => `Still to tick: ${ticks.join(', ')}.`,
@@ -53,7 +42,6 @@ export const write = {
     again: 'Write again…',
   },
   start: (count: number) => (count === 0 ? 'Read back and compare' : `Write ${plural(count, 'change', 'changes')}`),
-  stop: 'Stop',
   stages: {
     read: 'Reading',
     write: 'Writing',
@@ -82,8 +70,6 @@ export const write = {
     advice: `Some of the values may be in ${memory} now. Read it, and look at all of it before you fly it.`,
   }),
   refused: 'Nothing was written.',
-  held: 'Timer holds now',
   status: { verified: 'verified', differs: 'differs', unknown: 'not known' },
   putBack: 'changed by itself, put back',
-  repeats: (count: number) => `The line was disturbed: ${plural(count, 'request was', 'requests were')} repeated.`,
 };

@@ -69,8 +69,8 @@ export class Print {
       const names = session.origin.timer.value?.memoryNames;
       return session.standings.readMemories().map(({ memory, known }) => {
         const name = memoryText(memory, names?.[memory] ?? '');
-        const { lastReadAt, asLastRead } = messages.value.knowledge;
-        const read = known.state === 'read' ? lastReadAt(dateText(known.at)) : asLastRead;
+        const { lastReadAt } = messages.value.knowledge;
+        const read = lastReadAt(known.state === 'read' ? dateText(known.at) : null);
         return { key: memoryKey(memory), name: dotted([name, read]) };
       });
     });
@@ -204,7 +204,7 @@ export class Print {
         ),
       !isOnlyUnfinished && standingText(standing, { tried, changes, unfinished }, made, memory, dateText),
       // Read on paper, it is past: the timer may hold something else by then.
-      changes + tried > 0 && hintText(standing.sure === 'now' ? { ...standing, sure: 'once' } : standing, dateText),
+      changes + tried > 0 && hintText({ ...standing, sure: 'once' }, dateText),
       unfinished > 0 && onPaper.unfinished(unfinished),
     ];
     return said
@@ -220,7 +220,7 @@ export class Print {
     const isOpen = standings.screen.value.sure === 'not';
     const working = editor.working.value;
     const saved = origin.setting.value?.program;
-    if (!isMade) return { changes: standings.sinceRead.value, text: isOpen ? marks.not : marks.now };
+    if (!isMade) return { changes: standings.sinceRead.value, text: isOpen ? marks.once : marks.now };
     const isSaved = saved && working && sameLayout(saved.identity, working.identity);
     return { changes: isSaved ? changesSince(saved, working) : [], text: marks.now };
   }

@@ -118,7 +118,7 @@ function useOverlay(
   const backup = session.backups.list.value.find(({ key }) => key === chosen);
   return useMemo(() => {
     if (chosen === HELD) {
-      const name = isTrial ? timeline.compareBefore : knowledge.held[sure];
+      const name = isTrial ? timeline.compareBefore : knowledge.held[sure === 'now' ? 'now' : 'once'];
       return held && { program: held, name, uncertain: sure === 'not' && !isTrial };
     }
     if (!program || !backup || !sameLayout(backup.program.identity, program.identity)) return null;

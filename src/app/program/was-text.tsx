@@ -14,7 +14,7 @@ export function WasText({ standing, value }: WasTextProps) {
   const { sure } = standing.value;
   return (
     <>
-      {marks[sure](value)}
+      {marks[sure === 'now' ? 'now' : 'once'](value)}
       {sure === 'not' && <span class="visually-hidden">{notCertain}</span>}
     </>
   );
@@ -34,9 +34,8 @@ interface OldValueProps extends WasTextProps {
  * not struck through, because it may be in force.
  */
 export function OldValue({ id, standing, value, figure, label, onPutBack }: OldValueProps) {
-  const { old } = messages.value.knowledge;
   const { sure } = standing.value;
-  const shown = sure === 'not' ? <span>{old.not(figure)}</span> : <s>{old.now(figure)}</s>;
+  const shown = sure === 'not' ? <span>{`${figure}?`}</span> : <s>{figure}</s>;
   return (
     <>
       <span class="visually-hidden" id={id}>

@@ -39,14 +39,16 @@ export function standingText(
   if (unfinished > 0) return words.unfinished(unfinished);
   if (made === 'new') return words.made;
   if (made) return words.ofSetting(made.setting, made.changes);
-  if (standing.at === null) return words.asLastRead;
-  if (standing.sure === 'once') return words.lastReadAt(when(standing.at));
+  if (standing.at === null || standing.sure === 'once') {
+    return words.lastReadAt(standing.at === null ? null : when(standing.at));
+  }
   return standing.verified ? words.verified(when(standing.at)) : words.readAt(when(standing.at));
 }
 
 /** What is said beside the marks of changed fields. */
 export function hintText({ sure, at }: Standing, when: (at: number) => string): string {
-  return messages.value.knowledge.hints[sure](at === null ? null : when(at));
+  const { hints } = messages.value.knowledge;
+  return sure === 'now' ? hints.now : hints.once(at === null ? null : when(at));
 }
 
 /** How the program on the screen stands to no timer. */

@@ -13,14 +13,14 @@ interface RunningStepProps extends Pick<ComponentProps<typeof ProgressLine>, 'la
 
 /** A job in progress in a dialog, with a button that stops it. */
 export function RunningStep({ label, progress, stopping = false, onStop }: RunningStepProps) {
-  const { write } = messages.value;
+  const { write, header } = messages.value;
   return (
     <>
       <ProgressLine label={stopping ? write.stopping : label} progress={progress} />
       <div class="buttons">
         {/* Not disabled: it would lose the focus. */}
         <button type="button" aria-disabled={stopping} onClick={onStop}>
-          {write.stop}
+          {header.stop}
         </button>
       </div>
     </>
@@ -44,7 +44,7 @@ export function JobStep({ runner, label, onStop }: JobStepProps) {
 
 /** The browser cannot keep a copy of a memory. Nothing is written into it before the pilot has answered. */
 function UnkeptStep({ onAnswer }: { readonly onAnswer: (goOn: boolean) => void }) {
-  const { write } = messages.value;
+  const { write, cancel } = messages.value;
   return (
     <>
       <div class="notice bad" role="alert">
@@ -55,7 +55,7 @@ function UnkeptStep({ onAnswer }: { readonly onAnswer: (goOn: boolean) => void }
           {write.withoutCopy}
         </button>
         <button type="button" class="primary" onClick={() => onAnswer(false)}>
-          {write.notWithout}
+          {cancel}
         </button>
       </div>
     </>

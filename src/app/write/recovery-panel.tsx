@@ -32,8 +32,8 @@ interface InterruptedWriteProps extends RecoveryProps {
   readonly offer: OfferOf<'write'>;
 }
 
-function InterruptedWrite({ session, write, offer: { record, part, read } }: InterruptedWriteProps) {
-  const { recovery: words } = messages.value;
+function InterruptedWrite({ session, write: flow, offer: { record, part, read } }: InterruptedWriteProps) {
+  const { recovery: words, write } = messages.value;
   const busy = !session.runner.ready.value;
   const isForeign = part.extent === 'foreign';
   const said = {
@@ -52,7 +52,7 @@ function InterruptedWrite({ session, write, offer: { record, part, read } }: Int
         <summary>{words.compare}</summary>
         <ValueTable
           identity={read.identity}
-          names={[words.before, words.goal, words.held]}
+          names={[words.before, write.wanted, write.from]}
           rows={rows(record, part, read)}
           lastCounts
         />
@@ -74,12 +74,12 @@ function InterruptedWrite({ session, write, offer: { record, part, read } }: Int
               type="button"
               class="primary"
               disabled={busy}
-              onClick={() => void finishWrite(session, write, 'goal')}
+              onClick={() => void finishWrite(session, flow, 'goal')}
             >
               {words.finish}
             </button>
             {part.extent === 'part' && (
-              <button type="button" disabled={busy} onClick={() => void finishWrite(session, write, 'before')}>
+              <button type="button" disabled={busy} onClick={() => void finishWrite(session, flow, 'before')}>
                 {words.goBack}
               </button>
             )}
@@ -103,7 +103,7 @@ function WriteElsewhere({
   readonly session: Session;
   readonly offer: OfferOf<'elsewhere'>;
 }) {
-  const { recovery: words, memoryName } = messages.value;
+  const { recovery: words, look, memoryName } = messages.value;
   return (
     <>
       <h2 id="recovery-title">{words.title}</h2>
@@ -114,7 +114,7 @@ function WriteElsewhere({
           disabled={session.runner.busy.value}
           onClick={() => void session.reader.selectMemory(memory)}
         >
-          {words.show(memoryName(memory))}
+          {look.fly(memoryName(memory))}
         </button>
         <NotNow recovery={session.recovery} />
       </div>
@@ -128,10 +128,10 @@ interface MemoryLeftProps {
 }
 
 function MemoryLeft({ session, offer: { record, current } }: MemoryLeftProps) {
-  const { recovery: words, memoryName } = messages.value;
+  const { recovery: words, look, timer, memoryName } = messages.value;
   return (
     <>
-      <h2 id="recovery-title">{words.leftTitle}</h2>
+      <h2 id="recovery-title">{timer['memory-left'].title}</h2>
       <p>{words.left(interruptedText(record), memoryName(record.original), memoryOf(null, current))}</p>
       <div class="buttons">
         <button
@@ -140,7 +140,7 @@ function MemoryLeft({ session, offer: { record, current } }: MemoryLeftProps) {
           disabled={session.runner.busy.value}
           onClick={() => void session.reader.selectMemory(record.original)}
         >
-          {words.makeCurrent(memoryName(record.original))}
+          {look.fly(memoryName(record.original))}
         </button>
         <NotNow recovery={session.recovery} />
       </div>

@@ -130,7 +130,7 @@ function Ways(props: WayProps) {
       <p>{words.forgetSure}</p>
       <div class="buttons">
         <button type="button" onClick={() => (asking.value = false)}>
-          {words.keep}
+          {messages.value.cancel}
         </button>
         <button type="button" onClick={() => void session.knowledge.forget(where.key)}>
           {words.forgetNow}

@@ -88,8 +88,8 @@ function placeText(session: Session, where: Where, memory: number | null): strin
 function otherTimer(session: Session, where: Where): string | null {
   const { knowledge: words } = messages.value;
   if (isHere(session, where)) return null;
-  const named = words[isLikeConnected(session, where) ? 'otherTimer' : 'timer'];
-  return named(timerName(where.identity), where.identity.firmware, isSimulated(where));
+  const { identity } = where;
+  return words.timer(timerName(identity), identity.firmware, isSimulated(where), isLikeConnected(session, where));
 }
 
 function isLikeConnected({ connection, link }: Session, where: Where): boolean {

@@ -102,7 +102,7 @@ interface ReviewProps {
 }
 
 function Review({ session, write, review: { shown, moved } }: ReviewProps) {
-  const { write: words, about } = messages.value;
+  const { write: words, timer, about } = messages.value;
   const { changes } = shown;
   const { identity, memory } = shown.goal;
   const serious = write.serious.value;
@@ -110,7 +110,7 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
     <>
       {moved && (
         <div class="notice bad" role="alert">
-          <NoticeText said={words.moved[moved]} />
+          <NoticeText said={{ ...timer.stale, ...(moved === 'timer' ? {} : words.moved[moved]) }} />
         </div>
       )}
       <Conflicts editor={session.editor} identity={identity} />
@@ -151,15 +151,15 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
 
 /** Values that have changed in the timer since the edits were made. What is about to be written stands below. */
 function Conflicts({ editor, identity }: { readonly editor: Editor; readonly identity: Identity }) {
-  const { write } = messages.value;
+  const { write, notes } = messages.value;
   const changes = [...editor.conflicts.value.values()];
   if (changes.length === 0) return null;
   return (
     <div class="notice bad">
-      <NoticeText said={write.conflict} />
+      <NoticeText said={notes.moved} />
       <ValueTable
         identity={identity}
-        names={[write.wasRead, write.held]}
+        names={[write.wasRead, write.from]}
         rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
         lastCounts
       />
@@ -191,7 +191,6 @@ function Result({ session, write, identity, done, children }: ResultProps) {
         {report.stopped && <NoticeText said={timerSaid(report.stopped)} />}
         {other !== null && <NoticeText said={words.strayed(memoryText(session, other))} />}
         {notHeld && <NoticeText said={words.move.notHeld} />}
-        {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
       </div>
       {shown.length > 0 && (
         <ValueTable

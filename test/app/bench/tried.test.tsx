@@ -58,10 +58,10 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
   await idle();
   expect(bench.timer.core.content.positions[1]?.[4], 'it is in the timer').toBe(77);
   expect(backups()).not.toContain(same);
-  expect(side()).toContain(words.asLastRead);
+  expect(side()).toContain(words.lastReadAt(null));
   const tried = sheet();
   expect(tried?.origin).toContain(benchWords.triedAndWaiting(1, 0));
-  expect(tried?.origin).not.toContain(words.asLastRead);
+  expect(tried?.origin).not.toContain(words.lastReadAt(null));
   const row = tried?.rows.find(({ key }) => key === '4');
   expect([row?.positions[1], row?.was.positions[1]]).toEqual(['77', words.marks.now('52')]);
   expect(session.opened.source().from, 'nobody has read it').toBe('typed');
@@ -72,6 +72,6 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
     false,
     expect.stringContaining(modelBackups.differs(1, modelBackups.now)),
   ]);
-  expect(side()).not.toContain(words.asLastRead);
+  expect(side()).not.toContain(words.lastReadAt(null));
   expect(sheet()?.origin).toContain(words.readAt('').trim());
 });

@@ -308,7 +308,7 @@ describe('the write dialog', () => {
         .getAllByRole('columnheader')
         .slice(1)
         .map(({ textContent }) => textContent),
-    ).toEqual(['Was read', 'Timer holds now']);
+    ).toEqual([en.write.wasRead, en.write.from]);
     expect(rows(conflicts)).toEqual([['DT', '3:00 min', '3:05 min']]);
     expect(rows(difference)).toEqual([['DT', '3:05 min', '4:00 min']]);
   });
@@ -380,9 +380,9 @@ describe('what an interrupted job left behind', () => {
     expect([memories.jobs.current.value, session.notices.current.value?.code]).toEqual([null, 'memory-left']);
     adapter.replug();
     await idle();
-    expect(screen.getByRole('region', { name: 'The memory that flies next has changed' })).toBeTruthy();
-    await press('Make M1 fly next again');
+    expect(screen.getByRole('region', { name: en.timer['memory-left'].title })).toBeTruthy();
+    await press('Make M1 fly next');
     expect(timer.core.memory).toBe(0);
-    expect(screen.queryByRole('region', { name: 'The memory that flies next has changed' })).toBeNull();
+    expect(screen.queryByRole('region', { name: en.timer['memory-left'].title })).toBeNull();
   });
 });

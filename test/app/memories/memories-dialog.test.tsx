@@ -119,7 +119,7 @@ describe('copying a memory', () => {
     expect(timer.core.memories.map(({ times }) => times[10])).toEqual([36_000, 36_000, 36_000, 27_000]);
     expect(screen.getByRole('alert').textContent).toContain(en.write.unkept.advice);
     expect(screen.getByRole('dialog').textContent, 'something was').not.toContain('Nothing was written');
-    await press(en.write.notWithout);
+    await press(en.cancel);
     expect(lines()).toContain(en.memories.ends.untouched('M2'));
   });
 

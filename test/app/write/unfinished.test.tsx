@@ -80,8 +80,10 @@ describe('a job that was cut while another memory was current', () => {
       }
       await goTo('program');
       await press(en.knowledge.connect);
-      expect(screen.getByRole('region', { name: recovery.leftTitle }).textContent).toContain('Now M3 flies next.');
-      await press(recovery.makeCurrent('M1'));
+      expect(screen.getByRole('region', { name: en.timer['memory-left'].title }).textContent).toContain(
+        'Now M3 flies next.',
+      );
+      await press(en.look.fly('M1'));
       expect([band(), after.timer.core.memory, after.store.unfinished.records.size]).toEqual([null, 0, 0]);
     },
   );
@@ -130,7 +132,7 @@ describe('a job that was cut while another memory was current', () => {
   it('is settled by the pilot, who makes a memory fly next or forgets it', async () => {
     const app = await connected();
     await strandAtM3(app);
-    expect(band()).toContain(recovery.leftTitle);
+    expect(band()).toContain(en.timer['memory-left'].title);
     await fly('M2');
     expect([band(), app.store.unfinished.records.size]).toEqual([null, 0]);
     cutAtM3(app);
@@ -203,9 +205,9 @@ describe('several unfinished jobs', () => {
     await idle(0);
     expect(document.querySelectorAll('.unfinished > section')).toHaveLength(1);
     expect(band()).toContain('It is not known what M1 holds: DT is 3:00 min or 6:00 min.');
-    expect(band()).not.toContain(recovery.leftTitle);
+    expect(band()).not.toContain(en.timer['memory-left'].title);
     await press(recovery.more(1));
-    expect(band()).toContain(recovery.leftTitle);
+    expect(band()).toContain(en.timer['memory-left'].title);
     expect(button(recovery.more(1)).getAttribute('aria-expanded')).toBe('true');
   });
 
