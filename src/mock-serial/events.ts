@@ -66,14 +66,18 @@ export class ConnectionTarget extends EventTarget {
   }
 
   /** The `addEventListener()` method. A listener that is there already is not added again. */
-  override addEventListener(type: string, listener: ListenerArguments[1], options?: ListenerArguments[2]): void {
+  override addEventListener(type: string, listener: ListenerArguments[1] | null, options?: ListenerArguments[2]): void {
     const of = listenerOptions(options);
     const keeper = of.capture ? this.#down : of.once && this.#onceNeverFires ? this.#passedBy : this.#up;
     if (listener) keeper.addEventListener(type, this.#bind(listener), of);
   }
 
   /** The `removeEventListener()` method. Removing a listener that is not there does no harm. */
-  override removeEventListener(type: string, listener: ListenerArguments[1], options?: ListenerArguments[2]): void {
+  override removeEventListener(
+    type: string,
+    listener: ListenerArguments[1] | null,
+    options?: ListenerArguments[2],
+  ): void {
     const of = listenerOptions(options);
     if (!listener) return;
     for (const keeper of of.capture ? [this.#down] : [this.#up, this.#passedBy])
