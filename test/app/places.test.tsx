@@ -242,7 +242,7 @@ describe('every place that names a model or says what a timer holds', () => {
 
     // Side by side.
     const { compare } = comparingMessages;
-    expect(places.screenSide).toBe(title === '' ? compare.screen : compare.screenOf(title));
+    expect(places.screenSide).toBe(title === '' ? compare.screen : compare.setting(compare.screen, title));
     expect([places.timerSide !== '', saidIn(places.timerSide)]).toEqual([
       isConnected,
       standing === 'sent' ? ['once'] : [],

@@ -1,6 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
+import { libraryMessages } from '../../src/app/messages/en-library.js';
+import { messages } from '../../src/app/messages/index.js';
 import { parseLibraryFile } from '../../src/program/index.js';
 import { AppPage } from './app-page.js';
 
@@ -69,8 +71,8 @@ async function withLibrary(): Promise<{ app: AppPage; empty: (what: string) => P
   const { page } = app;
   await page.evaluate(() => location.assign('#library'));
   for (const [open, field, text, make] of [
-    ['New model…', 'Name', 'Lancer 07', 'Make the model'],
-    ['New setting…', 'Name of the setting', 'calm', 'Make the setting'],
+    ['New model…', 'Name', 'Lancer 07', messages.value.save],
+    [libraryMessages.model.makeSetting, libraryMessages.save.name, 'calm', messages.value.save],
   ] as const) {
     await app.button(open).click();
     await page.getByRole('dialog').getByRole('textbox', { name: field }).fill(text);
@@ -113,5 +115,5 @@ test('when the browser deletes what it kept, the page says so, and keeps what is
   await app.reload();
   await page.evaluate((at) => location.assign(at), hash);
   await expect.poll(() => note.inputValue()).toBe('after that');
-  await page.getByRole('link', { name: /^Without a model/ }).waitFor();
+  await page.getByRole('link', { name: /^No model/ }).waitFor();
 });

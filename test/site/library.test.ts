@@ -1,5 +1,7 @@
 import { expect, it } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
+import { libraryMessages } from '../../src/app/messages/en-library.js';
+import { messages } from '../../src/app/messages/index.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 
@@ -10,14 +12,14 @@ const open = async (app: AppPage, address: string): Promise<void> => {
 async function makeModel(app: AppPage, name: string): Promise<void> {
   await app.button('New model…').click();
   await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill(name);
-  await app.button('Make the model').click();
+  await app.button(messages.value.save).click();
   await app.page.getByRole('heading', { name }).first().waitFor();
 }
 
 async function makeSetting(app: AppPage, name: string): Promise<void> {
-  await app.button('New setting…').click();
-  await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name of the setting' }).fill(name);
-  await app.button('Make the setting').click();
+  await app.button(libraryMessages.model.makeSetting).click();
+  await app.page.getByRole('dialog').getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
+  await app.button(messages.value.save).click();
   await app.page.getByRole('article', { name }).waitFor();
 }
 
@@ -38,7 +40,7 @@ it('a pilot keeps a setting, finds it after a reload, changes, archives and dele
   await app.page.keyboard.press('Control+k');
   await app.page.getByRole('combobox', { name: 'Type what you want to do' }).fill('save as');
   await app.page.keyboard.press('Enter');
-  await app.page.getByRole('textbox', { name: 'Name of the setting' }).fill('trimming');
+  await app.page.getByRole('textbox', { name: libraryMessages.save.name }).fill('trimming');
   await app.page.getByRole('dialog').getByRole('button', { name: 'Save', exact: true }).click();
   await app.page.getByRole('dialog').waitFor({ state: 'hidden' });
   await app.reload();
@@ -74,7 +76,7 @@ it('a pilot keeps a setting, finds it after a reload, changes, archives and dele
   // At once: for ten seconds it could still be put back.
   await app.reload();
   await open(app, hash);
-  await app.text('This setting is not in the library any more.').waitFor();
+  await app.text('It is not in the library any more.').waitFor();
 });
 
 it('models are made with the keyboard alone', async () => {
@@ -107,7 +109,7 @@ it('on a phone on its side all that a setting is saved with is in sight', async 
   await app.page.keyboard.press('Control+k');
   await app.page.keyboard.type('save');
   await app.page.keyboard.press('Enter');
-  const dialog = app.page.getByRole('dialog', { name: 'Save to library' });
+  const dialog = app.page.getByRole('dialog', { name: libraryMessages.save.open });
   const bottoms = () =>
     dialog
       .locator('input, select, textarea, .buttons')
@@ -149,7 +151,7 @@ it('names that are one word without end make nothing wider than a small phone', 
   const own = page.getByRole('article', { name: word });
   for (const [field, text] of [
     ['Note', word.repeat(3)],
-    ['Tags', `${word}, ${word.toLowerCase()}`],
+    [libraryMessages.setting.tags, `${word}, ${word.toLowerCase()}`],
   ] as const) {
     await own.getByRole('textbox', { name: field }).fill(text);
     await own.getByRole('textbox', { name: field }).blur();

@@ -1,5 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
+import { libraryMessages } from '../../src/app/messages/en-library.js';
+import { share } from '../../src/app/messages/en-share.js';
+import { messages } from '../../src/app/messages/index.js';
 import { AppPage } from './app-page.js';
 import { importFile } from './library.js';
 
@@ -18,9 +21,9 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await app.result('Verified.');
   await app.close();
 
-  await app.button('Save to library…').click();
-  await app.field('Name of the setting').fill('windy');
-  await app.field('Name of the model').fill('Lancer 07');
+  await app.button(libraryMessages.save.open).click();
+  await app.field(libraryMessages.save.name).fill('windy');
+  await app.field(messages.value.label.name).fill('Lancer 07');
   await app.button('Save').click();
   await page.getByRole('dialog').waitFor({ state: 'hidden' });
   await app.type('Function 4, S2', '77');
@@ -58,7 +61,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await app.button(/^Import \d+$/).click();
   await app.text(/^Imported from “friend\.sidus\.json”: /).waitFor();
   await page.evaluate((to) => location.assign(to), hash);
-  await page.getByRole('dialog', { name: 'A setting from a link' }).getByText('windy', { exact: true }).waitFor();
+  await page.getByRole('dialog', { name: share.received.title }).getByText('windy', { exact: true }).waitFor();
   await app.button('Do not keep').click();
 
   await page.evaluate(() => location.assign('#help/checklist'));

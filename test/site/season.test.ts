@@ -1,6 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
+import { libraryMessages } from '../../src/app/messages/en-library.js';
+import { messages } from '../../src/app/messages/index.js';
 import { type LibraryFile, parseLibraryFile } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
@@ -115,10 +117,10 @@ class Device {
   /** Saves what is on the screen under a name. */
   async saveAs(name: string, model: string, note: string): Promise<void> {
     const { app } = this;
-    const first = app.button('Save to library…');
+    const first = app.button(libraryMessages.save.open);
     await first.or(app.button('Save as new…')).first().click();
-    const dialog = app.page.getByRole('dialog', { name: 'Save to library' });
-    await dialog.getByRole('textbox', { name: 'Name of the setting' }).fill(name);
+    const dialog = app.page.getByRole('dialog', { name: libraryMessages.save.open });
+    await dialog.getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
     await dialog.getByRole('combobox', { name: 'Model' }).selectOption({ label: model });
     await dialog.getByRole('textbox', { name: 'Note' }).fill(note);
     await dialog.getByRole('button', { name: 'Save', exact: true }).click();
@@ -129,7 +131,7 @@ class Device {
   async tag(model: string, settings: readonly Pick<Kept, 'name' | 'tags'>[]): Promise<void> {
     for (const { name, tags } of settings) {
       const page = await this.goTo(model, name);
-      await page.getByRole('textbox', { name: 'Tags' }).fill(tags);
+      await page.getByRole('textbox', { name: libraryMessages.setting.tags }).fill(tags);
     }
   }
 
@@ -176,7 +178,7 @@ class Device {
     await page.evaluate(() => location.assign('#library'));
     await this.app.text('No model yet').waitFor();
     await importFile(this.app, 'from the lost one.sidus.json', text);
-    await this.app.text('It holds 3 models, 12 settings, 30 flights.').waitFor();
+    await this.app.text('It holds 3 models, 12 programs, 30 flights.').waitFor();
     await this.app.button('Import 45').click();
     await this.app.text(/^Imported from .*: 3\smodels, 12\ssettings, 30\sflights\.$/).waitFor();
   }
@@ -196,7 +198,9 @@ class Device {
     await about.getByText(`${FLIGHTS.lancer} flights`).first().waitFor();
     const flyOff = await this.goTo('Vega 12', 'fly-off');
     await flyOff.getByText('8:00 min').first().waitFor();
-    await expect.poll(() => flyOff.getByRole('textbox', { name: 'Tags' }).inputValue()).toBe('fly-off');
+    await expect
+      .poll(() => flyOff.getByRole('textbox', { name: libraryMessages.setting.tags }).inputValue())
+      .toBe('fly-off');
     await page.evaluate(() => location.assign('#library/flights'));
     await this.app.text('30 flights').first().waitFor();
   }
@@ -309,11 +313,11 @@ test('a season of three models is flown, and a lost device comes back on another
   const make = page.getByRole('dialog', { name: 'New model' });
   await make.getByRole('textbox', { name: 'Name' }).fill('Ridge 3');
   await make.getByText('F1E', { exact: true }).click();
-  await app.button('Make the model').click();
+  await app.button(messages.value.save).click();
   for (const { name, note } of RIDGE) {
-    await (await first.goTo('Ridge 3')).getByRole('button', { name: 'New setting…' }).click();
-    await page.getByRole('textbox', { name: 'Name of the setting' }).fill(name);
-    await app.button('Make the setting').click();
+    await (await first.goTo('Ridge 3')).getByRole('button', { name: libraryMessages.model.makeSetting }).click();
+    await page.getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
+    await app.button(messages.value.save).click();
     await page.getByRole('article', { name, exact: true }).getByRole('textbox', { name: 'Note' }).fill(note);
   }
   await first.tag('Ridge 3', RIDGE);
@@ -323,7 +327,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await app.button('Choose…').click();
   await page.getByRole('dialog').getByRole('button', { name: 'Ridge 3' }).click();
   const light = await first.goTo('Ridge 3', 'slope, light');
-  await light.getByRole('button', { name: 'Load into the table' }).click();
+  await light.getByRole('button', { name: messages.value.open }).click();
   await app.table.waitFor();
   await app.type('Function 2, S1', '71');
   await app.button('Save over slope, light of Ridge 3').click();
@@ -376,7 +380,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await second.app.text(/^This is Lancer 07, as seen /).waitFor();
   await second.app.button('OK').click();
   const windy = await second.goTo('Lancer 07', 'windy');
-  await windy.getByRole('button', { name: 'Load into the table' }).click();
+  await windy.getByRole('button', { name: messages.value.open }).click();
   await second.app.table.waitFor();
   await second.app.review();
   await second.app.text('This is what changes in M1 “calm” of Lancer 07. Everything else stays as it is.').waitFor();

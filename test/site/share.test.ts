@@ -1,4 +1,7 @@
 import { expect, inject, test } from 'vitest';
+import { libraryMessages } from '../../src/app/messages/en-library.js';
+import { share } from '../../src/app/messages/en-share.js';
+import { messages } from '../../src/app/messages/index.js';
 import { decodeLink, encodeLink, LIMITS, LINK_MARK } from '../../src/program/index.js';
 import { SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
@@ -16,9 +19,9 @@ test('a setting that is shared by link can be kept on another device, after one 
   const pilot = await AppPage.open();
   await pilot.trySimulated('F1Q');
   await pilot.type('DT time', '4:00');
-  await pilot.button('Save to library…').click();
-  await pilot.field('Name of the setting').fill('windy');
-  await pilot.field('Name of the model').fill('Lancer 07');
+  await pilot.button(libraryMessages.save.open).click();
+  await pilot.field(libraryMessages.save.name).fill('windy');
+  await pilot.field(messages.value.label.name).fill('Lancer 07');
   await pilot.button('Save').click();
   await pilot.page.getByRole('dialog').waitFor({ state: 'hidden' });
   await pilot.goTo('Library');
@@ -31,7 +34,7 @@ test('a setting that is shared by link can be kept on another device, after one 
   const friend = await AppPage.open();
   await friend.page.goto('about:blank');
   await friend.page.goto(link);
-  const dialog = friend.page.getByRole('dialog', { name: 'A setting from a link' });
+  const dialog = friend.page.getByRole('dialog', { name: share.received.title });
   await dialog.getByText('windy', { exact: true }).waitFor();
   await expect.poll(() => dialog.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:00');
   await friend.reload();
@@ -115,7 +118,7 @@ test('a link that is opened while the page is open is shown over the present vie
   await app.button('Close').click();
   expect(hashOf(app)).toBe('#memories');
   await arrive(app, HASH);
-  await app.text('The connected timer has another number of functions or servos.').waitFor();
+  await app.text(messages.value.notFitting).waitFor();
   await app.button('Do not keep').click();
   expect(hashOf(app)).toBe('#memories');
   await app.goTo('Program');

@@ -549,7 +549,7 @@ export const states = {
       const link = await page.getByRole('textbox', { name: 'Link', exact: true }).inputValue();
       await press(page, 'Close');
       await page.evaluate((hash) => location.assign(hash), new URL(link).hash);
-      await page.getByRole('dialog', { name: 'A setting from a link' }).waitFor();
+      await page.getByRole('dialog', { name: 'A program from a link' }).waitFor();
     },
   },
   'empty-library': {

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { type Change, differences, fieldKey, type ProgramField } from '../../program/index.js';
 import { comparingMessages } from '../messages/en-compare.js';
+import { obstacles } from '../messages/en-library.js';
 import { clockText, dayText, fieldInSentence, figureText, messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
@@ -32,12 +33,12 @@ export function ComparePage({ session, pair, following, onBack }: ComparePagePro
   const second = compare.second.value;
   return (
     <section class="stack gap-3 compare-page" aria-labelledby="compare-title">
-      <BackHead back={words.back} to={onBack} titleId="compare-title" heading={heading}>
+      <BackHead back={messages.value.views.names.library} to={onBack} titleId="compare-title" heading={heading}>
         {words.title}
       </BackHead>
       <div class="row compare-choice">
         <Choice
-          label={words.first}
+          label={words.title}
           session={session}
           sides={compare.sides.value}
           chosen={first}
@@ -50,11 +51,6 @@ export function ComparePage({ session, pair, following, onBack }: ComparePagePro
           chosen={second}
           onChoose={(key) => compare.chooseSecond(key)}
         />
-        {second && (
-          <button type="button" class="quiet" onClick={() => compare.swap()}>
-            {words.swap}
-          </button>
-        )}
       </div>
       {first && second ? (
         <Pair {...{ session, compare, following, first, second }} />
@@ -97,10 +93,10 @@ function Pair({ session, compare, following, first, second }: PairProps) {
       first={first.program}
       second={second.program}
       names={names}
-      title={words.picture(...names)}
+      title={messages.value.timeline.title}
       actionOf={onScreen && !following ? action : undefined}
     >
-      {onScreen && !isSame && <p class="hint">{following ? words.following : words.takeHint}</p>}
+      {onScreen && !isSame && <p class="hint">{following ? obstacles.following : words.takeHint}</p>}
       {canOpen && (
         <button type="button" onClick={() => void compare.open(setting)}>
           {words.openFirst(setting.record.setting.name)}
@@ -135,10 +131,11 @@ interface ChoiceProps {
 
 function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
   const { compare: words } = comparingMessages;
+  const { backups } = messages.value;
   const groups = [
     { name: words.groups.now, of: sides.filter(({ kind }) => kind === 'screen' || kind === 'timer') },
     { name: words.groups.settings, of: sides.filter(({ kind }) => kind === 'setting') },
-    { name: words.groups.backups, of: sides.filter(({ kind }) => kind === 'backup') },
+    { name: backups.title, of: sides.filter(({ kind }) => kind === 'backup') },
   ];
   return (
     <label>
@@ -171,7 +168,7 @@ export function sideName(session: Session, side: Side): string {
   const { library } = session;
   if (side.kind === 'screen') {
     const name = programName(session);
-    return name === '' ? words.screen : words.screenOf(name);
+    return name === '' ? words.screen : words.setting(words.screen, name);
   }
   if (side.kind === 'timer') return heldName(words.timer(memoryText(session, side.memory)), side.held, clockText);
   if (side.kind === 'setting') {

@@ -61,10 +61,6 @@ export class Compare {
     this.#pair.show(this.first.peek()?.key ?? null, key);
   }
 
-  swap(): void {
-    this.#pair.show(this.second.peek()?.key ?? null, this.first.peek()?.key ?? null);
-  }
-
   /** Takes one value of the other program into the program on the screen, as a step of its own. */
   take(field: ProgramField): void {
     const from = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== SCREEN);

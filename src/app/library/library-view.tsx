@@ -1,5 +1,6 @@
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { libraryMessages } from '../messages/en-library.js';
+import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { useQuery } from '../ui/use-query.js';
 import type { Browse } from './browse.js';
@@ -33,7 +34,7 @@ const MIDDLE = '(min-width: 760px)';
  * chosen. On a phone one of these, with a way back.
  */
 export function LibraryView({ session, browse, path, places, onProgram, onGo }: LibraryViewProps) {
-  const words = libraryMessages;
+  const { views, parts } = messages.value;
   const { library } = session;
   useEffect(() => void library.load(), [library]);
   const isWide = useQuery(WIDE).value;
@@ -51,9 +52,9 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
   if (!isLoaded) {
     return (
       <section class="library-coming" aria-busy="true">
-        <h1>{words.title}</h1>
+        <h1>{views.names.library}</h1>
         <p class="hint" role="status">
-          {words.coming}
+          {parts.coming}
         </p>
       </section>
     );
@@ -108,12 +109,11 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
 
 /** Entries that were not read must not look as if they were missing. */
 function Unread({ library }: { readonly library: Session['library'] }) {
-  const words = libraryMessages;
   return (
     <div class="notice bad" role="alert">
-      <p>{words.unread}</p>
+      <p>{libraryMessages.unread}</p>
       <button type="button" onClick={() => void library.load()}>
-        {words.readAgain}
+        {messages.value.parts.again}
       </button>
     </div>
   );

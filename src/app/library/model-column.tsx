@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { libraryMessages } from '../messages/en-library.js';
-import { timerName } from '../messages/index.js';
+import { messages, timerName } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { BackSign } from '../ui/back-sign.js';
@@ -32,7 +32,7 @@ export function ModelColumn(props: ModelColumnProps) {
   const words = libraryMessages;
   const making = useSignal(false);
   const records = browse.byModel.value.get(model?.key ?? null) ?? [];
-  const name = model?.model.name ?? words.models.loose;
+  const name = model?.model.name ?? messages.value.noModel;
   // With a way back, the list with the heading of the page is not beside it.
   const Heading = back ? 'h1' : 'h2';
   return (
@@ -44,7 +44,7 @@ export function ModelColumn(props: ModelColumnProps) {
         </a>
       )}
       {!model && !isLoose ? (
-        !session.library.unread.value && <p class="hint">{words.setting.modelGone}</p>
+        !session.library.unread.value && <p class="hint">{words.setting.gone}</p>
       ) : (
         <>
           <div class="library-head">

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { dotted } from '../messages/dotted.js';
 import { libraryMessages } from '../messages/en-library.js';
-import { timerName } from '../messages/index.js';
+import { messages, timerName } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
@@ -35,12 +35,12 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
   const isEmpty = library.models.list.value.length + library.settings.list.value.length === 0;
   return (
     <section class="library-models" aria-label={words.models.title}>
-      <h1>{words.title}</h1>
+      <h1>{messages.value.views.names.library}</h1>
       <input
         type="search"
         class="library-search"
         aria-label={words.search.label}
-        placeholder={words.search.placeholder}
+        placeholder={messages.value.label.search}
         autocomplete="off"
         value={browse.text.value}
         onInput={(event) => browse.search(event.currentTarget.value)}
@@ -77,10 +77,10 @@ export function ModelList({ session, browse, chosen, setting, places, alone, fou
   );
 }
 
-/** “12 settings”, or that a search has found none. */
+/** “12 programs”, or that a search has found none. */
 export function foundText(count: number): string {
-  const { search } = libraryMessages;
-  return count === 0 ? search.nothing : search.found(count);
+  const { search, models } = libraryMessages;
+  return count === 0 ? search.nothing : models.settings(count);
 }
 
 function Models({ session, browse, chosen }: Pick<ModelListProps, 'session' | 'browse' | 'chosen'>) {
@@ -102,7 +102,7 @@ function Models({ session, browse, chosen }: Pick<ModelListProps, 'session' | 'b
       {loose > 0 && (
         <li key={NO_MODEL}>
           <a class="stack library-item" href={addressOf(null)} aria-current={chosen === NO_MODEL ? 'true' : undefined}>
-            <b>{words.models.loose}</b>
+            <b>{messages.value.noModel}</b>
             <span>{words.models.settings(loose)}</span>
           </a>
         </li>
@@ -128,7 +128,7 @@ function ModelRowContent({ record, count, isChosen, isKept }: ModelRowProps) {
       <b>{name}</b>
       <span>
         {dotted([
-          timerClass === null ? words.models.noClass : timerName({ timerClass }),
+          timerClass === null ? '' : timerName({ timerClass }),
           words.models.settings(count),
           archived && words.models.archived,
           !isKept && words.unkept.mark,

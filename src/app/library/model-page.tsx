@@ -1,5 +1,6 @@
 import { LIMITS, type Model } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
+import { messages } from '../messages/index.js';
 import { plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
@@ -22,6 +23,7 @@ interface ModelPageProps {
  */
 export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
   const words = libraryMessages;
+  const { label } = messages.value;
   const { library } = session;
   const { model } = record;
   const change = (changed: Partial<Model>): void => {
@@ -38,7 +40,7 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
         <div class="buttons">{places.modelButtons(record)}</div>
       </div>
       <TextField
-        label={words.model.name}
+        label={label.name}
         value={model.name}
         longest={LIMITS.name}
         required
@@ -47,7 +49,7 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
       />
       <ClassChoice value={model.timerClass} onChange={(timerClass) => change({ timerClass })} />
       <TextField
-        label={words.model.note}
+        label={label.note}
         value={model.note}
         longest={LIMITS.note}
         lines={3}

@@ -17,7 +17,7 @@ interface ModelServosProps {
 /** What the servos of the model move, and between which steps. */
 export function ModelServos({ session, record, onChange }: ModelServosProps) {
   const { model: words } = libraryMessages;
-  const { servoName } = messages.value;
+  const { servoName, preview } = messages.value;
   const naming = useSignal(false);
   const { servos } = record.model;
   const program = programOf(session, record);
@@ -35,16 +35,13 @@ export function ModelServos({ session, record, onChange }: ModelServosProps) {
           ))}
         </ul>
       ) : (
-        <p class="hint">
-          {words.servosUnknown} {words.servosHint}
-        </p>
+        !program && <p class="hint">{words.servosUnknown}</p>
       )}
       <div class="buttons">
         <button type="button" disabled={!isSaid && !program} onClick={() => (naming.value = true)}>
-          {words.servosChange}
+          {preview.nameServos}
         </button>
       </div>
-      {!isSaid && !program && <p class="hint">{words.servosNoProgram}</p>}
       <ServoDialog
         open={naming.value}
         uses={isSaid ? servos : program ? guessedUses(program) : []}

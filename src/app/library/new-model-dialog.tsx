@@ -1,5 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { libraryMessages } from '../messages/en-library.js';
+import { messages } from '../messages/index.js';
 import { emptyModel, newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
 import { FormButtons } from '../ui/form-buttons.js';
@@ -18,16 +19,15 @@ interface NewModelDialogProps {
 
 /** Asks for the name and the class of a new model. */
 export function NewModelDialog({ open, session, ...props }: NewModelDialogProps) {
-  const { newModel: words } = libraryMessages;
   return (
-    <Modal open={open} title={words.title} onEscape={props.onClose}>
+    <Modal open={open} title={libraryMessages.models.make} onEscape={props.onClose}>
       <Form session={session} {...props} />
     </Modal>
   );
 }
 
 function Form({ session, onClose, onMade }: Omit<NewModelDialogProps, 'open'>) {
-  const { newModel: words, model: fields } = libraryMessages;
+  const { label, save } = messages.value;
   const name = useSignal('');
   const timerClass = useSignal<string | null>(session.editor.identity.peek()?.timerClass ?? null);
   return (
@@ -41,9 +41,9 @@ function Form({ session, onClose, onMade }: Omit<NewModelDialogProps, 'open'>) {
         onMade(model.id);
       }}
     >
-      <NameField label={fields.name} value={name.value} onChange={(text) => (name.value = text)} />
+      <NameField label={label.name} value={name.value} onChange={(text) => (name.value = text)} />
       <ClassChoice value={timerClass.value} onChange={(letter) => (timerClass.value = letter)} />
-      <FormButtons label={words.make} onCancel={onClose} />
+      <FormButtons label={save} onCancel={onClose} />
     </form>
   );
 }

@@ -25,17 +25,16 @@ interface NewSettingDialogProps {
 
 /** Makes a setting without a timer, from usual times or from nothing. */
 export function NewSettingDialog({ open, ...props }: NewSettingDialogProps) {
-  const { newSetting: words } = libraryMessages;
   return (
-    <Modal open={open} title={words.title} onEscape={props.onClose}>
+    <Modal open={open} title={libraryMessages.model.makeSetting} onEscape={props.onClose}>
       <Form {...props} />
     </Modal>
   );
 }
 
 function Form({ session, model, onClose, onMade }: Omit<NewSettingDialogProps, 'open'>) {
-  const { save, newSetting } = libraryMessages;
-  const { newProgram: words } = messages.value;
+  const { save } = libraryMessages;
+  const { newProgram: words, save: send } = messages.value;
   // With the layout of the model's other settings.
   const like = session.library.settings.list.peek().find(({ setting }) => setting.model === (model?.key ?? null));
   const known = like?.setting.program.identity;
@@ -82,12 +81,12 @@ function Form({ session, model, onClose, onMade }: Omit<NewSettingDialogProps, '
         name="new-from"
         title={words.from}
         choices={['usual', 'nothing'] as const}
-        names={newSetting.beginnings}
+        names={words.beginnings}
         chosen={wanted.value.from}
         onChoose={(from) => choose({ from })}
       />
       <p class="hint">{words.caution}</p>
-      <FormButtons label={newSetting.make} onCancel={onClose} />
+      <FormButtons label={send} onCancel={onClose} />
     </form>
   );
 }

@@ -1,6 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { LIMITS } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
+import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Check } from '../ui/check.js';
 import { Choice } from '../ui/choice.js';
@@ -20,7 +21,7 @@ interface SaveDialogProps {
 export function SaveDialog({ session, saveSetting }: SaveDialogProps) {
   const { save: words } = libraryMessages;
   return (
-    <Modal open={saveSetting.asking.value} title={words.title} onEscape={() => saveSetting.dismiss()}>
+    <Modal open={saveSetting.asking.value} title={words.open} onEscape={() => saveSetting.dismiss()}>
       <NameForm {...{ session, saveSetting }} />
     </Modal>
   );
@@ -32,6 +33,7 @@ const NONE = '';
 
 function NameForm({ session, saveSetting }: SaveDialogProps) {
   const { save: words } = libraryMessages;
+  const { label, noModel, save } = messages.value;
   const { library, opened, origin } = session;
   const open = origin.setting.peek();
   const whose = origin.model.value;
@@ -58,9 +60,9 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
         onChange={(text) => (name.value = text)}
       />
       <Choice
-        label={words.model}
+        label={label.model}
         choices={[...library.models.list.value.map(({ key }) => key), NEW, NONE]}
-        nameOf={(key) => (key === NEW ? words.newModel : (library.models.get(key)?.model.name ?? words.noModel))}
+        nameOf={(key) => (key === NEW ? words.newModel : (library.models.get(key)?.model.name ?? noModel))}
         chosen={model.value}
         onChoose={(key) => {
           model.value = key;
@@ -69,14 +71,14 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       />
       {model.value === NEW && (
         <NameField
-          label={words.modelName}
+          label={label.name}
           first={false}
           value={modelName.value}
           onChange={(text) => (modelName.value = text)}
         />
       )}
       <label class="stack gap-1 library-field">
-        <span>{words.note}</span>
+        <span>{label.note}</span>
         <textarea
           rows={2}
           maxLength={LIMITS.note}
@@ -93,7 +95,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       )}
       <Problem text={!opened.savable.value && words.notSavable} />
       <FormButtons
-        label={words.save}
+        label={save}
         disabled={!opened.savable.value || (isOther && !crossed.value)}
         onCancel={() => saveSetting.dismiss()}
       />

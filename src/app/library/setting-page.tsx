@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { LIMITS, type Setting } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
-import { clockText, dutyName, messages, timerName } from '../messages/index.js';
+import { clockText, dutyName, messages } from '../messages/index.js';
 import { plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
@@ -10,10 +10,12 @@ import { BackSign } from '../ui/back-sign.js';
 import { Choice } from '../ui/choice.js';
 import { KeyFigures } from '../ui/key-figures.js';
 import { TimesTable } from '../ui/slot-table.js';
+import { obstacleText } from './obstacle-text.js';
 import { addressOf, addressPath, NO_MODEL } from './place.js';
 import type { Places } from './places.js';
 import { asTags, tagsText } from './tags.js';
 import { TextField } from './text-field.js';
+import { timerText } from './timer-text.js';
 import './setting-page.css';
 
 interface SettingPageProps {
@@ -32,12 +34,12 @@ interface SettingPageProps {
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
   const words = libraryMessages;
-  const { program: table, servoName } = messages.value;
+  const { program: table, servoName, label, noModel } = messages.value;
   const { library } = session;
   const way = back !== null && (
     <a class="library-back" href={addressOf(back)}>
       <BackSign />
-      {back === NO_MODEL ? words.models.loose : (library.models.get(back)?.model.name ?? words.models.all)}
+      {back === NO_MODEL ? noModel : (library.models.get(back)?.model.name ?? words.models.all)}
     </a>
   );
   if (!record) {
@@ -68,9 +70,7 @@ export function SettingPage(props: SettingPageProps) {
       {way}
       <Heading class="setting-title">{setting.name}</Heading>
       <TextField
-        label={words.setting.note}
-        placeholder={words.setting.notePlace}
-        hiddenLabel
+        label={label.note}
         value={setting.note}
         longest={LIMITS.note}
         lines={2}
@@ -90,7 +90,7 @@ export function SettingPage(props: SettingPageProps) {
       </section>
       {places.settingSections(record, model)}
       <TextField
-        label={words.setting.name}
+        label={label.name}
         value={setting.name}
         longest={LIMITS.name}
         required
@@ -101,14 +101,13 @@ export function SettingPage(props: SettingPageProps) {
         label={words.setting.tags}
         value={tagsText(setting.tags)}
         longest={LIMITS.tags * (LIMITS.tag + 2)}
-        hint={words.setting.tagsHint}
         asKept={(text) => tagsText(asTags(plainName(text)))}
         onSave={(text) => change({ tags: asTags(text) })}
       />
       <Choice
-        label={words.setting.move}
+        label={label.model}
         choices={[null, ...library.models.list.value.map(({ key }) => key)]}
-        nameOf={(key) => library.models.get(key)?.model.name ?? words.setting.noModel}
+        nameOf={(key) => library.models.get(key)?.model.name ?? noModel}
         chosen={model?.key ?? null}
         onChoose={(to) => {
           change({ model: to });
@@ -118,7 +117,8 @@ export function SettingPage(props: SettingPageProps) {
       <p class="hint setting-origin">
         {words.setting.origin(words.setting.from[setting.from], clockText(setting.at))}
         {'. '}
-        {originText(program)}
+        {timerText(program)}
+        {program.memory !== null && `, ${messages.value.memoryName(program.memory)}`}
       </p>
       <div class="buttons">
         <button
@@ -129,7 +129,7 @@ export function SettingPage(props: SettingPageProps) {
             onGo(addressPath(model?.key ?? null));
           }}
         >
-          {words.setting.remove}
+          {messages.value.delete}
         </button>
       </div>
     </article>
@@ -138,7 +138,7 @@ export function SettingPage(props: SettingPageProps) {
 
 function OpenButton({ session, record, onProgram }: SettingPageProps & { readonly record: SettingRecord }) {
   const words = libraryMessages;
-  const { opened, connection } = session;
+  const { opened } = session;
   const failed = useSignal(false);
   const isOpen = session.origin.setting.value?.id === record.key;
   const obstacle = opened.obstacle(record.setting.program);
@@ -166,16 +166,20 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
             {words.setting.loadAgain(count)}
           </button>
         )}
-        {count > 0 && <p class="hint setting-unsaved">{words.setting.unsaved(count)}</p>}
+        {count > 0 && (
+          <p class="hint setting-unsaved">
+            {words.save.state(record.setting.name, unsaved?.changes ?? 0, unsaved?.unreadable ?? 0)}
+          </p>
+        )}
       </>
     );
   }
   return (
     <>
       <button type="button" class="primary" disabled={obstacle !== null} onClick={() => void show()}>
-        {connection.value ? words.setting.load : words.setting.open}
+        {messages.value.open}
       </button>
-      {obstacle !== null && <p class="hint setting-unsaved">{words.setting.obstacles[obstacle]}</p>}
+      {obstacle !== null && <p class="hint setting-unsaved">{obstacleText(obstacle)}</p>}
       {obstacle === null && failed.value && (
         <p class="bad-text setting-unsaved" role="alert">
           {words.setting.notShown}
@@ -183,13 +187,4 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
       )}
     </>
   );
-}
-
-/** The timer that it is for. A setting that was made here has no firmware. */
-function originText({ identity, memory }: Setting['program']): string {
-  const { setting } = libraryMessages;
-  const firmware = identity.firmware === '000' ? null : identity.firmware;
-  const functions = identity.functions - 1;
-  const timer = setting.timer(timerName(identity), firmware, functions, identity.servos);
-  return memory === null ? timer : `${timer}, ${messages.value.memoryName(memory)}`;
 }

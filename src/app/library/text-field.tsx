@@ -16,9 +16,6 @@ interface TextFieldProps {
   readonly asKept?: (text: string) => string;
   readonly lines?: number;
   readonly required?: boolean;
-  readonly hint?: string;
-  readonly placeholder?: string;
-  readonly hiddenLabel?: boolean;
 }
 
 /**
@@ -30,7 +27,7 @@ const asTyped = (text: string): string => text;
 
 /** A text of the library that is saved while it is typed. */
 export function TextField(props: TextFieldProps) {
-  const { label, value, longest, lines, required, hint, placeholder, hiddenLabel, asKept = asTyped } = props;
+  const { label, value, longest, lines, required, asKept = asTyped } = props;
   const words = libraryMessages;
   const id = useId();
   /** The typed text; null while the library's text is shown. */
@@ -60,7 +57,6 @@ export function TextField(props: TextFieldProps) {
   }, []);
   const given = {
     id,
-    placeholder,
     maxLength: longest,
     value: typed.value ?? value,
     onInput: (event: { readonly currentTarget: { readonly value: string } }): void => {
@@ -74,11 +70,8 @@ export function TextField(props: TextFieldProps) {
   useUnsaved(typed.value !== null);
   return (
     <div class="stack gap-1 text-field">
-      <label class={hiddenLabel ? 'visually-hidden' : undefined} for={id}>
-        {label}
-      </label>
+      <label for={id}>{label}</label>
       {lines ? <textarea {...given} rows={lines} /> : <input type="text" {...given} autocomplete="off" />}
-      {hint && <p class="hint">{hint}</p>}
       {required && typed.value !== null && asKept(typed.value) === '' && <p class="bad-text">{words.nameNeeded}</p>}
     </div>
   );

@@ -65,7 +65,7 @@ export function MemoryName({ session, memory }: { readonly session: Session; rea
         <button
           type="button"
           class="quiet"
-          aria-label={given === '' ? words.of(words.give, name) : words.change(name, given)}
+          aria-label={given === '' ? messages.value.of(words.give, name) : words.change(name, given)}
           onClick={() => (editing.value = true)}
         >
           {given === '' ? words.give : given}

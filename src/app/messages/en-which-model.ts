@@ -20,24 +20,15 @@ const recognition = {
   several: (models: readonly string[]) => `This may be ${either(models)}. Which model is it?`,
   unknown: 'This timer is not known here. Which model is it?',
   yes: (model: string) => `Yes, ${model}`,
-  another: 'Another…',
   choose: 'Choose…',
-  notNow: 'Not now',
   ok: 'OK',
   dialog: {
     title: 'Which model is it?',
-    lead: 'A timer does not know the name of its model. The page compares what this timer holds with what it last saw in each model.',
+    lead: 'A timer does not know its model. The page compares what it holds with what it last saw in each model.',
     said: (model: string) => `You have said that it is ${model}.`,
     moreMemories: 'Read the other memories, too: they may tell the models apart.',
-    list: 'Models',
-    search: 'Search',
-    nothing: 'No model has this name.',
-    none: 'This device keeps no other model of this class yet.',
-    /** Under a name in the list. */
-    holds: (when: string) => `the same as ${when}`,
-    differs: (count: number, when: string) => `${plural(count, 'value differs', 'values differ')} from ${when}`,
+    none: 'No such model of this class.',
     newModel: 'A new model',
-    name: 'Name',
     keep: 'Keep as a new model',
     taken: 'A model of this name is in the list already.',
   },
@@ -47,8 +38,6 @@ const recognition = {
 const memoryNames = {
   label: (memory: string) => `Name of ${memory}`,
   give: 'Name it',
-  /** A button of a card, for a screen reader, which does not know the card. */
-  of: (button: string, memory: string) => `${button}: ${memory}`,
   /** A button that shows the name. */
   change: (memory: string, name: string) => `${apart(name)}, the name of ${memory}: change it`,
 };

@@ -32,7 +32,7 @@ export function PrintPicker({ print }: { readonly print: Print }) {
       <input
         type="search"
         aria-label={libraryMessages.search.label}
-        placeholder={libraryMessages.search.placeholder}
+        placeholder={messages.value.label.search}
         value={print.search.value}
         onInput={({ currentTarget }) => print.searchFor(currentTarget.value)}
       />

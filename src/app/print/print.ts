@@ -91,7 +91,7 @@ export class Print {
 
   /** The name of a saved program among those of other models: “Lancer 07 · calm”. */
   nameOf({ setting }: SettingRecord): string {
-    const model = this.#session.library.models.get(setting.model)?.model.name ?? words.save.noModel;
+    const model = this.#session.library.models.get(setting.model)?.model.name ?? messages.value.noModel;
     return dotted([model, setting.name]);
   }
 

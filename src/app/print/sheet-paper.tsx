@@ -1,6 +1,5 @@
 import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
-import { libraryMessages } from '../messages/en-library.js';
 import { print } from '../messages/en-print.js';
 import { messages } from '../messages/index.js';
 import { TimelineNotes } from '../timeline/timeline-notes.js';
@@ -78,7 +77,7 @@ function SheetHead({ sheet }: { readonly sheet: Sheet }) {
     <div class="leaf-head">
       <div class="leaf-title">
         <h2 class={sheet.model.length > LONG ? 'is-long' : ''}>
-          <Blank label={libraryMessages.save.model} text={sheet.model} />
+          <Blank label={messages.value.label.model} text={sheet.model} />
         </h2>
         <p class="leaf-name">
           <Blank label={messages.value.views.names.program} text={sheet.name} />

@@ -1,8 +1,10 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { LIMITS, type Model } from '../../program/index.js';
+import { comparingMessages } from '../messages/en-compare.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { modelMessages } from '../messages/en-which-model.js';
-import { dayText } from '../messages/index.js';
+import { dayText, messages } from '../messages/index.js';
 import { foldedText, searchFor } from '../messages/search.js';
 import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
 import { CancelButton } from '../ui/form-buttons.js';
@@ -23,7 +25,7 @@ export function ModelDialog({ recognition }: { readonly recognition: Recognition
       <div class="buttons">
         {isAsked ? (
           <button type="button" class="quiet" onClick={() => recognition.notNow()}>
-            {modelMessages.recognition.notNow}
+            {messages.value.notNow}
           </button>
         ) : (
           <CancelButton onClick={() => recognition.leave()} />
@@ -53,7 +55,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
       {found?.kind === 'several' && <p class="hint">{dialog.moreMemories}</p>}
       {inOrder.length > SEARCHED && (
         <label class="stack gap-1">
-          {dialog.search}
+          {messages.value.label.search}
           <input
             type="search"
             value={searched.value}
@@ -65,7 +67,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
       {inOrder.length === 0 ? (
         <p>{dialog.none}</p>
       ) : (
-        <ul class="model-choices" aria-label={dialog.list}>
+        <ul class="model-choices" aria-label={libraryMessages.models.title}>
           {shown.map((model) => (
             <Row
               key={model.id}
@@ -77,7 +79,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
           ))}
         </ul>
       )}
-      {inOrder.length > 0 && shown.length === 0 && <p role="status">{dialog.nothing}</p>}
+      {inOrder.length > 0 && shown.length === 0 && <p role="status">{dialog.none}</p>}
     </>
   );
 }
@@ -91,14 +93,14 @@ interface RowProps {
 }
 
 function Row({ model, near, chosen, onChoose }: RowProps) {
-  const { dialog } = modelMessages.recognition;
+  const { modelBackups: held } = comparingMessages;
   return (
     <li>
       <button type="button" aria-pressed={chosen} onClick={onChoose}>
         <strong>{model.name}</strong>
         {near && (
           <small>
-            {near.differs === 0 ? dialog.holds(dayText(near.at)) : dialog.differs(near.differs, dayText(near.at))}
+            {near.differs === 0 ? held.same(dayText(near.at)) : held.differs(near.differs, dayText(near.at))}
           </small>
         )}
       </button>
@@ -122,7 +124,7 @@ function NewModel({ recognition }: { readonly recognition: Recognition }) {
     >
       <h3>{dialog.newModel}</h3>
       <label>
-        {dialog.name}
+        {messages.value.label.name}
         <input
           type="text"
           value={name.value}

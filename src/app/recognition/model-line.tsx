@@ -1,5 +1,5 @@
 import { modelMessages } from '../messages/en-which-model.js';
-import { dayText } from '../messages/index.js';
+import { dayText, messages } from '../messages/index.js';
 import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
 import './model-line.css';
 
@@ -26,10 +26,10 @@ export function ModelLine({ recognition }: { readonly recognition: Recognition }
           class={picks.length > 0 || found.kind === 'same' ? 'quiet' : ''}
           onClick={() => recognition.choose()}
         >
-          {picks.length > 0 || found.kind === 'same' ? words.another : words.choose}
+          {words.choose}
         </button>
         <button type="button" class={found.kind === 'same' ? '' : 'quiet'} onClick={() => recognition.notNow()}>
-          {found.kind === 'same' ? words.ok : words.notNow}
+          {found.kind === 'same' ? words.ok : messages.value.notNow}
         </button>
       </div>
     </div>

@@ -17,9 +17,9 @@ export interface Opened {
  * Why a setting cannot be shown now.
  * - `busy`: a job has the wire, or the page looks for a timer.
  * - `following`: the servos follow edits.
- * - `other-class`, `other-layout`: the connected timer cannot take it.
+ * - `not-fitting`: the connected timer has another class or layout.
  */
-export type ShowObstacle = 'busy' | 'following' | 'other-class' | 'other-layout';
+export type ShowObstacle = 'busy' | 'following' | 'not-fitting';
 
 /** How the program on the screen differs from the setting that it belongs to. */
 export interface Unsaved {
@@ -100,7 +100,7 @@ export class OpenSetting {
     const held = editor.baseline.value;
     if (!held) return 'busy';
     if (isOfOneShape(program.identity, held.identity)) return null;
-    return program.identity.timerClass === held.identity.timerClass ? 'other-layout' : 'other-class';
+    return 'not-fitting';
   }
 
   /**

@@ -1,6 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it, onTestFinished, vi } from 'vitest';
 import { libraryMessages } from '../../../src/app/messages/en-library.js';
+import { messages } from '../../../src/app/messages/index.js';
 import { idle, MemoryStore } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
 import { manyRecords } from './many.js';
@@ -91,7 +92,7 @@ it('a name cannot become empty', async () => {
   const app = await at('model-0/setting-0');
   const before = input('Name').value;
   await write('Name', '  ');
-  expect(screen.getByText('A name is needed. The old name stays.')).toBeTruthy();
+  expect(screen.getByText(libraryMessages.nameNeeded)).toBeTruthy();
   fireEvent.blur(input('Name'));
   await idle();
   expect([input('Name').value, app.store.settings.records.get('setting-0')?.setting.name]).toEqual([before, before]);
@@ -100,7 +101,7 @@ it('a name cannot become empty', async () => {
 it.each([
   ['Name', 'Lancer ', 'Lancer 07'],
   ['Name', 'Lancer\u202e', 'Lancer\u202e 07'],
-  ['Tags', 'calm,', 'calm,windy'],
+  [libraryMessages.setting.tags, 'calm,', 'calm,windy'],
 ])('what is typed into “%s” after a pause is nothing that another tab has saved: %j', async (field, first, then) => {
   const app = await at('model-0/setting-0');
   await write(field, first);
@@ -116,7 +117,7 @@ it.each([
 
 it('the strip says which setting is open, and how many changes are not saved', async () => {
   await at('model-0/setting-0');
-  await press('Open');
+  await press(messages.value.open);
   expect(screen.getByText('Lancer 01, fly-off 0: saved')).toBeTruthy();
   await type('DT time', '2:00');
   expect(screen.getByText('Lancer 01, fly-off 0: 1 change not saved')).toBeTruthy();
@@ -128,14 +129,14 @@ it('the strip says which setting is open, and how many changes are not saved', a
 
 it('a setting that is open can be loaded again after changes, as one step', async () => {
   const app = await at('model-0/setting-0');
-  await press(libraryMessages.setting.open);
+  await press(messages.value.open);
   const { editor } = app.session;
   const saved = editor.working.value;
   const again = libraryMessages.setting.loadAgain(3);
   for (const slot of [1, 2, 3]) editor.type({ kind: 'position', servo: 0, slot }, '111');
   app.models.views.show('library', 'model-0/setting-0');
   await idle();
-  expect(again).toBe('Load again: 3 values go back');
+  expect(again).toBe('Open again: 3 values go back');
   await press(again);
   expect([editor.working.value, app.models.views.shown.value]).toEqual([saved, 'program']);
   editor.undo();
@@ -144,14 +145,14 @@ it('a setting that is open can be loaded again after changes, as one step', asyn
 
 it('a program is saved under a model that is made with it', async () => {
   const app = await at('model-0/setting-0');
-  await press('Open');
+  await press(messages.value.open);
   await press('Save as new…');
   const dialog = within(screen.getByRole('dialog'));
   const newModel = dialog.getByRole<HTMLOptionElement>('option', { name: 'New model' });
   fireEvent.change(dialog.getByRole('combobox', { name: 'Model' }), { target: { value: newModel.value } });
   await idle(0);
-  fireEvent.input(dialog.getByRole('textbox', { name: 'Name of the setting' }), { target: { value: ' calm ' } });
-  fireEvent.input(dialog.getByRole('textbox', { name: 'Name of the model' }), { target: { value: 'Lancer 09' } });
+  fireEvent.input(dialog.getByRole('textbox', { name: libraryMessages.save.name }), { target: { value: ' calm ' } });
+  fireEvent.input(dialog.getByRole('textbox', { name: messages.value.label.name }), { target: { value: 'Lancer 09' } });
   fireEvent.click(dialog.getByRole('button', { name: 'Save' }));
   await idle();
   const [model] = [...app.store.models.records.values()].filter(({ model: each }) => each.name === 'Lancer 09');
@@ -166,11 +167,11 @@ it('only what the browser did not store is marked', async () => {
   fireEvent.input(within(screen.getByRole('dialog')).getByRole('textbox', { name: 'Name' }), {
     target: { value: 'Lancer 09' },
   });
-  await press('Make the model');
+  await press(messages.value.save);
   app.models.views.show('library');
   await idle();
-  expect(screen.getByRole('link', { name: /Lancer 09.*not kept by this browser/ })).toBeTruthy();
-  expect(screen.queryByRole('link', { name: /Lancer 01.*not kept/ })).toBeNull();
+  expect(screen.getByRole('link', { name: /Lancer 09.*not\skept/ })).toBeTruthy();
+  expect(screen.queryByRole('link', { name: /Lancer 01.*not\skept/ })).toBeNull();
   expect(button('New model…').disabled).toBe(false);
 });
 
@@ -197,7 +198,7 @@ it('a phone saves a program from the large figures', async () => {
     matches: query.includes('max-width'),
   })) as typeof real;
   await at('model-0/setting-0');
-  await press('Open');
+  await press(messages.value.open);
   expect(
     screen.queryByRole('button', { name: 'Save as new…' }),
     'the bar of a phone has no room for this button',

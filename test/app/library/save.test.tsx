@@ -1,6 +1,7 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, expect, it } from 'vitest';
 import { libraryMessages } from '../../../src/app/messages/en-library.js';
+import { messages } from '../../../src/app/messages/index.js';
 import { idle, run } from '../bench/bench.js';
 import { drawn, press, type } from '../screen.js';
 import { BACKUP, lancerConnected, savedAs, WIND } from '../two-models.js';
@@ -28,8 +29,8 @@ it('values of one model go under another only with a tick', async () => {
   act(() => bench.session.onScreen.showBackup(BACKUP));
   await press(words.open);
   const dialog = within(screen.getByRole('dialog'));
-  const model = dialog.getByRole<HTMLSelectElement>('combobox', { name: words.model });
-  const saves = () => dialog.getByRole<HTMLButtonElement>('button', { name: words.save });
+  const model = dialog.getByRole<HTMLSelectElement>('combobox', { name: messages.value.label.model });
+  const saves = () => dialog.getByRole<HTMLButtonElement>('button', { name: messages.value.save });
   expect(model.selectedOptions[0]?.textContent, 'the model of the backup, not of the timer').toBe('Magpie');
   fireEvent.input(dialog.getByRole('textbox', { name: words.name }), { target: { value: 'taken over' } });
   expect(saves().disabled).toBe(false);

@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { modelMessages } from '../../../src/app/messages/en-which-model.js';
 import type { ModelRecord } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { exampleMemories } from '../../../src/simulator/index.js';
@@ -61,7 +62,7 @@ describe('the line about the model', () => {
     const many = Array.from({ length: 300 }, (_, at) => ({ ...record(`m${at}`, HELD[0]), order: at }));
     await withModels(...many.map((each) => ({ ...each, model: { ...each.model, name: 'Lancer' } })));
     expect(line()).toBe('This may be Lancer, Lancer, Lancer, Lancer, Lancer or 295 more. Which model is it?');
-    await press('Another…');
+    await press(modelMessages.recognition.choose);
     expect(list().getAllByRole('button', { name: /^Lancer/ })).toHaveLength(300);
   });
 
@@ -79,7 +80,7 @@ describe('the line about the model', () => {
   it('opens a list: the candidates first, then all others, with a search', async () => {
     const others = Array.from({ length: 12 }, (_, at) => record(`Model ${at}`));
     const { session } = await withModels(...others, record('Two', HELD[0]), record('One', HELD[0]));
-    await press('Another…');
+    await press(modelMessages.recognition.choose);
     const names = () =>
       list()
         .getAllByRole('listitem')

@@ -171,8 +171,8 @@ describe('a setting with a timer', () => {
   });
 
   it.each([
-    ['other-class', newProgram({ timerClass: 'B', ...USUAL_LAYOUT, from: 'usual' })],
-    ['other-layout', newProgram({ timerClass: 'Q', functions: 10, servos: 2, from: 'usual' })],
+    ['not-fitting', newProgram({ timerClass: 'B', ...USUAL_LAYOUT, from: 'usual' })],
+    ['not-fitting', newProgram({ timerClass: 'Q', functions: 10, servos: 2, from: 'usual' })],
   ] as const)('is refused with the reason %s', async (reason, program) => {
     const bench = await connectedBench();
     const { value } = bench.editor.working;

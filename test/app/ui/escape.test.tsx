@@ -1,6 +1,7 @@
 import { act, screen } from '@testing-library/preact';
 import { expect, it } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
+import { libraryMessages } from '../../../src/app/messages/en-library.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { button, connected, goTo, press, type } from '../screen.js';
 
@@ -47,7 +48,7 @@ it.each<[dialog: string, open: (app: AppBench) => Promise<void>]>([
       await press(en.erase.open);
     },
   ],
-  ['Save to library', () => press('Save to library…')],
+  [libraryMessages.save.open, () => press(libraryMessages.save.open)],
 ])('Escape changes nothing: %s', async (name, open) => {
   const app = await connected();
   await type('DT time', '4:00');

@@ -1,4 +1,3 @@
-import { useSignal } from '@preact/signals';
 import { useId, useMemo } from 'preact/hooks';
 import type { SharedSetting } from '../../../program/index.js';
 import { canSend, send } from '../../browser/share-sheet.js';
@@ -6,7 +5,6 @@ import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
 import { linkOf, qrLinkOf } from '../../session/setting-link.js';
 import { CopyButton } from '../../ui/copy-button.js';
-import { Problem } from '../../ui/problem.js';
 import { QrCode } from '../../ui/qr-code.js';
 import type { Sharing } from './sharing.js';
 import './offer.css';
@@ -24,10 +22,6 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
   const id = useId();
   const link = useMemo(() => linkOf(shared, page), [shared, page]);
   const qr = useMemo(() => qrLinkOf(shared, page), [shared, page]);
-  const failed = useSignal(false);
-  const sendIt = async (): Promise<void> => {
-    failed.value = !(await send({ title: shared.name, url: link }));
-  };
   return (
     <>
       <div class="share-offer">
@@ -49,15 +43,14 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
           <div class="buttons">
             <CopyButton label={words.copy} text={() => link} />
             {canSend() && (
-              <button type="button" onClick={() => void sendIt()}>
-                {words.send}
+              <button type="button" onClick={() => void send({ title: shared.name, url: link })}>
+                {messages.value.views.share}
               </button>
             )}
           </div>
           {qr?.isCut && <p class="hint">{words.cut}</p>}
         </div>
       </div>
-      <Problem text={failed.value && words.sendFailed} />
       <div class="buttons">
         <button type="button" onClick={() => sharing.close()}>
           {messages.value.close}

@@ -1,15 +1,20 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useMemo } from 'preact/hooks';
 import type { SharedSetting } from '../../../program/index.js';
+import { apart } from '../../messages/apart.js';
 import { dotted } from '../../messages/dotted.js';
+import { filesMessages } from '../../messages/en-files.js';
+import { libraryMessages } from '../../messages/en-library.js';
 import { share } from '../../messages/en-share.js';
-import { dateText, messages, timerName } from '../../messages/index.js';
+import { dateText, messages } from '../../messages/index.js';
 import type { Session } from '../../session/session.js';
 import { SmallLanes } from '../../timeline/small-lanes.js';
 import { KeyFigures } from '../../ui/key-figures.js';
 import { Problem } from '../../ui/problem.js';
 import { TimesTable } from '../../ui/slot-table.js';
+import { obstacleText } from '../obstacle-text.js';
 import { NO_MODEL } from '../place.js';
+import { timerText } from '../timer-text.js';
 import { NEW_MODEL, Received } from './received.js';
 import type { Sharing } from './sharing.js';
 import './received-setting.css';
@@ -27,14 +32,14 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
   const { session, sharing, link } = props;
   const received = useMemo(() => new Received(session, link), [session, link]);
   useEffect(() => void session.library.load(), [session]);
-  const { shared, damage } = received;
+  const { shared, isNewer } = received;
   const { damaged } = share;
   if (!shared) {
     return (
       <>
         <div class="notice bad" role="alert">
           <p>
-            <strong>{damaged.title}</strong> {damaged.codes[damage ?? 'other']}
+            <strong>{damaged.title}</strong> {isNewer ? filesMessages.refused.newer : damaged.bad}
           </p>
         </div>
         <div class="buttons">
@@ -60,18 +65,12 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
 function Head({ shared, isKept }: { readonly shared: SharedSetting; readonly isKept: boolean }) {
   const { received: words } = share;
   const { program, name, modelName, at } = shared;
-  const { identity } = program;
   return (
     <div class="stack gap-1">
       <p class="received-name">
-        <strong>{name}</strong> {modelName && words.from(modelName)}
+        <strong>{name}</strong> {apart(modelName)}
       </p>
-      <p class="hint">
-        {dotted([
-          words.timer(timerName(identity), identity.firmware, identity.functions - 1, identity.servos),
-          words.dated(dateText(at)),
-        ])}
-      </p>
+      <p class="hint">{dotted([timerText(program), dateText(at)])}</p>
       {!isKept && <p class="hint">{words.lead}</p>}
     </div>
   );
@@ -99,7 +98,7 @@ function Place({ session, received, shared }: PlaceProps) {
           onChange={({ currentTarget }) => received.choosePlace(currentTarget.value)}
         >
           {shared.modelName && <option value={NEW_MODEL}>{words.newModel(shared.modelName)}</option>}
-          <option value={NO_MODEL}>{words.noModel}</option>
+          <option value={NO_MODEL}>{messages.value.noModel}</option>
           {library.models.list.value
             .filter(({ model }) => !model.archived)
             .map(({ key, model }) => (
@@ -114,7 +113,6 @@ function Place({ session, received, shared }: PlaceProps) {
 }
 
 function Values({ shared }: { readonly shared: SharedSetting }) {
-  const { received: words } = share;
   const { program: table, servoName } = messages.value;
   const { program, note, tags } = shared;
   return (
@@ -128,7 +126,7 @@ function Values({ shared }: { readonly shared: SharedSetting }) {
         <TimesTable program={program} caption={table.tableCaption} />
       </section>
       {note !== '' && <p class="received-note">{note}</p>}
-      {tags.length > 0 && <p class="hint">{words.tags(tags)}</p>}
+      {tags.length > 0 && <p class="hint">{tags.join(', ')}</p>}
     </>
   );
 }
@@ -139,7 +137,7 @@ type WaysProps = ReceivedSettingProps & PlaceProps;
 function Ways({ session, sharing, received, shared, onProgram, onLibrary }: WaysProps) {
   const { received: words } = share;
   const failed = useSignal(false);
-  const { opened, connection, library, editor } = session;
+  const { opened, library, editor } = session;
   const obstacle = opened.obstacle(shared.program);
   // Until then the models are not known, and one might be made twice.
   const isLoaded = library.models.loaded.value && library.settings.loaded.value;
@@ -153,20 +151,20 @@ function Ways({ session, sharing, received, shared, onProgram, onLibrary }: Ways
   };
   return (
     <>
-      {obstacle !== null && <p class="hint">{words.obstacles[obstacle]}</p>}
-      {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten(connection.value !== null)}</p>}
-      <Problem text={failed.value && words.notOpened} />
+      {obstacle !== null && <p class="hint">{obstacleText(obstacle)}</p>}
+      {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten}</p>}
+      <Problem text={failed.value && libraryMessages.setting.notShown} />
       <div class="buttons received-ways">
         {kept && (
           <p class={kept.isSaved ? 'received-kept' : 'received-kept bad-text'} role="status">
-            {kept.isSaved ? words.kept(shared.name) : words.notKept(shared.name)}
+            {kept.isSaved ? words.kept(shared.name) : messages.value.notKept}
           </p>
         )}
         <button type="button" class="quiet" onClick={() => sharing.close()}>
           {kept ? messages.value.close : words.discard}
         </button>
         <button type="button" disabled={obstacle !== null} onClick={() => void open()}>
-          {connection.value ? words.openOver : words.open}
+          {messages.value.open}
         </button>
         {kept ? (
           <button

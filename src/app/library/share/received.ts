@@ -1,7 +1,6 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { decodeLink, differences, type Setting, type SharedSetting, sameKind } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
-import { share } from '../../messages/en-share.js';
 import { emptyModel, newId } from '../../session/library.js';
 import { plainName, withPlainNames } from '../../session/plain-names.js';
 import type { Session } from '../../session/session.js';
@@ -10,9 +9,6 @@ import { NO_MODEL } from '../place.js';
 
 /** Stands in place of a model's id: the received setting goes under a new model. */
 export const NEW_MODEL = 'new model';
-
-/** Why a link cannot be read. */
-export type DamageCode = keyof typeof share.damaged.codes;
 
 /** How it was kept. */
 export interface KeptSetting {
@@ -26,7 +22,8 @@ export class Received {
   readonly #session: Session;
   /** Null when the link is damaged. */
   readonly shared: SharedSetting | null;
-  readonly damage: DamageCode | null;
+  /** Whether a newer version of the page made a link that this one cannot read. */
+  readonly isNewer: boolean;
   readonly #place = signal<string | null>(null);
   readonly #kept = signal<KeptSetting | null>(null);
   readonly #keeping = signal(false);
@@ -40,9 +37,9 @@ export class Received {
 
   constructor(session: Session, link: string) {
     this.#session = session;
-    const { shared, damage } = read(link);
+    const { shared, isNewer } = read(link);
     this.shared = shared;
-    this.damage = damage;
+    this.isNewer = isNewer;
     const { models, settings } = session.library;
     this.place = computed(() => {
       const chosen = this.#place.value;
@@ -103,13 +100,12 @@ export class Received {
   }
 }
 
-function read(link: string): { readonly shared: SharedSetting | null; readonly damage: DamageCode | null } {
+function read(link: string): { readonly shared: SharedSetting | null; readonly isNewer: boolean } {
   try {
-    return { shared: plain(decodeLink(link)), damage: null };
+    return { shared: plain(decodeLink(link)), isNewer: false };
   } catch (cause) {
     if (!(cause instanceof CodecError)) throw cause;
-    const { code } = cause;
-    return { shared: null, damage: code in share.damaged.codes ? (code as DamageCode) : 'other' };
+    return { shared: null, isNewer: cause.code === 'newer-version' };
   }
 }
 

@@ -1,5 +1,6 @@
 import { type ReadonlySignal, useComputed } from '@preact/signals';
 import { share } from '../../messages/en-share.js';
+import { messages } from '../../messages/index.js';
 import type { Session } from '../../session/session.js';
 import { Modal } from '../../ui/modal.js';
 import { SettingOffer } from './offer.js';
@@ -22,16 +23,15 @@ interface SharingDialogProps {
 
 /** Sends a setting to another device, or receives one. */
 export function SharingDialog({ session, sharing, asked, page, onProgram, onLibrary }: SharingDialogProps) {
-  const { offer, received, paste } = share;
   // The dialog must not interrupt: it waits while bytes move, and while another question is open.
   const isFree = useComputed(() => !session.runner.busy.value && asked.value === null);
   const current = sharing.current.value;
   const title =
     current?.step === 'offer'
-      ? offer.title(current.shared.name)
+      ? messages.value.views.share
       : current?.step === 'paste'
-        ? paste.title
-        : received.title;
+        ? share.paste.title
+        : share.received.title;
   return (
     <Modal open={current !== null && isFree.value} key={current?.step} title={title} onEscape={() => sharing.close()}>
       {current?.step === 'offer' && <SettingOffer sharing={sharing} shared={current.shared} page={page} />}

@@ -1,6 +1,7 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { share } from '../../../../src/app/messages/en-share.js';
+import { messages } from '../../../../src/app/messages/index.js';
 import { linkOf, sharedOf } from '../../../../src/app/session/setting-link.js';
 import type { SharedSetting } from '../../../../src/program/index.js';
 import { MODEL, SETTING } from '../../../program/library-examples.js';
@@ -46,15 +47,11 @@ describe('a setting that is shared', () => {
     expect(isOpen()).toBe(false);
   });
 
-  it('says what does not fit in the code, and that the system has refused', async () => {
+  it('says what does not fit in the code', async () => {
     const { sharing } = await opened();
-    vi.stubGlobal('navigator', { share: () => Promise.reject(new DOMException('no', 'NotAllowedError')) });
     act(() => sharing.offer({ ...SHARED, note: 'n'.repeat(2000) }));
     await idle(0);
-    expect(dialog().getByText(/The end of the note does not fit in the QR code/)).toBeTruthy();
-    await press('Share…');
-    expect(dialog().getByRole('alert').textContent).toMatch(/could not share it/);
-    vi.unstubAllGlobals();
+    expect(dialog().getByText(share.offer.cut)).toBeTruthy();
   });
 });
 
@@ -77,7 +74,7 @@ describe('a setting that comes by link', () => {
     const bench = await opened();
     await comes(bench);
     expect(dialog().getByText('calm morning')).toBeTruthy();
-    expect(dialog().getByText(/of Lancer 07/)).toBeTruthy();
+    expect(dialog().getAllByText(/Lancer 07/).length).toBeGreaterThan(0);
     const place = dialog().getByRole('combobox', { name: 'Keep it under' });
     const values = dialog().getByRole('table');
     const order = place.compareDocumentPosition(values);
@@ -169,7 +166,7 @@ describe('a setting that comes by link', () => {
     await comes(bench);
     store.broken = true;
     await press('Keep in the library');
-    expect(dialog().getByText(/could not keep “calm morning”/)).toBeTruthy();
+    expect(dialog().getByText(messages.value.notKept)).toBeTruthy();
   });
 
   it('is opened without a timer', async () => {
@@ -185,7 +182,7 @@ describe('a setting that comes by link', () => {
     const held = structuredClone(bench.timer.core.memories);
     const before = bench.editor.working.value;
     await comes(bench, shiftedDt(bench));
-    await press('Load into the table');
+    await press(messages.value.open);
     expect(bench.editor.working.value?.times.at(-1)).toBe(24_000);
     expect(bench.timer.core.memories).toEqual(held);
     act(() => bench.editor.undo());
@@ -198,8 +195,8 @@ describe('a setting that comes by link', () => {
       ...SHARED,
       program: { ...SETTING.program, identity: { ...SETTING.program.identity, timerClass: 'B' } },
     });
-    expect(screen.getByRole<HTMLButtonElement>('button', { name: 'Load into the table' }).disabled).toBe(true);
-    expect(dialog().getByText(/is of another class/)).toBeTruthy();
+    expect(screen.getByRole<HTMLButtonElement>('button', { name: messages.value.open }).disabled).toBe(true);
+    expect(dialog().getByText(messages.value.notFitting)).toBeTruthy();
   });
 
   it('waits until an open question is answered', async () => {
@@ -208,21 +205,19 @@ describe('a setting that comes by link', () => {
     await press('Write…');
     await comes(bench);
     expect(screen.getAllByRole('dialog')).toHaveLength(1);
-    expect(screen.queryByText('A setting from a link')).toBeNull();
+    expect(screen.queryByText(share.received.title)).toBeNull();
     await press('Cancel');
-    expect(dialog().getByText('A setting from a link')).toBeTruthy();
+    expect(dialog().getByText(share.received.title)).toBeTruthy();
   });
 
-  it.each([
-    ['#s=', /cut or damaged/],
-    ['#s=AVEYAgoEAwMADOgD', /cut or damaged/],
-    [linkOf(SHARED, PAGE).slice(0, -3), /cut or damaged/],
-    [`#s=${'A'.repeat(70_000)}`, /longer than any setting/],
-  ])('is refused with a reason when it is damaged (%#)', async (link, reason) => {
-    const bench = await opened();
-    await comes(bench, link);
-    expect(dialog().getByRole('alert').textContent).toMatch(reason);
-    await press('Close');
-    expect([isOpen(), bench.session.library.settings.list.value]).toEqual([false, []]);
-  });
+  it.each(['#s=', '#s=AVEYAgoEAwMADOgD', linkOf(SHARED, PAGE).slice(0, -3), `#s=${'A'.repeat(70_000)}`])(
+    'is refused when it is damaged (%#)',
+    async (link) => {
+      const bench = await opened();
+      await comes(bench, link);
+      expect(dialog().getByRole('alert').textContent).toContain(share.damaged.bad);
+      await press('Close');
+      expect([isOpen(), bench.session.library.settings.list.value]).toEqual([false, []]);
+    },
+  );
 });
