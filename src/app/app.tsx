@@ -103,7 +103,6 @@ export function App({ models }: { readonly models: AppModels }) {
           update,
           platform,
         }}
-        installation={installation}
         fileNotice={parts.dialogs.hasFailed ? <NoDialogs /> : <parts.fileNotice.Part models={models} />}
         onExport={() =>
           void parts

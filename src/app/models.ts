@@ -1,4 +1,3 @@
-import { computed } from '@preact/signals';
 import { Bench } from './bench/bench.js';
 import { Follow } from './bench/follow.js';
 import type { Lack } from './browser/doors.js';
@@ -123,10 +122,7 @@ export function createModels({
     sharing: new Sharing(),
     preferences: new Preferences(session.editor),
     update: new UpdateOffer(session),
-    installation: new Installation(
-      platform,
-      computed(() => write.verified.value !== null && !session.link.simulated.value),
-    ),
+    installation: new Installation(),
     help: new Help(session),
     platform,
   };

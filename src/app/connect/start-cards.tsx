@@ -1,5 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
+import { dotted } from '../messages/dotted.js';
 import { clockText, messages, timerName } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import type { Backups } from '../session/backups.js';
@@ -12,58 +13,50 @@ import './start-cards.css';
 /** How many models are named here. The library has the others. */
 const NAMED = 4;
 
-/** The pilot's models, with a link to the library. */
-export function KeptModelsCard({ session: { library } }: { readonly session: Session }) {
-  const { models: words } = messages.value.start;
-  const shown = library.models.list.value.filter(({ model }) => !model.archived);
+/** What this device keeps: the pilot's models, programs that are in no timer, and backups. */
+export function KeptCard({ session }: { readonly session: Session }) {
+  const { newProgram, start } = messages.value;
+  const { backups, keptPrograms, library } = session;
+  const making = useSignal(false);
+  useEffect(() => void keptPrograms.load(), [keptPrograms]);
+  const { models: words } = start;
+  const models = library.models.list.value.filter(({ model }) => !model.archived);
   const counts = new Map<string | null, number>();
   for (const { setting } of library.settings.list.value) {
     counts.set(setting.model, (counts.get(setting.model) ?? 0) + 1);
   }
+  const unfinished = keptPrograms.list.value;
   return (
     <section class="start-card" aria-labelledby="models-title">
       <h2 id="models-title">{words.title}</h2>
-      {shown.length === 0 && <p>{words.none}</p>}
-      {shown.length > 0 && (
+      {models.length === 0 && <p>{words.none}</p>}
+      {models.length > 0 && (
         <ul>
-          {shown.slice(0, NAMED).map(({ key, model }) => (
+          {models.slice(0, NAMED).map(({ key, model }) => (
             <li key={key}>
               <a class="kept-model" href={`#library/${key}`}>
-                <strong>{model.name}</strong> <span>{words.settings(counts.get(key) ?? 0)}</span>
+                <strong>{model.name}</strong> <span>{words.programs(counts.get(key) ?? 0)}</span>
               </a>
             </li>
           ))}
         </ul>
       )}
-      <p class="to-library">
-        <a href="#library">{shown.length > NAMED ? words.all(shown.length) : words.library}</a>
-      </p>
-    </section>
-  );
-}
-
-/** Programs that the pilot has made or changed, and that are in no timer. */
-export function KeptProgramsCard({ session }: { readonly session: Session }) {
-  const { programs: words } = messages.value.start;
-  const { keptPrograms } = session;
-  const making = useSignal(false);
-  useEffect(() => void keptPrograms.load(), [keptPrograms]);
-  const list = keptPrograms.list.value;
-  return (
-    <section class="start-card" aria-labelledby="programs-title">
-      <h2 id="programs-title">{words.title}</h2>
-      {list.length === 0 && <p>{words.none}</p>}
-      {list.length > 0 && (
-        <ul>
-          {list.map((draft) => (
-            <KeptProgram key={draft.key} session={session} draft={draft} />
-          ))}
-        </ul>
+      {unfinished.length > 0 && (
+        <>
+          <h3 id="unfinished-title">{start.programs.title}</h3>
+          <ul aria-labelledby="unfinished-title">
+            {unfinished.map((draft) => (
+              <KeptProgram key={draft.key} session={session} draft={draft} />
+            ))}
+          </ul>
+        </>
       )}
+      <KeptBackups backups={backups} />
       <div class="buttons">
         <button type="button" onClick={() => (making.value = true)}>
-          {words.make}
+          {newProgram.title}
         </button>
+        <a href="#library">{words.library}</a>
       </div>
       <NewProgramDialog
         open={making.value}
@@ -75,7 +68,8 @@ export function KeptProgramsCard({ session }: { readonly session: Session }) {
 }
 
 function KeptProgram({ session, draft }: { readonly session: Session; readonly draft: Draft }) {
-  const { programs: words } = messages.value.start;
+  const { cancel, delete: remove, open, start } = messages.value;
+  const words = start.programs;
   const asked = useSignal(false);
   const { working, madeAt, savedAt } = draft;
   const setting = draft.of && session.library.settings.get(draft.of.id)?.setting.name;
@@ -87,10 +81,10 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
       <li class="row kept-program">
         <strong role="status">{words.sure}</strong>
         <button type="button" onClick={() => void session.keptPrograms.remove(draft)}>
-          {words.remove}
+          {remove}
         </button>
         <button type="button" onClick={() => (asked.value = false)}>
-          {words.keep}
+          {cancel}
         </button>
       </li>
     );
@@ -103,11 +97,11 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
         disabled={session.engaged.value}
         onClick={() => session.onScreen.showKept(draft)}
       >
-        <span class="visually-hidden">{words.open}</span> <strong>{what}</strong> <span>{when}</span>{' '}
+        <span class="visually-hidden">{open}</span> <strong>{what}</strong> <span>{when}</span>{' '}
         <span class="figure-of">{dt && `${dt.label} ${dt.text}`}</span>
       </button>
       <button type="button" class="quiet" aria-label={words.removeOf(what, when)} onClick={() => (asked.value = true)}>
-        {words.remove}
+        {remove}
       </button>
     </li>
   );
@@ -149,26 +143,16 @@ export function Simulated({ session }: { readonly session: Session }) {
 }
 
 /** What timers held before they were written. */
-export function KeptBackupsCard({ backups }: { readonly backups: Backups }) {
+function KeptBackups({ backups }: { readonly backups: Backups }) {
   const { start, memoryName } = messages.value;
-  const { backups: words } = start;
   const list = backups.list.value;
   const [last] = list;
-  const lastSaid = (): string => {
-    if (!last) return '';
-    const { identity, memory } = last.program;
-    const what = memory === null ? timerName(identity) : `${timerName(identity)} ${memoryName(memory)}`;
-    return `${clockText(last.savedAt)}, ${what}`;
-  };
+  if (!last) return null;
+  const { identity, memory } = last.program;
+  const what = dotted([timerName(identity), memory === null ? null : memoryName(memory)]);
   return (
-    <section class="start-card" aria-labelledby="kept-backups-title">
-      <h2 id="kept-backups-title">{words.title}</h2>
-      <p>{last ? words.kept(list.length, lastSaid()) : words.none}</p>
-      {last && (
-        <p>
-          <a href="#memories">{words.look}</a>
-        </p>
-      )}
-    </section>
+    <p>
+      <a href="#memories">{start.backups(list.length, `${clockText(last.savedAt)}, ${what}`)}</a>
+    </p>
   );
 }

@@ -9,7 +9,7 @@ import { ConnectionHelp, connectionSaid } from './connection-help-view.js';
 import { EXAMPLE } from './example-program.js';
 import type { Installation } from './installation.js';
 import { hasStage, LinkStage } from './link-stage.js';
-import { KeptBackupsCard, KeptModelsCard, KeptProgramsCard, Simulated } from './start-cards.js';
+import { KeptCard, Simulated } from './start-cards.js';
 import { StepList, Tick } from './step-list.js';
 import './start-screen.css';
 
@@ -24,7 +24,7 @@ interface StartScreenProps {
  * Connect with its three steps, what this device keeps, and what works without a timer.
  */
 export function StartScreen({ session, installation, platform }: StartScreenProps) {
-  const { start } = messages.value;
+  const { start, link } = messages.value;
   const { unavailable } = session.link;
   if (hasStage(session)) return <LinkStage session={session} platform={platform} />;
   return (
@@ -44,41 +44,30 @@ export function StartScreen({ session, installation, platform }: StartScreenProp
               <div class="buttons">
                 <ConnectButtons session={session} large />
               </div>
-              <BrowserWays platform={platform} />
-              <StepList steps={STEPS.map((key) => ({ key, text: start.steps[key] }))} />
+              {platform.browser === 'firefox' && <p class="hint">{start.firefox}</p>}
+              <StepList
+                steps={[start.adapter, link.stages.steps.switch, link.stages.steps.near].map((text) => ({
+                  key: text,
+                  text,
+                }))}
+              />
             </>
           )}
         </div>
         <KeptPicture session={session} />
       </div>
       <div class="start-cards">
-        <KeptModelsCard session={session} />
-        <KeptProgramsCard session={session} />
+        <KeptCard session={session} />
         <Simulated session={session} />
-        <KeptBackupsCard backups={session.backups} />
       </div>
     </div>
   );
 }
 
-const STEPS = ['adapter', 'wake', 'near'] as const;
-
-/** What this browser does differently from others that the pilot may know. */
-function BrowserWays({ platform }: Pick<StartScreenProps, 'platform'>) {
-  const { firefox } = messages.value.start;
-  if (platform.browser !== 'firefox') return null;
-  return (
-    <p class="hint">
-      {location.protocol === 'https:' && firefox.addOn} {firefox.port}
-    </p>
-  );
-}
-
 /** Whether the page works without a network, how to install it, and a link to the settings. */
 function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) {
-  const { start } = messages.value;
-  // The hint has this button, too, so only one of the two shows it.
-  const install = installation.hint.value === null ? installation.install.value : null;
+  const { start, views } = messages.value;
+  const install = installation.install.value;
   return (
     <p class="on-device">
       {installation.ready.value && (
@@ -92,8 +81,8 @@ function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) 
         </button>
       )}
       <span>
-        <a href="#help">{start.help}</a>
-        <a href="#settings">{start.settings}</a>
+        <a href="#help">{views.names.help}</a>
+        <a href="#settings">{views.names.settings}</a>
       </span>
     </p>
   );

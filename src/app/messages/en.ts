@@ -13,7 +13,7 @@ import { memoryNames, recognition } from './en-recognition.js';
 import { backups, recovery } from './en-recovery.js';
 import { settings, theme } from './en-settings.js';
 import { shortDt } from './en-short-dt.js';
-import { installHint, newProgram, start } from './en-start.js';
+import { newProgram, start } from './en-start.js';
 import { timeline } from './en-timeline.js';
 import { aboutPage, update } from './en-update.js';
 import { palette, parts, strip, views } from './en-views.js';
@@ -66,7 +66,6 @@ export const en = {
   },
   start,
   newProgram,
-  installHint,
   program: {
     title: 'Program',
     tableCaption: 'Time and servo positions of each function',

@@ -1,8 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import type { Platform } from '../browser/platform.js';
 import { ConnectionHelp, connectionSaid } from '../connect/connection-help-view.js';
-import { InstallHint } from '../connect/install-hint.js';
-import type { Installation } from '../connect/installation.js';
 import { hexOf } from '../messages/frame-text.js';
 import { messages, partText, readable, type Said, timerSaid } from '../messages/index.js';
 import type { Keeping } from '../session/keeping.js';
@@ -34,24 +32,20 @@ export interface NoticeBarProps {
   readonly fileNotice: ComponentChildren;
   /** Exports the whole library to a file. */
   readonly onExport: () => void;
-  readonly installation: Installation;
 }
 
 /** What the pilot should know now: shown until it is dismissed, or another message comes. */
 export function NoticeBar({ session, keeping, aside, update, platform, ...rest }: NoticeBarProps) {
-  const { fileNotice, onExport, installation } = rest;
+  const { fileNotice, onExport } = rest;
   const { alike, dismiss, link } = messages.value;
   const notice = session.notices.current.value;
   const part = notice?.kind === 'timer' && notice.details ? partText(notice.details) : null;
-  // While a timer is connected, nothing that can wait moves the table.
-  const isCalm = notice === null && session.link.state.value.status === 'off';
   return (
     <div class="notices" role="status">
       <UpdateNotice update={update} busy={session.runner.busy.value} />
       <KeepingNotice keeping={keeping} library={session.library} onExport={onExport} />
       {fileNotice}
       <AsideNotice aside={aside} />
-      {isCalm && <InstallHint installation={installation} />}
       <RemovedNotice backups={session.backups} />
       <LibraryRemovedNotice library={session.library} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}

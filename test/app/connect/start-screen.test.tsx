@@ -1,6 +1,7 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { platformOf } from '../../../src/app/browser/platform.js';
+import { en } from '../../../src/app/messages/en.js';
 import { NARROW } from '../../../src/app/ui/use-query.js';
 import { idle, reloaded, run } from '../bench/bench.js';
 import { connected, drawn, field, goTo, opened, press, table, type } from '../screen.js';
@@ -13,9 +14,9 @@ function card(name: string) {
 
 /** Makes a program by the dialog. */
 async function make(choose: () => void = () => {}): Promise<void> {
-  await press('New program…');
+  await press(en.newProgram.title);
   choose();
-  await press('Make the program');
+  await press(en.newProgram.make);
 }
 
 afterEach(() => void vi.restoreAllMocks());
@@ -45,7 +46,7 @@ describe('a new program', () => {
 
   it('is cancelled by Cancel and by Escape', async () => {
     const { editor } = await opened();
-    await press('New program…');
+    await press(en.newProgram.title);
     await press('Cancel');
     expect([screen.queryByRole('dialog'), editor.working.value]).toEqual([null, null]);
   });
@@ -103,15 +104,15 @@ describe('what this device keeps', () => {
     await make();
     await type('DT time', '4:00');
     await press('Close program');
-    expect(card('My programs').getByText('DT 4:00 min')).toBeTruthy();
+    expect(card(en.start.models.title).getByText('DT 4:00 min')).toBeTruthy();
     await press(/^Open F1Q, new made \d\d:\d\d DT 4:00 min$/);
     expect(field('DT time').value).toBe('4:00');
     await press('Close program');
     await press(/^Delete F1Q/);
-    await press('Keep it');
+    await press(en.cancel);
     await press(/^Delete F1Q/);
     await press('Delete');
-    expect([card('My programs').queryByText('DT 4:00 min'), bench.store.drafts.records.size]).toEqual([null, 0]);
+    expect([screen.queryByText(en.start.programs.title), bench.store.drafts.records.size]).toEqual([null, 0]);
   });
 
   it('includes changes that are in no timer', async () => {
@@ -133,7 +134,10 @@ describe('what this device keeps', () => {
     await press(/^Write 1 change$/);
     cleanup();
     await drawn(await reloaded(bench));
-    expect(card('Backups').getByText(/^1 backup, kept before a write\. The last: \d\d:\d\d, F1Q M1\.$/)).toBeTruthy();
+    const backups = screen.getByRole('link', {
+      name: /^1 backup, kept before a write\. The last: \d\d:\d\d, F1Q\s· M1\.$/,
+    });
+    expect(backups.getAttribute('href')).toBe('#memories');
     const picture = within(screen.getByRole('figure'));
     expect(picture.getByText('F1Q, M1')).toBeTruthy();
     expect(picture.getByText('DT 3:00 min'), 'the picture shows the backup: the DT before the write').toBeTruthy();
@@ -142,7 +146,10 @@ describe('what this device keeps', () => {
   it('is nothing at first, and then the picture says that it is an example', async () => {
     await opened();
     expect(within(screen.getByRole('figure')).getByText('Example: an F1Q')).toBeTruthy();
-    expect(card('Backups').getByText(/^Before each write/)).toBeTruthy();
+    expect([screen.queryByText(en.start.programs.title), screen.queryByRole('link', { name: /backup/ })]).toEqual([
+      null,
+      null,
+    ]);
   });
 });
 
@@ -189,7 +196,6 @@ describe('Firefox', () => {
     expect(screen.queryByText(/Firefox/)).toBeNull();
     cleanup();
     await opened({ platform: FIREFOX });
-    expect(screen.getByText(/Firefox asks for the port again each time this page is loaded\./)).toBeTruthy();
-    expect(screen.queryByText(/permission/), 'no permission is named: this page did not come by https').toBeNull();
+    expect(screen.getByText(en.start.firefox)).toBeTruthy();
   });
 });
