@@ -3,13 +3,19 @@ import fc from 'fast-check';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { App } from '../../src/app/app.js';
 import type { ProgramField, TimerProgram } from '../../src/program/index.js';
+import { shareOf } from '../tools/share.js';
 import { type AppBench, appBench, connectedBench, idle } from './bench/bench.js';
-import { DOORS, type Door, FAULTS, type FaultName, FaultyStore } from './faults.js';
+import { type Door, FAULTS, type FaultName, FaultyStore } from './faults.js';
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 const NAMES = Object.keys(FAULTS) as FaultName[];
-const EACH = DOORS.flatMap((door) => NAMES.map((fault) => [door, fault] as const));
+/** `npm run test:matrix` tries all of a matrix in one test. Milliseconds. */
+const LONG = 300_000;
+
+/** Each fault at each of these calls. */
+const faultsAt = (doors: Iterable<Door>, names: readonly FaultName[]) =>
+  [...doors].flatMap((door) => names.map((fault) => [door, fault] as const));
 
 beforeEach(() => localStorage.clear());
 
@@ -50,26 +56,45 @@ function expectNothingLost(bench: AppBench, store: FaultyStore, typed: string, r
   if (!restored) expect(kept(store), 'the draft of the page before is still kept').toContain(7);
 }
 
-describe.each(EACH)('where %s %s', (door, fault) => {
-  it('the page is drawn, nothing typed is lost, and the page never says that something is kept when it is not', async () => {
-    const store = await left();
-    store.fail(door, fault);
-    const bench = await appBench({ store, started: false, plug: { granted: true } });
-    render(<App models={bench.models} />);
-    void bench.session.keptWork.start();
-    expect(
-      screen.getByRole('button', { name: 'Connect' }),
-      'Connect is there before the storage has answered',
-    ).toBeTruthy();
-    await idle(200);
-    void bench.session.timer.connect();
-    await idle(15_000);
-    const restored = bench.editor.textOf(S1) === '7';
-    expectNothingLost(bench, store, '8', restored, await typeAndWait(bench, '8'));
-    store.before = () => undefined;
-    expectNothingLost(bench, store, '9', restored, await typeAndWait(bench, '9'));
-  });
-});
+/** A pilot opens the page on a storage, connects, types, and types again once the storage is fine. */
+async function typed(store: FaultyStore): Promise<void> {
+  const bench = await appBench({ store, started: false, plug: { granted: true } });
+  render(<App models={bench.models} />);
+  void bench.session.keptWork.start();
+  expect(
+    screen.getByRole('button', { name: 'Connect' }),
+    'Connect is there before the storage has answered',
+  ).toBeTruthy();
+  await idle(200);
+  void bench.session.timer.connect();
+  await idle(15_000);
+  const restored = bench.editor.textOf(S1) === '7';
+  expectNothingLost(bench, store, '8', restored, await typeAndWait(bench, '8'));
+  store.before = () => undefined;
+  expectNothingLost(bench, store, '9', restored, await typeAndWait(bench, '9'));
+}
+
+it(
+  'whatever the storage does at any call, the page is drawn, nothing typed is lost, and the page never says that something is kept when it is not',
+  async () => {
+    const fine = await left();
+    const made = fine.listen();
+    await typed(fine);
+    expect(made.size, 'a visit makes several calls').toBeGreaterThan(4);
+    for (const [door, fault] of shareOf(faultsAt(made, NAMES))) {
+      cleanup();
+      vi.useRealTimers();
+      localStorage.clear();
+      const store = await left();
+      const isMet = store.fail(door, fault);
+      await typed(store).catch((cause) => {
+        throw new Error(`where ${door} ${fault}`, { cause });
+      });
+      expect(isMet(), `${door} ${fault}, and the page has met it`).toBe(true);
+    }
+  },
+  LONG,
+);
 
 /** In whatever order the browser answers; a seed that has failed stays here. */
 const SEEDS: readonly (readonly [number, string])[] = [
@@ -186,21 +211,31 @@ async function written(store: FaultyStore, end: (typeof ENDS)[number], begin: ()
   return bench;
 }
 
-it.each(ENDS)('a write which %s says nothing false, whatever the storage does at any call', async (end) => {
-  const asked = new Set<Door>();
-  const fine = new FaultyStore();
-  await written(fine, end, () => {
-    fine.before = (door) => void asked.add(door);
-  });
-  // The calls that such a write makes; the ways to fail that are told apart.
-  expect(asked.size).toBeGreaterThan(2);
-  for (const door of asked) {
-    for (const fault of ['refuses', 'throws', 'hangs', 'comes late'] as const) {
+it.each(ENDS)(
+  'a write which %s says nothing false, whatever the storage does at any call',
+  async (end) => {
+    const fine = new FaultyStore();
+    let made: ReadonlySet<Door> = new Set();
+    await written(fine, end, () => {
+      made = fine.listen();
+    });
+    // The calls that such a write makes; the ways to fail that are told apart.
+    expect(made.size).toBeGreaterThan(2);
+    for (const [door, fault] of shareOf(faultsAt(made, ['refuses', 'throws', 'hangs', 'comes late']))) {
       vi.useRealTimers();
       localStorage.clear();
       const store = new FaultyStore();
       const why = `${door} ${fault}`;
-      const bench = await written(store, end, () => store.fail(door, fault), why);
+      let isMet = (): boolean => false;
+      const bench = await written(
+        store,
+        end,
+        () => {
+          isMet = store.fail(door, fault);
+        },
+        why,
+      );
+      expect(isMet(), `the write has met it: ${why}`).toBe(true);
       if (end === 'goes well') {
         expect(bench.write.current.value, why).toMatchObject({ step: 'done', report: { result: 'verified' } });
         continue;
@@ -212,5 +247,6 @@ it.each(ENDS)('a write which %s says nothing false, whatever the storage does at
       const isKnown = next.session.knowledge.uncertain.value.length === 1;
       expect(isKnown || bench.keeping.kept.value !== true, why).toBe(true);
     }
-  }
-});
+  },
+  LONG,
+);

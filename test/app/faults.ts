@@ -10,7 +10,7 @@ export type Door = `${ShelfName}.${CallName}` | 'change';
 /**
  * Every call of every shelf, from the lists of the code itself, so that a new one is included without any change here.
  */
-export const DOORS: readonly Door[] = [
+const DOORS: readonly Door[] = [
   'change',
   ...SHELVES.flatMap((shelf) => (Object.keys(SHELF_CALLS) as CallName[]).map((call): Door => `${shelf}.${call}`)),
 ];
@@ -62,8 +62,21 @@ export class FaultyStore extends MemoryStore {
     return store;
   }
 
-  /** From now on this call fails. */
-  fail(door: Door, fault: FaultName): void {
-    this.before = (each) => (each === door ? FAULTS[fault]() : undefined);
+  /** From now on this call fails. @returns whether it has been made since. */
+  fail(door: Door, fault: FaultName): () => boolean {
+    let isMet = false;
+    this.before = (each) => {
+      if (each !== door) return undefined;
+      isMet = true;
+      return FAULTS[fault]();
+    };
+    return () => isMet;
+  }
+
+  /** @returns the calls that are made from now on, each once. */
+  listen(): ReadonlySet<Door> {
+    const made = new Set<Door>();
+    this.before = (door) => void made.add(door);
+    return made;
   }
 }
