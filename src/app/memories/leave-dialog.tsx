@@ -26,7 +26,7 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
 }
 
 function Question({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
-  const { nextFlight: words, program, shortDt } = messages.value;
+  const { nextFlight: words, header, program, shortDt, cancel } = messages.value;
   const question = leaving.question.value;
   const { original, word } = session.nextFlight;
   if (!question) return null;
@@ -70,10 +70,10 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
       </div>
       <div class={`buttons leave-ways ${short ? 'many' : ''}`}>
         <button type="button" class="quiet" onClick={() => leaving.stay()}>
-          {words.leaving.stay}
+          {cancel}
         </button>
         <button type="button" onClick={() => void leaving.disconnectAsItIs()}>
-          {dt ? shortDt.disconnect(word.value && shortMemory, dt) : words.leaving.disconnect}
+          {dt ? shortDt.disconnect(word.value && shortMemory, dt) : header.disconnect}
         </button>
         {short && (
           <button
@@ -105,7 +105,7 @@ export function GoOn({ write, leaving }: { readonly write: WriteFlow; readonly l
   return (
     <div class="buttons">
       <button type="button" class="primary" onClick={goOn}>
-        {messages.value.nextFlight.leaving.disconnect}
+        {messages.value.header.disconnect}
       </button>
     </div>
   );

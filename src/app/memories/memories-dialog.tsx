@@ -189,7 +189,7 @@ interface ResultProps {
 }
 
 function Result({ session, jobs, current }: ResultProps) {
-  const { memories: words, write } = messages.value;
+  const { memories: words, write, notKept } = messages.value;
   const { plan, outcome, kept } = current;
   const { ends, saved, notHeld, stopped, strayed } = outcome;
   const again = notHeld || stopped === 'stale';
@@ -203,7 +203,7 @@ function Result({ session, jobs, current }: ResultProps) {
         ))}
         {strayed !== null && <NoticeText said={write.strayed(memoryText(session, strayed))} />}
         {notHeld && <NoticeText said={write.move.notHeld} />}
-        {!kept && <p>{words.notKept}</p>}
+        {!kept && <p>{notKept}</p>}
       </div>
       {plan.kind !== 'back-up' && <Current session={session} />}
       <ClosingButtons

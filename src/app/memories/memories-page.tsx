@@ -27,12 +27,12 @@ export interface MemoriesPageProps {
 /** All memories of the timer at a glance, and the backups. */
 export function MemoriesPage(props: MemoriesPageProps) {
   const { session, memories, following, onProgram, onCompare, onCompareBackup, connect, print } = props;
-  const { overview: words, memories: all, views } = messages.value;
+  const { overview: words, views } = messages.value;
   const baseline = session.editor.baseline.value;
   return (
     <div class="stack gap-4">
       <div class="row memories-head">
-        <h1>{words.title}</h1>
+        <h1>{views.names.memories}</h1>
         {baseline && baseline.memory !== null && (
           <div class="buttons">
             {print}
@@ -54,11 +54,7 @@ export function MemoriesPage(props: MemoriesPageProps) {
           <div>{connect}</div>
         </>
       )}
-      {baseline && session.editor.dirty.value && (
-        <p class="hint">
-          {words.edited} {all.edited}
-        </p>
-      )}
+      {baseline && session.editor.dirty.value && <p class="hint">{words.edited}</p>}
       <BackupList
         session={session}
         of={null}

@@ -53,7 +53,7 @@ interface CardProps extends MemoryCardsProps {
 
 function Card({ known, scale, ...props }: CardProps) {
   const { session, memories, memory, current } = props;
-  const { overview: words, nextFlight, memoryName } = messages.value;
+  const { overview: words, look, nextFlight, memoryName } = messages.value;
   const title = useId();
   // The button that reads it goes, and so does the one that makes it fly next.
   const box = useHandedFocus('.card-actions button');
@@ -75,7 +75,9 @@ function Card({ known, scale, ...props }: CardProps) {
           {known.state === 'uncertain' ? (
             <p class="bad-text">{words.notCertain}</p>
           ) : (
-            <p class="hint">{known.state === 'read' ? words.readAt(clockText(known.at)) : words.notRead}</p>
+            <p class="hint">
+              {known.state === 'read' ? words.readAt(clockText(known.at)) : look.notRead(memoryName(memory))}
+            </p>
           )}
         </header>
         {program ? <SmallLanes {...{ program, scale }} /> : <Unread {...{ session, memories, memory, current }} />}
@@ -102,7 +104,7 @@ function Figures({ session, known, program: { identity } }: FiguresProps) {
         const name = isShort ? names.shortDt : (keyName(identity, field) ?? '');
         return (
           <span key={keyName(identity, field)} class={isShort ? 'bad-text' : ''}>
-            {words.figure(name, texts.join(words.or))}
+            {name} {texts.join(words.or)}
           </span>
         );
       })}
@@ -119,7 +121,7 @@ interface UnreadProps {
 
 /** In place of a picture, for a memory that nobody has read: a button that reads it and comes back. */
 function Unread({ session, memories, memory, current }: UnreadProps) {
-  const { look, memoryName } = messages.value;
+  const { look, timer, memoryName } = messages.value;
   const isBusy = !session.runner.ready.value;
   const name = memoryName(memory);
   return (
@@ -133,7 +135,7 @@ function Unread({ session, memories, memory, current }: UnreadProps) {
         {look.look(name)}
       </button>
       {current !== null && <p class="hint">{look.hint(name, memoryName(current))}</p>}
-      {memories.noWayBack.value && <p class="hint">{look.noWayBack}</p>}
+      {memories.noWayBack.value && <p class="hint">{timer['memory-unknown'].advice}</p>}
     </div>
   );
 }
@@ -148,7 +150,7 @@ function Actions({ session, memories, memory, current, count, isRead, onProgram,
   const ready = session.runner.ready.value;
   const name = memoryName(memory);
   // Says which card it belongs to, for screen readers.
-  const label = (text: string): string => words.of(text, name);
+  const label = (text: string): string => messages.value.of(text, name);
   const others = Array.from({ length: count }, (_, other) => other).filter((other) => other !== memory);
   // With the memory that flies next; that one with the first of the others.
   const against = memory === current || current === null ? others[0] : current;
@@ -175,7 +177,7 @@ function Actions({ session, memories, memory, current, count, isRead, onProgram,
             onPick={(to) => void memories.jobs.open({ kind: 'copy', from: memory, to })}
           />
           <button type="button" class="quiet" onClick={() => (copying.value = false)}>
-            {words.notCopy}
+            {messages.value.cancel}
           </button>
         </>
       ) : (
@@ -183,13 +185,13 @@ function Actions({ session, memories, memory, current, count, isRead, onProgram,
           {(isRead || memory === current) && (
             <button
               type="button"
-              aria-label={label(words.open)}
+              aria-label={label(messages.value.open)}
               onClick={() => {
                 memories.show(memory);
                 onProgram();
               }}
             >
-              {words.open}
+              {messages.value.open}
             </button>
           )}
           {memory !== current && (

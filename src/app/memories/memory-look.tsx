@@ -17,7 +17,7 @@ interface MemoryLookProps {
 
 /** Shows the last reading of a memory that is not current, and the two ways to it. */
 export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
-  const { look: words, memoryName, program } = messages.value;
+  const { look: words, memoryName, program, timer } = messages.value;
   const { editor, nextFlight, runner } = session;
   const name = memoryText(session, memory);
   const { known } = session.standings.of(memory);
@@ -40,7 +40,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
         >
           {known.state === 'read' ? words.again(name) : words.look(name)}
         </button>
-        {noWayBack && <p class="hint">{words.noWayBack}</p>}
+        {noWayBack && <p class="hint">{timer['memory-unknown'].advice}</p>}
         {current !== null && <p class="hint">{words.hint(name, memoryName(current))}</p>}
       </div>
       <div class="buttons">
@@ -66,7 +66,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
               );
             })}
           </p>
-          <TimesTable program={known.program} caption={words.tableCaption(name)} />
+          <TimesTable program={known.program} caption={program.tableCaption} />
         </>
       )}
       {known.state === 'uncertain' && (

@@ -17,8 +17,6 @@ export const nextFlight = {
   leaving: {
     title: 'Before you disconnect',
     back: (original: string) => `Back to ${original} and disconnect`,
-    disconnect: 'Disconnect',
-    stay: 'Stay connected',
     failed: (original: string) => `The timer did not go back to ${original}. It is still connected.`,
   },
 };
@@ -32,16 +30,14 @@ export const look = {
   either: 'Either',
   or: 'or',
   /** @param current the memory that flies next. */
-  lead: (current: string) => `For looking only. You edit and write ${current}, which flies next.`,
+  lead: (current: string) => `For looking only. You change and write ${current}, which flies next.`,
   look: (memory: string) => `Look at ${memory}`,
   /** Where its reading is shown. */
   again: (memory: string) => `Read ${memory} again`,
   hint: (memory: string, current: string) => `This selects ${memory}, reads it and goes back to ${current}.`,
-  noWayBack: 'This timer does not say which memory is current, so this page would not know which one to go back to.',
   fly: (memory: string) => `Make ${memory} fly next`,
   looking: (memory: string) => `Looking at ${memory}`,
   show: (memory: string) => `Show ${memory}`,
-  tableCaption: (memory: string) => `What was read of ${memory}`,
   picture: (memory: string) => `Timeline of ${memory}`,
 };
 
@@ -49,7 +45,6 @@ export const look = {
 export const memories = {
   copyTo: (from: string) => `Copy ${from} to`,
   copy: (from: string, to: string) => `Copy ${from} to ${to}…`,
-  edited: 'Changes that have not been written are not copied.',
   restoreAll: (count: number) => `Restore all ${count}…`,
   plans: {
     'back-up': {
@@ -91,28 +86,19 @@ export const memories = {
     unknown: (memory: string) => `It is not known what ${memory} holds. Do not fly it before it is read.`,
   },
   again: 'Show the difference again…',
-  notKept:
-    'This browser does not keep them: its storage is full or switched off. They are gone when you close this page.',
   stopped: { title: 'Stopped.', advice: 'What was not yet written is as it was.' },
 };
 
 /** All memories of a timer at a glance. */
 export const overview = {
-  title: 'Memories',
   readAll: 'Read and keep all…',
-  open: 'Open',
   fly: 'Make it fly next',
   copyTo: 'Copy to…',
-  notCopy: 'Do not copy',
   compareWith: (memory: string) => `Compare with ${memory}`,
-  /** A button of a card, for a screen reader, which does not know the card. */
-  of: (button: string, memory: string) => `${button}: ${memory}`,
-  figure: (label: string, value: string) => `${label} ${value}`,
   readAt: (time: string) => `read ${time}`,
-  notRead: 'Not read yet.',
   or: ' or ',
-  notCertain: 'Not certain: a write into it was interrupted. Shown as it was before that write.',
-  edited: 'Shown as the timer holds it, without your changes.',
+  notCertain: 'Not certain: a write into it was interrupted. Shown as before that write.',
+  edited: 'Shown and copied as the timer holds it, without your changes.',
   same: 'They hold the same.',
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')}.`,
 };

@@ -84,7 +84,7 @@ describe('the memories', () => {
 
   it('say when they were not read; one click reads one, goes back, and leaves the program as it was', async () => {
     const { timer, memories } = await atMemories();
-    expect(said('M3')[0]).toBe('Not read yet.');
+    expect(said('M3')[0]).toBe(en.look.notRead('M3'));
     expect(buttons('M3')).toEqual(['Look at M3', 'Make it fly next: M3', 'Copy to…: M3']);
     const look = button('Look at M3');
     look.focus();
@@ -130,14 +130,14 @@ describe('the memories', () => {
     expect(said('M3')).toEqual([
       'DT 3:00 min or 6:00 min',
       'motor stop 10.0 s',
-      'Not certain: a write into it was interrupted. Shown as it was before that write.',
+      'Not certain: a write into it was interrupted. Shown as before that write.',
     ]);
   });
 
   it('cannot be looked at where the timer does not say which is current, but made to fly next', async () => {
     const { timer } = await atMemories({ quirks: { memoryReplyEmpty: true } });
     expect(button('Look at M2').getAttribute('aria-disabled')).toBe('true');
-    expect(screen.getAllByText(en.look.noWayBack).length).toBeGreaterThan(0);
+    expect(screen.getAllByText(en.timer['memory-unknown'].advice).length).toBeGreaterThan(0);
     await press('Look at M2');
     expect(timer.core.answered.filter(({ name }) => name === 'SETMEMORY')).toEqual([]);
     await press('Make it fly next: M2');
@@ -148,7 +148,7 @@ describe('the memories', () => {
     const { timer, adapter } = await atMemories();
     timer.core.onAnswer = ({ name }) => name === 'SETMEMORY' && adapter.unplug();
     await press('Look at M3');
-    expect(document.body.textContent).not.toContain(en.look.noWayBack);
+    expect(document.body.textContent).not.toContain(en.timer['memory-unknown'].advice);
   });
 
   it('stay as last read, and are forgotten when a timer is connected, because it may be another', async () => {
@@ -173,7 +173,7 @@ describe('Copy to', () => {
     await read();
     await press('Copy to…: M2');
     expect(document.activeElement?.getAttribute('aria-label')).toBe('Copy M2 to M1…');
-    fireEvent.click(within(card('M2')).getByRole('button', { name: 'Do not copy' }));
+    fireEvent.click(within(card('M2')).getByRole('button', { name: 'Cancel' }));
     await idle(0);
     expect(document.activeElement).toBe(button('Copy to…: M2'));
   });

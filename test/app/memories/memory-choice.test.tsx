@@ -66,7 +66,7 @@ describe('the memories', () => {
       false,
       null,
     ]);
-    const held = within(screen.getByRole('table', { name: 'What was read of M3' }));
+    const held = within(screen.getByRole('table', { name: 'Time and servo positions of each function' }));
     const row = held.getByRole('rowheader', { name: 'DT min' }).parentElement;
     expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00');
     expect(held.queryAllByRole('textbox')).toEqual([]);
@@ -235,7 +235,7 @@ describe('Disconnect', () => {
     const app = await connected();
     await strandAtM3(app);
     await press('Disconnect');
-    await press('Stay connected');
+    await press('Cancel');
     expect([app.session.link.state.value.status, screen.queryByRole('dialog')]).toEqual(['on', null]);
     await press('Disconnect');
     dialog().getByRole('button', { name: 'Disconnect' }).click();

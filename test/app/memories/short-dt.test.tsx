@@ -38,7 +38,7 @@ describe('with a short DT in the timer', () => {
       'on',
       'DT of M1 is 20\u00a0s. Put it back to 2:45\u00a0min?',
     ]);
-    expect(buttons()).toEqual(['Stay connected', 'Disconnect with DT\u00a020\u00a0s', 'Put DT back to 2:45\u00a0min…']);
+    expect(buttons()).toEqual(['Cancel', 'Disconnect with DT\u00a020\u00a0s', 'Put DT back to 2:45\u00a0min…']);
     await press('Put DT back to 2:45\u00a0min…');
     expect(dt(), 'nothing is written before the pilot confirms the write').toBe(2000);
     expect(screen.getByRole('dialog', { name: 'Write to the timer' }).textContent).toContain('2:45 min');
@@ -53,7 +53,7 @@ describe('with a short DT in the timer', () => {
     const app = await connected();
     await writeDt(app, '20 s');
     await press('Disconnect');
-    await press('Stay connected');
+    await press('Cancel');
     expect([status(app), screen.queryByRole('dialog')]).toEqual(['on', null]);
     await press('Disconnect');
     await press('Disconnect with DT\u00a020\u00a0s');
@@ -107,7 +107,7 @@ describe('with a short DT in the timer', () => {
       'M3 flies next. When you connected it was M1.DT of M3 is 10\u00a0s. Set it to 3:00\u00a0min?',
     );
     expect(buttons()).toEqual([
-      'Stay connected',
+      'Cancel',
       'Disconnect with M3, DT\u00a010\u00a0s',
       'Set DT to 3:00\u00a0min…',
       'Back to M1 and disconnect',

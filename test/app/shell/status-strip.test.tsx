@@ -26,7 +26,7 @@ it('no figure of the memory that flies next is below the name of another one', a
   await lookAt('M3');
   expect(isOpen()).toBe(true);
   expect(panel().queryAllByRole('textbox')).toEqual([]);
-  expect(panel().getByText('For looking only. You edit and write M1, which flies next.')).toBeTruthy();
+  expect(panel().getByText('For looking only. You change and write M1, which flies next.')).toBeTruthy();
   await lookAt('M1, flies next');
   expect(panel().getByRole('textbox', { name: 'DT' })).toBeTruthy();
 });
@@ -106,7 +106,7 @@ it('on a tablet, too: that a memory is only looked at is said once', async () =>
   await openFigures();
   await lookAt('M3');
   expect(isOpen()).toBe(false);
-  expect(screen.getAllByText('For looking only. You edit and write M1, which flies next.')).toHaveLength(1);
+  expect(screen.getAllByText('For looking only. You change and write M1, which flies next.')).toHaveLength(1);
 });
 
 it('the large figures stay open while keys walk through the memories', async () => {
