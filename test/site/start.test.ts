@@ -18,7 +18,7 @@ test('a storage of a newer version has its own sentence', async () => {
   );
   await page.unroute('**/*');
   await page.goto(inject('site'));
-  await page.getByText(/A newer version of this page has changed its storage/).waitFor();
+  await page.getByText(en.keeping.title).waitFor();
 });
 
 test('inside a frame the page does not work, and says where it does', async () => {
@@ -68,7 +68,6 @@ test('a program is made without a timer, survives a reload, and is written after
   await app.type('Function 4, S2', '70');
   await app.kept();
   await app.reload();
-  await app.says(en.notes.back.title);
   await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
   expect(await app.bench(({ sets, rates }) => [sets, rates]), 'nothing was sent and no port was opened').toEqual([
     [],

@@ -59,7 +59,8 @@ export class OnScreen {
       this.#simulated.value = draft.simulated;
       origin.take(draft.model);
       if (typeof draft.readAt === 'number') knowledge.remember(draft.baseline, draft.readAt);
-      notices.sayIfSilent('back');
+      // A program that is in no timer differs from none: the line at the top says what it is.
+      if (draft.madeAt === undefined) notices.sayIfSilent('back');
     });
   }
 
