@@ -88,7 +88,6 @@ describe('the port is taken', () => {
     await app.bench((bench) => bench.setBusy(true));
     await app.button('Connect').click();
     await app.says(en.link.refused);
-    await app.text('Close other programs and tabs that talk to the timer').waitFor();
     await app.page.getByText(en.help.title).first().click();
     const linux = app.page.getByRole('listitem').filter({ hasText: en.help.steps.linux });
     await linux.getByRole('button', { name: en.copy }).click();
