@@ -25,6 +25,8 @@ import type { CommandName, Identity } from '../protocol/index.js';
  *   else changed it, or it is another timer. Nothing was sent again or put back.
  * - `stood-still`: this program stood still for more than ten seconds in the middle of the job, as when the computer
  *   sleeps. Another timer may be under the head by now. Nothing more was sent.
+ * - `too-slow`: the timer answers more than three seconds after a request; `delay` says how long it took. Its replies
+ *   cannot be told apart safely, so nothing more was sent. As after `no-answer`, it may have obeyed.
  * - `undecided`: the reading leaves open how times are to be written (quirk `times-big-endian`). The pilot has to
  *   choose first.
  * - `serious`: the program may cost a model, and `despite` does not allow it; `findings` says why. Nothing was sent.
@@ -47,6 +49,7 @@ export type TimerErrorCode =
   | 'stale'
   | 'changed'
   | 'stood-still'
+  | 'too-slow'
   | 'undecided'
   | 'serious'
   | 'busy'
@@ -74,6 +77,8 @@ export interface TimerErrorDetails {
   readonly findings?: readonly Finding[];
   /** Whether each reply was damaged, and all in the same way. */
   readonly alike?: boolean;
+  /** How long a reply took beyond the time of its bytes, in milliseconds. */
+  readonly delay?: number;
   /** The times or the positions, where only they could be read, by two readings that agree. */
   readonly part?: Pick<TimerProgram, 'identity' | 'memory'> & Partial<Pick<TimerProgram, 'times' | 'positions'>>;
 }

@@ -16,7 +16,7 @@ import {
   ALIKE,
   BAD_REPLIES,
   type Belief,
-  LATEST_REPLY,
+  latestReply,
   longestExchange,
   longestFence,
   MISSES,
@@ -112,14 +112,15 @@ export class Exchange {
   /** Begins a job. From now on nothing is sent that could end later than such a job may take. */
   begin(job: Omit<PlannedJob, 'identity'>): void {
     this.schedule.begin({ ...job, identity: this.identity });
+    this.#timing.begin();
     this.#seen = this.watch();
     this.#standstills = this.#wire.standstill.count;
   }
 
   /**
    * Sends a request until the reply comes. One call at a time: the caller waits for the one before.
-   * @throws TimerError `no-answer`, `unstable`, `bad-reply`, `stood-still`, `port-lost`, `closed`, or `aborted` before
-   * the request went out.
+   * @throws TimerError `no-answer`, `unstable`, `bad-reply`, `stood-still`, `too-slow`, `port-lost`, `closed`, or
+   * `aborted` before the request went out.
    */
   async ask<R extends Request>(
     request: R,
@@ -204,10 +205,18 @@ export class Exchange {
     return outcome.kind === 'answer' ? outcome.answer : null;
   }
 
-  /** @throws TimerError `stood-still` when this program stood still during the job: nothing more is sent in it. */
+  /**
+   * @throws TimerError `stood-still` when this program stood still during the job, `too-slow` when the timer answers
+   * too late for its replies to be told apart: nothing more is sent in it.
+   */
   requireGoing(): void {
-    if (this.#wire.standstill.count === this.#standstills) return;
-    throw new TimerError('stood-still', 'this program stood still in the middle of the job', this.#details);
+    if (this.#wire.standstill.count !== this.#standstills) {
+      throw new TimerError('stood-still', 'this program stood still in the middle of the job', this.#details);
+    }
+    const { tooSlow } = this.#timing;
+    if (tooSlow === null) return;
+    const delay = Math.round(tooSlow);
+    throw new TimerError('too-slow', `this timer answers after ${delay} ms`, { ...this.#details, delay });
   }
 
   /** Waits for the request in progress, and refuses all others with `closed`. */
@@ -311,7 +320,7 @@ export class Exchange {
    * @returns whether something came and another attempt makes sense.
    */
   async #comesLate(request: Request, seen: () => Disturbance, signal: AbortSignal | undefined): Promise<boolean> {
-    const left = this.#silentSince + LATEST_REPLY - this.#clock.now();
+    const left = this.#silentSince + latestReply(this.#timing) - this.#clock.now();
     if (!this.#isSilent(request, seen())) return false;
     const isHeard = await this.#wire.pause(left, signal, true);
     throwIfAborted(signal);
@@ -373,7 +382,7 @@ export class Exchange {
   }
 
   get #latestReply(): number {
-    return this.#lastSent + LATEST_REPLY;
+    return this.#lastSent + latestReply(this.#timing);
   }
 
   /** Positions cannot be read before the number of servos is known. */

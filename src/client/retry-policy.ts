@@ -100,6 +100,14 @@ export function replyTime(bytes: number, { baudRate, margin }: LineTiming): numb
   return wireTime(bytes, baudRate) + margin;
 }
 
+/**
+ * Milliseconds after which an unanswered request counts as one that can no longer be answered. Of a timer that is known
+ * to be slow it takes longer than {@link LATEST_REPLY}, so that one that answers even later is noticed.
+ */
+export function latestReply({ margin }: LineTiming): number {
+  return Math.max(LATEST_REPLY, 2 * margin);
+}
+
 /** How long a wait goes on at most while bytes still come, in milliseconds: the time of one longest frame. */
 export function overtime({ baudRate }: LineTiming): number {
   return wireTime(LONGEST_FRAME, baudRate) + SILENCE;
@@ -139,5 +147,7 @@ export function longestExchange(name: CommandName, identity: Identity | null, ti
  * reply can come.
  */
 export function longestFence(timing: LineTiming): number {
-  return DRAIN + SILENCE + Math.max(LATEST_REPLY, replyTime(2 * LONGEST_FRAME, timing) + overtime(timing) + SILENCE);
+  return (
+    DRAIN + SILENCE + Math.max(latestReply(timing), replyTime(2 * LONGEST_FRAME, timing) + overtime(timing) + SILENCE)
+  );
 }

@@ -45,6 +45,15 @@ export class RateListener {
     this.#baudRate = baudRate;
   }
 
+  /**
+   * Whether the last bytes begin like a reply of a timer and may become one. Where they come slowly, another rate now
+   * would lose the rest.
+   */
+  get isReplyBegun(): boolean {
+    const tail = this.#sample;
+    return this.#quiet === 0 && tail.some((letter, at) => isReplyHeader(letter, tail.subarray(0, at)));
+  }
+
   /** What was heard, all together; null for nothing, or too little to tell. */
   get heard(): Heard | null {
     const sample = this.#sample;
@@ -82,6 +91,12 @@ export class RateListener {
     this.#readable += bytes.filter(isReadable).length;
     this.#sample = Uint8Array.from([...this.#sample, ...bytes].slice(-SAMPLE));
   }
+}
+
+/** Whether four zeros and a length come right before the letter of a reply. */
+function isReplyHeader(letter: number, before: Uint8Array): boolean {
+  const isReply = commandOf(letter)?.direction === 'reply';
+  return isReply && before.length >= 5 && before.at(-1) !== 0 && before.slice(-5, -1).every((byte) => byte === 0);
 }
 
 /** Printable ASCII, tab and line ends. */

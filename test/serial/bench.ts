@@ -11,6 +11,8 @@ export interface TimerOptions extends Omit<VirtualTimerOptions, 'clock'> {
   readonly answersAt?: number;
   /** At any other rate something comes back for each byte of the page, because both ends take noise for bytes. */
   readonly noise?: boolean;
+  /** Milliseconds before each byte of the timer, which then come one by one. Default: as they leave it. */
+  readonly gap?: number;
 }
 
 /** An adapter on a mock port, with a virtual timer in front of its infrared head. */
@@ -28,7 +30,7 @@ export class Adapter {
   #then: () => void = () => {};
 
   constructor(serial: MockSerial, options: TimerOptions = {}) {
-    const { info = {}, plug = {}, answersAt, noise = false, ...timerOptions } = options;
+    const { info = {}, plug = {}, answersAt, noise = false, gap = 0, ...timerOptions } = options;
     this.#serial = serial;
     this.#info = info;
     this.#plug = { granted: true, ...plug };
@@ -38,7 +40,7 @@ export class Adapter {
     this.timer = new VirtualTimer(timerOptions);
     this.#toTimer = this.timer.writable.getWriter();
     void this.#hear();
-    void this.timer.readable.pipeTo(new WritableStream({ write: (bytes) => this.#say(bytes) }));
+    void this.timer.readable.pipeTo(new WritableStream({ write: (bytes) => this.#say(bytes, gap, options.clock) }));
   }
 
   get port(): MockSerialPort {
@@ -78,14 +80,27 @@ export class Adapter {
     for (;;) {
       const bytes = await device.read();
       if (bytes.length === 0) return;
-      const isUnderstood = this.answersAt === undefined || device.opened?.baudRate === this.answersAt;
-      if (isUnderstood) await this.#toTimer.write(bytes);
-      else if (this.#noise) device.write(bytes.map((byte) => byte ^ 0x5a));
+      if (this.#isUnderstood) await this.#toTimer.write(bytes);
+      else if (this.#noise) device.write(bytes.map(garbled));
     }
   }
 
-  #say(bytes: Uint8Array): void {
+  get #isUnderstood(): boolean {
+    return this.answersAt === undefined || this.port.device.opened?.baudRate === this.answersAt;
+  }
+
+  async #say(bytes: Uint8Array, gap: number, clock: Clock | undefined): Promise<void> {
+    if (gap === 0 || !clock) return this.#sayNow(bytes);
+    for (const byte of bytes) {
+      await new Promise<void>((resolve) => clock.after(gap, resolve));
+      this.#sayNow(Uint8Array.of(byte));
+    }
+  }
+
+  #sayNow(said: Uint8Array): void {
     const { device } = this.port;
+    // A late reply may come when the page has gone on to another rate.
+    const bytes = this.#isUnderstood ? said : said.map(garbled);
     const before = bytes.subarray(0, this.#left);
     this.#left -= before.length;
     device.write(before);
@@ -95,6 +110,9 @@ export class Adapter {
     device.write(bytes.subarray(before.length));
   }
 }
+
+/** A byte as it is heard at the wrong rate. */
+const garbled = (byte: number): number => byte ^ 0x5a;
 
 /** A browser's serial ports, one adapter and a timer, all on one clock that the test turns. */
 export function serialBench(options: TimerOptions = {}) {

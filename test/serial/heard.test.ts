@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { MockSerialPort } from '../../src/mock-serial/index.js';
-import { encodeReply } from '../../src/protocol/index.js';
-import { DEFAULT_SETTINGS, type Heard } from '../../src/serial/index.js';
+import { DEFAULT_SETTINGS, type Heard, RATES } from '../../src/serial/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { connectionOf, linkBench } from './link-bench.js';
 
@@ -52,20 +51,13 @@ describe('bytes that are not from a timer', () => {
     expect(heard).toMatchObject({ kind: 'noise' });
   });
 
-  it('are a slow timer when they make whole replies, one byte each 300 ms', async () => {
-    const { timer, port, link, clock } = linkBench();
-    timer.core.sleep();
-    const reply = encodeReply({ name: 'GETSWVER', identity: B536 });
-    let sent = 0;
-    const say = (): void => {
-      port.device.write(reply.subarray(sent % reply.length, (sent % reply.length) + 1));
-      sent++;
-      clock.after(300, say);
-    };
-    await clock.run(link.connect(port, { ...DEFAULT_SETTINGS, baudRate: 9600 }));
-    say();
-    await clock.advance(12_000);
-    expect(link.state).toMatchObject({ status: 'waiting', heard: { kind: 'slow', baudRate: 9600 } });
+  it.each(RATES)('are a slow timer at %i baud when they make its replies, one byte each 300 ms', async (rate) => {
+    const { connect, states, clock } = linkBench({ gap: 300, answersAt: rate, plug: { timing: true } });
+    await connect();
+    await clock.advance(120_000);
+    const heard = states.map((state) => (state.status === 'waiting' ? state.heard : null));
+    expect(heard.find((each) => each?.kind === 'slow')).toMatchObject({ baudRate: rate });
+    expect(heard.at(-1)).toMatchObject({ kind: 'slow' });
   });
 
   it('do not count when only a few come as a plug is pushed in', async () => {
@@ -110,6 +102,28 @@ describe('a timer that is slow', () => {
     expect(client.delay).toBeGreaterThan(latency - 50);
     expect(client.damageSeen).toBe(false);
     expect(client.strays).toBe(0);
+  });
+
+  it.each([
+    [3200, 9600],
+    [3600, 9600],
+    [5500, 9600],
+    [3200, 19200],
+    [3600, 115200],
+  ])('is found, but not read, when it answers after %i ms at %i baud', async (latency, answersAt) => {
+    const { connect, link, clock, timer } = linkBench({ latency, answersAt, plug: { timing: true } });
+    await connect();
+    await clock.advance(80_000);
+    const { client, settings } = connectionOf(link);
+    expect(settings.baudRate).toBe(answersAt);
+    const program = timer.core.content;
+    await expect(clock.run(client.readProgram())).rejects.toMatchObject({
+      code: 'too-slow',
+      details: { delay: latency },
+    });
+    expect(client.delay).toBeCloseTo(latency, 2);
+    await expect(clock.run(client.readMemories())).rejects.toMatchObject({ code: 'too-slow' });
+    expect(timer.core.content).toEqual(program);
   });
 
   it('is known to be slow when it is asked again over the same link', async () => {

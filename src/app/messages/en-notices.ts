@@ -109,6 +109,11 @@ export const timer: Record<TimerErrorCode, Said> = {
     title: 'This page stood still during the job.',
     advice: 'Nothing more was sent: another timer may be there by now. Read again.',
   },
+  'too-slow': {
+    title: 'This timer answers too slowly.',
+    advice:
+      'Its answers take more than 3 seconds, so this page cannot tell which belongs to which question. Nothing more was sent. Try another adapter, or a cable in place of Bluetooth.',
+  },
   undecided: { title: byteOrder.title, advice: `${write.refused} ${byteOrder.advice}` },
   serious: {
     title: 'The checks have found something serious.',
