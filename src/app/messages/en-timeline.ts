@@ -11,10 +11,6 @@ export interface TimelineFacts {
 /** The picture of a program over time. */
 export const timeline = {
   title: 'Timeline',
-  compareWith: 'Compare with',
-  compareNothing: 'nothing',
-  /** What the timer holds, as far as it is known. */
-  compareHeld: { now: 'the timer', once: 'the last reading', not: 'the last reading, not certain' },
   /** While it is open whether the tried positions stay: what the timer held before them. */
   compareBefore: 'before following',
   picture: 'Servo positions over time',

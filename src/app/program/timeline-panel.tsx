@@ -1,23 +1,18 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import { differences, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
+import { differences, type ProgramField, type TimerProgram } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
-import { dotted } from '../messages/dotted.js';
-import { dateText, dutyName, messages } from '../messages/index.js';
+import { dutyName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Standing } from '../session/standing.js';
 import type { Trials } from '../session/trials.js';
 import type { OnEdit } from '../timeline/drag.js';
 import type { Player } from '../timeline/preview/player.js';
-import { BehindSwatch, Timeline, type TimelineProps } from '../timeline/timeline.js';
-import { Select } from '../ui/choice.js';
+import { Timeline, type TimelineProps } from '../timeline/timeline.js';
 import { useLate } from '../ui/use-late.js';
 import { PreviewPanel } from './preview-panel.js';
-import { HELD, NOTHING, type ProgramPicture } from './program-picture.js';
+import type { ProgramPicture } from './program-picture.js';
 import './timeline-panel.css';
-
-/** How many backups can be chosen, newest first. */
-const CHOICES = 12;
 
 interface TimelinePanelProps {
   readonly session: Session;
@@ -35,7 +30,7 @@ interface TimelinePanelProps {
 export function TimelinePanel(props: TimelinePanelProps) {
   const { session, trials, picture, selected: field, onSelect, onPoint } = props;
   const { editor, servoUses } = session;
-  const { player, behind } = picture;
+  const { player } = picture;
   // The picture comes one frame late: it is drawn once, after the field that has changed or got the focus.
   const shown = useMemo(
     () =>
@@ -50,7 +45,7 @@ export function TimelinePanel(props: TimelinePanelProps) {
   const [late, catchUp] = useLate(shown);
   const { program, held, isTrial, sure, selected } =
     late.program?.identity === editor.identity.value ? late : shown.peek();
-  const overlay = useOverlay(session, program, behind.value, { held, isTrial, sure });
+  const overlay = useOverlay({ held, isTrial, sure });
   const named = servoUses.named.value;
   const names = useMemo(() => named?.map(dutyName), [named]);
   if (!program) return null;
@@ -69,16 +64,6 @@ export function TimelinePanel(props: TimelinePanelProps) {
           catchUp();
           if (phase !== 'moving') editor.settle();
         }}
-        foot={
-          <CompareWith
-            session={session}
-            program={program}
-            isTrial={isTrial}
-            isDrawn={overlay !== null}
-            chosen={behind.value}
-            onChoose={(key) => picture.compareWith(key)}
-          />
-        }
       />
       <PreviewPanel {...{ session, program, player }} selected={field} />
     </div>
@@ -102,64 +87,19 @@ interface Behind {
 function heldBefore(editor: Editor, trials: Trials): Pick<Behind, 'held' | 'isTrial'> {
   const trial = trials.current.value;
   const { value: working } = editor.working;
-  if (!trial || !working)
-    return { held: editor.changes.value.length > 0 ? editor.baseline.value : null, isTrial: false };
+  if (!trial || !working) {
+    // A program that was made here was never in a timer.
+    const isDrawn = editor.changes.value.length > 0 && editor.madeAt.value === null;
+    return { held: isDrawn ? editor.baseline.value : null, isTrial: false };
+  }
   return { held: differences(trial.before, working).length > 0 ? trial.before : null, isTrial: true };
 }
 
-/** The second program and its name. */
-function useOverlay(
-  session: Session,
-  program: TimerProgram | null,
-  chosen: string,
-  { held, isTrial, sure }: Behind,
-): TimelineProps['overlay'] {
+/** What the timer holds, behind the program, and its name. */
+function useOverlay({ held, isTrial, sure }: Behind): TimelineProps['overlay'] {
   const { knowledge, timeline } = messages.value;
-  const backup = session.backups.list.value.find(({ key }) => key === chosen);
   return useMemo(() => {
-    if (chosen === HELD) {
-      const name = isTrial ? timeline.compareBefore : knowledge.held[sure === 'now' ? 'now' : 'once'];
-      return held && { program: held, name, uncertain: sure === 'not' && !isTrial };
-    }
-    if (!program || !backup || !sameLayout(backup.program.identity, program.identity)) return null;
-    return { program: backup.program, name: dateText(backup.savedAt) };
-  }, [chosen, held, isTrial, backup, program?.identity, knowledge, timeline, sure]);
-}
-
-interface CompareWithProps {
-  readonly session: Session;
-  readonly program: TimerProgram;
-  readonly isTrial: boolean;
-  /** Whether the picture shows a second program. It does not where the timer holds the same. */
-  readonly isDrawn: boolean;
-  readonly chosen: string;
-  readonly onChoose: (key: string) => void;
-}
-
-function CompareWith({ session, program, isTrial, isDrawn, chosen, onChoose }: CompareWithProps) {
-  const { timeline, backups: words, header, memoryName, recovery } = messages.value;
-  const isMade = session.editor.madeAt.value !== null;
-  const fitting = session.backups.list.value
-    .filter((backup) => sameLayout(backup.program.identity, program.identity))
-    .slice(0, CHOICES);
-  const heldName = isTrial ? timeline.compareBefore : timeline.compareHeld[session.standing.value.sure];
-  const nameOf = (key: string): string => {
-    const backup = fitting.find((each) => each.key === key);
-    if (!backup) return key === HELD ? heldName : timeline.compareNothing;
-    const { savedAt, reason, simulated, program } = backup;
-    const memory = program.memory === null ? recovery.unknownMemory : memoryName(program.memory);
-    return dotted([memory, dateText(savedAt), words.reasons[reason], simulated && header.simulated]);
-  };
-  return (
-    <label class="row timeline-choice">
-      {isDrawn && <BehindSwatch />}
-      {timeline.compareWith}
-      <Select
-        choices={[...(isMade ? [] : [HELD]), NOTHING, ...fitting.map(({ key }) => key)]}
-        nameOf={nameOf}
-        chosen={isMade && chosen === HELD ? NOTHING : chosen}
-        onChoose={onChoose}
-      />
-    </label>
-  );
+    const name = isTrial ? timeline.compareBefore : knowledge.held[sure === 'now' ? 'now' : 'once'];
+    return held && { program: held, name, uncertain: sure === 'not' && !isTrial };
+  }, [held, isTrial, knowledge, timeline, sure]);
 }

@@ -1,5 +1,4 @@
 import type { ReadonlySignal } from '@preact/signals';
-import type { ComponentChildren } from 'preact';
 import { useEffect, useId, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
@@ -60,8 +59,6 @@ export interface TimelineProps {
   readonly model?: TimelineModel | undefined;
   /** The pointer or a key asks about a time of the flight; null when it no longer does. */
   readonly onAsk?: ((time: number | null) => void) | undefined;
-  /** The content below the picture, such as what it is compared with. Default: the name of the second program. */
-  readonly foot?: ComponentChildren;
 }
 
 /** The least width of a plot, in pixels, however little room there is. */
@@ -199,7 +196,7 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
       </p>
       <Spoken program={program} model={model} />
       <TimelineNotes program={program} />
-      <div class="row timeline-foot">{calls.foot ?? (overlay && <Behind name={overlay.name} />)}</div>
+      <div class="timeline-foot">{overlay && <Behind name={overlay.name} />}</div>
     </section>
   );
 }
@@ -213,18 +210,11 @@ function MomentLine(props: { geometry: Geometry; model: TimelineModel; cursor: n
 function Behind({ name }: { name: string }) {
   return (
     <p class="timeline-behind">
-      <BehindSwatch />
+      <svg class="swatch overlay" width="26" height="8" aria-hidden="true">
+        <path d="M1 4H25" />
+      </svg>
       {name}
     </p>
-  );
-}
-
-/** A piece of the line of the second program. */
-export function BehindSwatch() {
-  return (
-    <svg class="swatch overlay" width="26" height="8" aria-hidden="true">
-      <path d="M1 4H25" />
-    </svg>
   );
 }
 

@@ -24,8 +24,7 @@ function drawnBy(name: string, text: string): Record<string, number> {
     if (/^[A-Z]/.test(name)) drawn[name] = (drawn[name] ?? 0) + 1;
     before?.(vnode);
   };
-  // The intervals beside it, the timeline, the checks, the strip and the commands come a frame later. They are not
-  // waited for.
+  // The timeline, the preview and the checks come a frame later. They are not waited for.
   act(() => type(name, text));
   hooks.__r = before;
   return drawn;
@@ -48,29 +47,4 @@ it.each([
   await idle();
   await late();
   expect(drawnBy(name, text)).toEqual(drawn);
-});
-
-it('a digit draws first what was typed and its colour, then the old value and the notes', async () => {
-  await connected();
-  field('Function 4, S2').focus();
-  act(() => type('Function 4, S2', '99'));
-  const cell = field('Function 4, S2').closest('.value') as HTMLElement;
-  expect([field('Function 4, S2').value, cell.classList.contains('changed')]).toEqual(['99', true]);
-  expect(cell.children, 'the old value and the notes are not drawn yet').toHaveLength(1);
-  await late();
-  expect(cell.querySelector('s')?.textContent).toBe('55');
-});
-
-it('a digit of a time draws the intervals beside it a frame later', async () => {
-  await connected();
-  const intervals = (): string[] => [4, 5].map((slot) => field(`Function ${slot} interval`).value);
-  field('Function 4 time').focus();
-  act(() => type('Function 4 time', '12.1'));
-  expect(intervals()).toEqual(['0.50', '0.50']);
-  await late();
-  expect(intervals()).toEqual(['0.60', '0.40']);
-  field('Function 4 interval').focus();
-  act(() => type('Function 4 interval', '0.7'));
-  act(() => field('Function 4 interval').blur());
-  expect(intervals(), 'a field that is left shows the interval at once').toEqual(['0.70', '0.40']);
 });

@@ -2,6 +2,7 @@ import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { options, type VNode } from 'preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { formatTime } from '../../../src/app/editing/units.js';
+import { messages } from '../../../src/app/messages/index.js';
 import { Theme } from '../../../src/app/settings/theme.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, idle } from '../bench/bench.js';
@@ -11,13 +12,11 @@ const S1: ProgramField = { kind: 'position', servo: 0, slot: 4 };
 
 const dtOf = ({ identity }: AppBench['editor']): number => identity.value?.functions ?? 0;
 const handle = (name: string): Element => screen.getByRole('slider', { name });
-/** What lies behind the program, as it is chosen; nothing where it is not drawn. */
-const behind = () => {
-  const drawn = document.querySelectorAll('.timeline-panel .overlay path:not(.mark)').length > 0;
-  return drawn
-    ? screen.getByRole<HTMLSelectElement>('combobox', { name: 'Compare with' }).selectedOptions[0]?.text
+/** The name of what is drawn behind the program. */
+const behind = () =>
+  document.querySelector('.timeline-panel .overlay path:not(.mark)')
+    ? document.querySelector('.timeline-behind')?.textContent
     : undefined;
-};
 
 async function key(name: string, pressed: string): Promise<void> {
   fireEvent.keyDown(handle(name), { key: pressed });
@@ -42,7 +41,7 @@ describe('the timeline', () => {
     expect(behind()).toBeUndefined();
     editor.type(S1, '99');
     await expect.poll(() => handle('Function 4, S1').getAttribute('aria-valuenow')).toBe('99');
-    expect(behind()).toBe('the timer');
+    expect(behind()).toBe(messages.value.knowledge.held.now);
   });
 
   it('edits the program, with one undo step for each movement', async () => {
@@ -169,9 +168,6 @@ describe('the timeline', () => {
 
   it('is as it was left when the view comes back', async () => {
     const app = await connected();
-    app.editor.type(S1, '99');
-    await idle();
-    fireEvent.change(screen.getByRole('combobox', { name: 'Compare with' }), { target: { value: 'nothing' } });
     fireEvent.click(screen.getByRole('button', { name: 'S3' }));
     await idle();
     act(() => app.models.views.show('settings'));
@@ -179,23 +175,7 @@ describe('the timeline', () => {
     expect(document.querySelector('.timeline-panel')).toBeNull();
     act(() => app.models.views.show('program'));
     await idle();
-    const seen = [behind(), screen.getByRole('button', { name: 'S3' }).getAttribute('aria-pressed')];
-    expect(seen).toEqual([undefined, 'true']);
-  });
-
-  it('can show a backup behind it, or nothing', async () => {
-    const app = await connected();
-    const backup = { ...app.editor.baseline.value, times: app.editor.baseline.value?.times.map((time) => time + 1) };
-    await app.session.backups.add(backup as Parameters<typeof app.session.backups.add>[0], 'write', false);
-    app.editor.type(S1, '99');
-    await idle();
-    const choice = screen.getByRole<HTMLSelectElement>('combobox', { name: /Compare with/ });
-    fireEvent.change(choice, { target: { value: 'nothing' } });
-    await idle();
-    expect(behind()).toBeUndefined();
-    fireEvent.change(choice, { target: { value: app.session.backups.list.value[0]?.key } });
-    await idle();
-    expect(behind()).toMatch(/\d{4}/);
+    expect(screen.getByRole('button', { name: 'S3' }).getAttribute('aria-pressed')).toBe('true');
   });
 
   it('shows the model at the same time: that of the selected cell, the pointer, or the played flight', async () => {
