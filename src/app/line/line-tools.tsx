@@ -5,7 +5,6 @@ import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Select } from '../ui/choice.js';
 import { CopyButton } from '../ui/copy-button.js';
-import { useLate } from '../ui/use-late.js';
 import { CopyReport } from './copy-report.js';
 import type { LineFilter, LineView } from './line-view.js';
 import { captureText } from './recording.js';
@@ -54,8 +53,7 @@ export function LineTools({ session, view }: { readonly session: Session; readon
 
 function LineChoice({ view }: { readonly view: LineView }) {
   const { line } = messages.value;
-  // Each key of a search can bring other rows: the key is drawn before them.
-  const [search] = useLate(view.search);
+  const { value: search } = view.search;
   useLayoutEffect(() => view.find(search), [view, search]);
   return (
     <div class="line-choice">

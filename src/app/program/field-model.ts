@@ -22,11 +22,6 @@ export interface FieldFace {
   readonly isConfirmed: boolean;
   readonly isWrong: boolean;
   readonly either: Ambiguous['either'] | null;
-  readonly marks: FieldMarks;
-}
-
-/** What is said about the value of a field. */
-export interface FieldMarks {
   /** The value in spoken form, where a wrong minute would be costly. */
   readonly spoken: string | null;
   /** The old value in the timer, if it differs and is known. */
@@ -52,9 +47,9 @@ export class FieldModel implements EditedValue {
   readonly face: ReadonlySignal<FieldFace> = computed(() => this.#look());
   readonly text: EditedValue['text'] = computed(() => this.face.value.text);
   readonly unit: EditedValue['unit'] = computed(() => this.face.value.unit);
-  readonly was: EditedValue['was'] = computed(() => this.face.value.marks.was);
+  readonly was: EditedValue['was'] = computed(() => this.face.value.was);
   readonly either: EditedValue['either'] = computed(() => this.face.value.either);
-  readonly notes: EditedValue['notes'] = computed(() => this.face.value.marks.notes);
+  readonly notes: EditedValue['notes'] = computed(() => this.face.value.notes);
   readonly canPutBack: EditedValue['canPutBack'] = computed(
     () => this.face.value.isChanged || this.#editor.unreadable.value.has(this.#key),
   );
@@ -82,7 +77,6 @@ export class FieldModel implements EditedValue {
     const unit = figure?.unit ?? null;
     const from = editor.changed.value.get(key)?.from;
     const notes = notesFor(editor, field);
-    const marks: FieldMarks = { ...this.#marksOf(from, value, unit), notes: notes.map(({ text }) => text).join(' ') };
     const face: FieldFace = {
       text: this.#isLarge && figure ? figure.text : editor.textOf(field),
       unit,
@@ -90,14 +84,19 @@ export class FieldModel implements EditedValue {
       isConfirmed: editor.confirmed.value.has(key),
       isWrong: notes.some(({ severity }) => severity === 'error'),
       either: editor.asked.value.get(key) ?? null,
-      marks: this.#last ? same(this.#last.marks, marks) : marks,
+      ...this.#against(from, value, unit),
+      notes: notes.map(({ text }) => text).join(' '),
     };
     this.#last = this.#last ? same(this.#last, face) : face;
     return this.#last;
   }
 
   /** @param from the value in the timer: undefined when it is the same, null when it is not known. */
-  #marksOf(from: number | null | undefined, value: number | null, unit: FieldFace['unit']): Omit<FieldMarks, 'notes'> {
+  #against(
+    from: number | null | undefined,
+    value: number | null,
+    unit: FieldFace['unit'],
+  ): Pick<FieldFace, 'spoken' | 'was' | 'old'> {
     const field = this.#field;
     const identity = this.#editor.identity.value;
     if (from === undefined || !identity) return UNCHANGED;
@@ -132,9 +131,9 @@ export class FieldModel implements EditedValue {
   }
 }
 
-/** The old object, if the new one says the same. */
-function same<T extends object>(last: T, found: T): T {
-  return (Object.keys(found) as (keyof T)[]).every((name) => last[name] === found[name]) ? last : found;
+/** The old face, if the new one says the same. */
+function same(last: FieldFace, found: FieldFace): FieldFace {
+  return (Object.keys(found) as (keyof FieldFace)[]).every((name) => last[name] === found[name]) ? last : found;
 }
 
 /** An old value in the form of the new one above it, with its unit. */

@@ -1,9 +1,8 @@
-import { useComputed, useSignal } from '@preact/signals';
+import { useSignal } from '@preact/signals';
 import type { TargetedFocusEvent } from 'preact';
 import { useMemo, useRef } from 'preact/hooks';
 import type { Editor } from '../editing/editor.js';
 import { TimeQuestion } from '../ui/time-question.js';
-import { useLateComputed } from '../ui/use-late.js';
 import { type OnStep, stepByKey, useWheel } from './field-tools.js';
 import type { Hand } from './hand.js';
 import { IntervalModel } from './interval-model.js';
@@ -25,9 +24,6 @@ export function IntervalField({ editor, selection, hand, slot, label }: Interval
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
   const model = useMemo(() => new IntervalModel(editor, slot), [editor, slot]);
-  // A time changes the intervals beside it: its digit is drawn before them.
-  const belongsTo = useComputed(() => [editor.baseline.value, focused.value]);
-  const late = useLateComputed(() => model.text.value, belongsTo);
   const { value: problem } = model.notes;
   const { value: either } = model.either;
   // The sheet shows everything else about the field.
@@ -55,7 +51,7 @@ export function IntervalField({ editor, selection, hand, slot, label }: Interval
         aria-label={label}
         aria-invalid={problem !== ''}
         aria-describedby={problem ? notesId : undefined}
-        value={focused.value ? model.text.value : late}
+        value={model.text.value}
         onFocus={({ currentTarget }) => {
           focused.value = true;
           currentTarget.select();

@@ -1,8 +1,8 @@
+import { useComputed } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { keyFields } from '../messages/key-figures.js';
 import type { Session } from '../session/session.js';
-import { useLateComputed } from '../ui/use-late.js';
 import { EditSheet, useHand } from './edit-sheet.js';
 import { ValueField } from './value-field.js';
 import './large-figures.css';
@@ -13,7 +13,7 @@ export function LargeFigures({ session }: { readonly session: Session }) {
   const { editor } = session;
   const identity = editor.identity.value;
   const hand = useHand();
-  const isShort = useLateComputed(() => editor.findings.value.some(({ code }) => code === 'dt-short'), editor.baseline);
+  const isShort = useComputed(() => editor.findings.value.some(({ code }) => code === 'dt-short')).value;
   if (!identity) return null;
   return (
     <div class="figures">

@@ -1,4 +1,4 @@
-import { useSignal } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
@@ -9,7 +9,6 @@ import type { Preferences } from '../session/preferences.js';
 import { Icon } from '../ui/icon.js';
 import { TimeQuestion } from '../ui/time-question.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
-import { useLateComputed } from '../ui/use-late.js';
 import './presets.css';
 
 interface DtPresetsProps {
@@ -25,7 +24,7 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
   const changing = useSignal(false);
   const field: ProgramField = { kind: 'time', slot };
   const key = fieldKey(field);
-  const current = useLateComputed(() => editor.working.value?.times[slot], editor.baseline);
+  const current = useComputed(() => editor.working.value?.times[slot]).value;
   const box = useHandedFocus('[aria-expanded]');
   return (
     <div class={`presets ${changing.value ? 'changing' : ''}`} {...box}>

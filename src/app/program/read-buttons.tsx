@@ -1,13 +1,13 @@
+import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { useLateComputed } from '../ui/use-late.js';
 
 /** Buttons that read the timer again, and take back all changes. */
 export function ReadButtons({ session }: { readonly session: Session }) {
   const { program } = messages.value;
   const { editor, runner } = session;
   const { status } = session.link.state.value;
-  const isDirty = useLateComputed(() => editor.dirty.value, editor.baseline);
+  const isDirty = useComputed(() => editor.dirty.value).value;
   const undoAll = (): void => {
     editor.revertAll();
     // This button goes. That one takes back what it did.

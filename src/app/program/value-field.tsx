@@ -4,7 +4,6 @@ import { fieldKey, type ProgramField } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { TimeQuestion } from '../ui/time-question.js';
-import { useAfter } from '../ui/use-late.js';
 import { FieldModel, type FieldPlace } from './field-model.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import type { Hand } from './hand.js';
@@ -35,9 +34,7 @@ export function ValueField(props: ValueFieldProps) {
   const key = fieldKey(field);
   const isLarge = place === 'large';
   const model = useMemo(() => new FieldModel(editor, field, place), [editor, key, place]);
-  const { text, unit, isChanged, isConfirmed, isWrong, either, marks } = model.face.value;
-  // Their elements come and go, and the page is laid out again: the digit is drawn before that.
-  const { spoken, was, old, notes } = useAfter(marks, editor.baseline.value);
+  const { text, unit, isChanged, isConfirmed, isWrong, either, spoken, was, old, notes } = model.face.value;
   const state = isChanged ? 'changed' : isConfirmed ? 'confirmed' : '';
   // The sheet shows everything else about the field.
   const isHeld = focused.value && hand.field.value !== null;

@@ -1,8 +1,8 @@
+import { useComputed } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { fieldName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { useLateComputed } from '../ui/use-late.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { firstInTheWay } from './field-notes.js';
 
@@ -21,8 +21,8 @@ interface WriteButtonProps {
  */
 export function WriteButton({ session, write, brief }: WriteButtonProps) {
   const { editor } = session;
-  const isBlocked = useLateComputed(() => editor.blocked.value, editor.baseline);
-  const count = useLateComputed(() => editor.changes.value.length, editor.baseline);
+  const isBlocked = useComputed(() => editor.blocked.value).value;
+  const count = useComputed(() => editor.changes.value.length).value;
   const isConnected = session.connection.value !== null;
   const isOff = session.link.state.value.status === 'off';
   const { program } = messages.value;
@@ -52,14 +52,14 @@ export function WriteButton({ session, write, brief }: WriteButtonProps) {
 
 /** What prevents a write. A text that is still being typed does not. */
 export function BlockedNote({ editor }: { readonly editor: Editor }) {
-  const text = useLateComputed(() => {
+  const text = useComputed(() => {
     const identity = editor.identity.value;
     const cause = identity && firstInTheWay(editor);
     if (!cause) return null;
     const key = fieldKey(cause.field);
     const isTyped = editor.unreadable.value.get(key)?.either && !editor.asked.value.has(key);
     return isTyped ? null : messages.value.program.blocked(fieldName(identity, cause.field), cause.text);
-  }, editor.baseline);
+  }).value;
   if (text === null) return null;
   return (
     <p class="hint bad-text" id={NOTE} role="status">

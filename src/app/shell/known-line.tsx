@@ -3,21 +3,18 @@ import type { Follow } from '../bench/follow.js';
 import { clockText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { hintText, madeAs, standingText } from '../session/standing-text.js';
-import { useLateComputed } from '../ui/use-late.js';
 import './known-line.css';
 
 /** How the program on the screen differs from the timer; or that it equals the last reading, and when that was. */
 export function KnownLine({ session, follow }: { readonly session: Session; readonly follow: Follow }) {
   const { strip } = messages.value;
   const { editor } = session;
-  const of = useComputed(() => [editor.baseline.value, session.standing.value]);
-  // After the field that was typed into. All of these come in the same frame: one sentence uses them together.
-  const count = useLateComputed(() => editor.changes.value.length, of);
-  const unfinished = useLateComputed(() => editor.unreadable.value.size, of);
-  const tried = useLateComputed(() => follow.trials.tried.value.length, of);
+  const count = useComputed(() => editor.changes.value.length).value;
+  const unfinished = useComputed(() => editor.unreadable.value.size).value;
+  const tried = useComputed(() => follow.trials.tried.value.length).value;
   const memory = useComputed(() => editor.working.value?.memory ?? null).value;
   const standing = session.standing.value;
-  const made = useLateComputed(() => madeAs(session), of);
+  const made = useComputed(() => madeAs(session)).value;
   const open = standing.sure === 'not';
   const differs = tried + count + unfinished > 0;
   const state = open ? 'open' : differs ? 'differs' : standing.sure === 'now' ? 'known' : 'once';

@@ -14,7 +14,6 @@ import { ProgramTable } from '../program/program-table.js';
 import { RowTools } from '../program/row-tools.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
 import type { Preferences } from '../session/preferences.js';
-import { useLateComputed } from '../ui/use-late.js';
 import { NARROW, useQuery } from '../ui/use-query.js';
 import { CommandBar, type CommandBarProps } from './command-bar.js';
 import { SettingLine } from './setting-line.js';
@@ -120,7 +119,7 @@ export function ProgramView(props: ProgramViewProps) {
 function ProgramExits({ session, sharing, onPrint }: Pick<ProgramViewProps, 'session' | 'sharing' | 'onPrint'>) {
   const { views } = messages.value;
   // Texts that are no value yet come and go while somebody types.
-  const isSavable = useLateComputed(() => session.opened.savable.value, session.editor.baseline);
+  const isSavable = useComputed(() => session.opened.savable.value).value;
   return (
     <div class="program-exits">
       <button type="button" class="quiet" disabled={!isSavable} onClick={() => offerScreen(session, sharing)}>

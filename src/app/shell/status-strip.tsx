@@ -18,7 +18,6 @@ import type { Session } from '../session/session.js';
 import { onDemand } from '../ui/on-demand.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
 import { useHeight } from '../ui/use-height.js';
-import { useLateComputed } from '../ui/use-late.js';
 import { LOW, NARROW, TIGHT, useQuery } from '../ui/use-query.js';
 import { KnownLine } from './known-line.js';
 import { StripModel } from './strip-model.js';
@@ -217,18 +216,17 @@ function Figure({ session, identity, field }: FigureProps) {
   const { program, strip } = messages.value;
   const { editor } = session;
   const key = fieldKey(field);
-  const isValid = useLateComputed(() => !editor.unreadable.value.has(key), editor.baseline);
-  // The field that is typed into, or the mark that is moved, is drawn first.
-  const text = useLateComputed(() => {
+  const isValid = useComputed(() => !editor.unreadable.value.has(key)).value;
+  const text = useComputed(() => {
     const value = editor.working.value && valueAt(editor.working.value, field);
     return value === null ? '' : figureText(identity, field, value);
-  }, editor.baseline);
-  const isShort = useLateComputed(() => {
+  }).value;
+  const isShort = useComputed(() => {
     const isDt = field.kind === 'time' && field.slot === identity.functions;
     return isDt && editor.findings.value.some(({ code }) => code === 'dt-short');
-  }, editor.baseline);
+  }).value;
   /** Uncertain figures are red; those that were only read earlier are grey. */
-  const look = useLateComputed(() => {
+  const look = useComputed(() => {
     const { sure } = session.standing.value;
     const { known } = session.standings.of(editor.working.value?.memory ?? null);
     const isOpen = known.state === 'uncertain' && possibleValues(known, field).length > 1;
@@ -236,7 +234,7 @@ function Figure({ session, identity, field }: FigureProps) {
     if (editor.changes.value.some(({ field: changed }) => fieldKey(changed) === key)) return 'changed';
     if (sure === 'not') return 'past';
     return sure === 'once' && editor.madeAt.value === null && !session.connection.value ? 'past' : '';
-  }, session.standing);
+  }).value;
   const [figure, unit] = isValid ? text.split(' ') : [strip.notValid, ''];
   const name = isShort && isValid ? program.shortDt : keyName(identity, field);
   return (
