@@ -225,9 +225,9 @@ describe('the table', () => {
       ['Undo', '35'],
       ['Redo', '7'],
     ] as const) {
-      const step = button(`${name} typing in function 2, S1`);
+      const step = button(`${name} change of function 2, S1`);
       step.focus();
-      await press(`${name} typing in function 2, S1`);
+      await press(`${name} change of function 2, S1`);
       await press(name);
       expect(field('Function 2, S1').value).toBe(left);
       expect(document.activeElement).toBe(step);
