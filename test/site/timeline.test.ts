@@ -1,12 +1,13 @@
 import type { Locator } from 'playwright';
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { type AppOptions, AppPage } from './app-page.js';
 import { Keys } from './keys.js';
 import { PHONE } from './page.js';
 
 const FIELD = 'Function 3 time';
 /** In the name of a step. */
-const MOVING = 'moving function 3 time';
+const MOVING = en.edits.steps.change({ what: 'function 3 time' });
 
 interface Seen {
   readonly app: AppPage;
