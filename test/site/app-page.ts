@@ -135,6 +135,11 @@ export class AppPage {
     return this.page.getByText(text);
   }
 
+  /** That so many values differ. Write says so, too, so the whole text is looked for. */
+  changes(count: number): Locator {
+    return this.page.getByText(en.program.changes(count), { exact: true });
+  }
+
   get dialog(): Locator {
     return this.page.getByRole('dialog', { name: 'Write to the timer' });
   }

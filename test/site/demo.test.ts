@@ -21,7 +21,7 @@ for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
     await app.type('Function 2, S1', '0');
     await app.type('DT, S3', '130');
     await expect.poll(() => app.valueOf('DT'), { message: 'the large figure shows the new DT' }).toBe('5:00');
-    await app.text('3 changes').waitFor();
+    await app.changes(3).waitFor();
 
     await app.review();
     await expect

@@ -76,7 +76,7 @@ describe('what was typed is kept', () => {
       .toEqual(['7', '4:00']);
     await app.button('Connect').click();
     await app.isReady();
-    await app.text('2 changes').waitFor();
+    await app.changes(2).waitFor();
     await app.write();
     await app.result('Verified.');
     await app.close();

@@ -47,7 +47,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   await trail.goBack(() => keys.press('Control+z'));
   await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   await trail.goForward(() => keys.press('Control+Shift+z'));
-  await app.text('44 changes').waitFor();
+  await app.changes(44).waitFor();
 
   await keys.enter(/^Write \d+ changes?…$/);
   await app.dialog.waitFor();

@@ -57,7 +57,7 @@ describe('a drag with the mouse selects, and moves no value', () => {
     await app.page.keyboard.press('Control+a');
     await app.page.keyboard.type('50');
     await expect.poll(() => app.valueOf('Function 3, S1')).toBe('50');
-    await app.text('1 change').waitFor();
+    await app.changes(1).waitFor();
   });
 
   test('also from a large figure, or with a text from elsewhere', async () => {

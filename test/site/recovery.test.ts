@@ -58,7 +58,8 @@ describe('a write that the page did not survive', () => {
     await expect
       .poll(() =>
         panel(app)
-          .getByRole('button', { name: /^(Finish|Go back)/ })
+          .getByRole('button', { name: en.recovery.finish })
+          .or(panel(app).getByRole('button', { name: en.recovery.goBack }))
           .count(),
       )
       .toBe(0);

@@ -70,7 +70,7 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
           }
         }
       }
-      await app.text('44 changes').first().waitFor({ state: 'attached' });
+      await app.changes(44).waitFor({ state: 'attached' });
       const entries = await app.entries();
       for (const [field, text] of WANTED)
         expect(Number.parseFloat(entries[field] ?? ''), `the value of ${field}`).toBe(Number.parseFloat(text));

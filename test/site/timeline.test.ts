@@ -52,7 +52,7 @@ async function isMoved({ app, mark }: Seen): Promise<void> {
     .poll(() => cell(app).getAttribute('aria-describedby'), { message: 'the old value is said with it' })
     .not.toBeNull();
   await app.table.getByText('was 11.50 s').waitFor();
-  await app.text('1 change').waitFor();
+  await app.changes(1).waitFor();
   await app.button(`Undo ${MOVING}`).click();
   await expect.poll(() => cell(app).inputValue()).toBe('11.50');
   await expect.poll(() => app.undo.isDisabled(), { message: 'the whole drag was one step of undo' }).toBe(true);

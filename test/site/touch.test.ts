@@ -71,7 +71,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   await trail.goBack(() => app.undo.tap());
   await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   await trail.goForward(() => app.redo.tap());
-  await app.text('44 changes').waitFor();
+  await app.changes(44).waitFor();
 
   await app.button(/^Write( \d+ changes?)?…$/).tap();
   await app.dialog.getByRole('checkbox', { name: 'The propeller is off' }).tap();

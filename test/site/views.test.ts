@@ -65,7 +65,7 @@ test('a view is as it was left: the focus, the scroll position, and what was typ
   await expect
     .poll(async () => [await app.page.evaluate(() => scrollY), await inHand.inputValue()])
     .toEqual([scrolled, '7']);
-  await app.text('1 change').first().waitFor();
+  await app.changes(1).waitFor();
 });
 
 test('a table with many servos is as far to the side as it was left', async () => {

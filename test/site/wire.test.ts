@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
+import { unsupportedHere } from '../../src/app/messages/en-browsers.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 import { edited } from './edited.js';
 
@@ -193,7 +194,7 @@ describe('without Web Serial', () => {
 
   test('the page names the browsers that have it; edits of a simulated timer are kept, and can be written', async () => {
     const app = await AppPage.open({ before: without });
-    await app.text('On a computer, use Chrome or Edge 89, Opera 75, Firefox 151, or a later version.').waitFor();
+    await app.text(unsupportedHere.advice).waitFor();
     await expect.poll(() => app.button('Connect').count()).toBe(0);
     await app.trySimulated('F1Q');
     await app.type('Function 2, S1', '7');
