@@ -2,7 +2,6 @@ import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
-import { messages } from '../../src/app/messages/index.js';
 import { parseLibraryFile } from '../../src/program/index.js';
 import { AppPage } from './app-page.js';
 
@@ -71,8 +70,8 @@ async function withLibrary(): Promise<{ app: AppPage; empty: (what: string) => P
   const { page } = app;
   await page.evaluate(() => location.assign('#library'));
   for (const [open, field, text, make] of [
-    ['New model…', 'Name', 'Lancer 07', messages.value.save],
-    [libraryMessages.model.makeSetting, libraryMessages.save.name, 'calm', messages.value.save],
+    ['New model…', 'Name', 'Lancer 07', en.save],
+    [libraryMessages.model.makeSetting, libraryMessages.save.name, 'calm', en.save],
   ] as const) {
     await app.button(open).click();
     await page.getByRole('dialog').getByRole('textbox', { name: field }).fill(text);

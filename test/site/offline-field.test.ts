@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
 import { share } from '../../src/app/messages/en-share.js';
-import { messages } from '../../src/app/messages/index.js';
 import { AppPage } from './app-page.js';
 import { importFile } from './library.js';
 
@@ -23,7 +23,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
 
   await app.button(libraryMessages.save.open).click();
   await app.field(libraryMessages.save.name).fill('windy');
-  await app.field(messages.value.label.name).fill('Lancer 07');
+  await app.field(en.label.name).fill('Lancer 07');
   await app.button('Save').click();
   await page.getByRole('dialog').waitFor({ state: 'hidden' });
   await app.type('Function 4, S2', '77');

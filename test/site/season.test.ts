@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
-import { messages } from '../../src/app/messages/index.js';
 import { type LibraryFile, parseLibraryFile } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
@@ -180,7 +180,7 @@ class Device {
     await importFile(this.app, 'from the lost one.sidus.json', text);
     await this.app.text('It holds 3 models, 12 programs, 30 flights.').waitFor();
     await this.app.button('Import 45').click();
-    await this.app.text(/^Imported from .*: 3\smodels, 12\ssettings, 30\sflights\.$/).waitFor();
+    await this.app.text(/^Imported from .*: 3\smodels, 12\sprograms, 30\sflights\.$/).waitFor();
   }
 
   /** What the pilot sees: models and settings, and what was typed about them. */
@@ -313,11 +313,11 @@ test('a season of three models is flown, and a lost device comes back on another
   const make = page.getByRole('dialog', { name: 'New model' });
   await make.getByRole('textbox', { name: 'Name' }).fill('Ridge 3');
   await make.getByText('F1E', { exact: true }).click();
-  await app.button(messages.value.save).click();
+  await app.button(en.save).click();
   for (const { name, note } of RIDGE) {
     await (await first.goTo('Ridge 3')).getByRole('button', { name: libraryMessages.model.makeSetting }).click();
     await page.getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
-    await app.button(messages.value.save).click();
+    await app.button(en.save).click();
     await page.getByRole('article', { name, exact: true }).getByRole('textbox', { name: 'Note' }).fill(note);
   }
   await first.tag('Ridge 3', RIDGE);
@@ -327,7 +327,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await app.button('Choose…').click();
   await page.getByRole('dialog').getByRole('button', { name: 'Ridge 3' }).click();
   const light = await first.goTo('Ridge 3', 'slope, light');
-  await light.getByRole('button', { name: messages.value.open }).click();
+  await light.getByRole('button', { name: en.open }).click();
   await app.table.waitFor();
   await app.type('Function 2, S1', '71');
   await app.button('Save over slope, light of Ridge 3').click();
@@ -380,7 +380,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await second.app.text(/^This is Lancer 07, as seen /).waitFor();
   await second.app.button('OK').click();
   const windy = await second.goTo('Lancer 07', 'windy');
-  await windy.getByRole('button', { name: messages.value.open }).click();
+  await windy.getByRole('button', { name: en.open }).click();
   await second.app.table.waitFor();
   await second.app.review();
   await second.app.text('This is what changes in M1 “calm” of Lancer 07. Everything else stays as it is.').waitFor();

@@ -1,7 +1,7 @@
 import { expect, inject, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
 import { share } from '../../src/app/messages/en-share.js';
-import { messages } from '../../src/app/messages/index.js';
 import { decodeLink, encodeLink, LIMITS, LINK_MARK } from '../../src/program/index.js';
 import { SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
@@ -21,7 +21,7 @@ test('a setting that is shared by link can be kept on another device, after one 
   await pilot.type('DT time', '4:00');
   await pilot.button(libraryMessages.save.open).click();
   await pilot.field(libraryMessages.save.name).fill('windy');
-  await pilot.field(messages.value.label.name).fill('Lancer 07');
+  await pilot.field(en.label.name).fill('Lancer 07');
   await pilot.button('Save').click();
   await pilot.page.getByRole('dialog').waitFor({ state: 'hidden' });
   await pilot.goTo('Library');
@@ -118,7 +118,7 @@ test('a link that is opened while the page is open is shown over the present vie
   await app.button('Close').click();
   expect(hashOf(app)).toBe('#memories');
   await arrive(app, HASH);
-  await app.text(messages.value.notFitting).waitFor();
+  await app.text(en.notFitting).waitFor();
   await app.button('Do not keep').click();
   expect(hashOf(app)).toBe('#memories');
   await app.goTo('Program');

@@ -3,8 +3,8 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
-import { messages } from '../../src/app/messages/index.js';
 import { decodeLink, encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
@@ -58,7 +58,7 @@ test('values of one model over the timer of another keep their name, on paper, i
   const dialog = app.page.getByRole('dialog');
   await dialog.getByRole('textbox', { name: libraryMessages.save.name }).fill('calm');
   await dialog.getByRole('combobox', { name: 'Model' }).selectOption('New model');
-  await dialog.getByRole('textbox', { name: messages.value.label.name }).fill('Lancer');
+  await dialog.getByRole('textbox', { name: en.label.name }).fill('Lancer');
   await dialog.getByRole('button', { name: 'Save', exact: true }).click();
   await app.text('calm of Lancer: saved').waitFor();
   await app.button('Model Lancer: say which model it is').waitFor();
@@ -79,7 +79,7 @@ test('values of one model over the timer of another keep their name, on paper, i
   await app.goTo('Library');
   await app.page.getByRole('link', { name: /^Magpie/ }).click();
   await app.page.getByRole('link', { name: /^wind/ }).click();
-  await app.button(messages.value.open).click();
+  await app.button(en.open).click();
   await app.text('wind of Magpie: saved').waitFor();
   await goToPrint(app);
   await expect
