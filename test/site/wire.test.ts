@@ -201,9 +201,11 @@ describe('without Web Serial', () => {
     await app.kept();
     await app.reload();
     await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
-    await app.button(/simulated/i).click();
-    await app.isReady();
-    await app.write();
+    await app.button(en.program.connectAndWrite).click();
+    await app.dialog.waitFor();
+    await expect.poll(() => app.difference()).toEqual([expect.stringMatching(/^Function 2, S1 .* 7$/)]);
+    await app.tickSafety();
+    await app.dialog.getByRole('button', { name: en.write.start(1) }).click();
     await app.result('Verified.');
   });
 });

@@ -25,6 +25,8 @@ export function WriteButton({ session, write, brief }: WriteButtonProps) {
   const count = useComputed(() => editor.changes.value.length).value;
   const isConnected = session.connection.value !== null;
   const isOff = session.link.state.value.status === 'off';
+  // Where no port can be opened, a simulated timer still comes back.
+  const canConnect = session.link.unavailable === null || session.timer.simulated !== undefined;
   const { program } = messages.value;
   const press = async (): Promise<void> => {
     const cause = editor.blocked.value ? firstInTheWay(editor) : null;
@@ -42,7 +44,7 @@ export function WriteButton({ session, write, brief }: WriteButtonProps) {
       aria-label={isOff && brief ? program.connectAndWrite : undefined}
       aria-describedby={isBlocked ? NOTE : undefined}
       // While the page looks for a timer, this is not a second way to connect.
-      disabled={!isConnected && (!isOff || session.link.unavailable !== null)}
+      disabled={!isConnected && !(isOff && canConnect)}
       onClick={() => void press()}
     >
       {isOff ? (brief ? program.connectFirst : program.connectAndWrite) : program.write(count)}

@@ -517,4 +517,18 @@ describe('without Web Serial', () => {
     expect(field('DT time').value).toBe('4:00');
     expect(button('Write…').disabled).toBe(false);
   });
+
+  it('edits of the simulated timer are written by way of its return where no port can be opened', async () => {
+    const store = new MemoryStore();
+    const before = await appBench({ store, webSerial: false });
+    const trying = before.session.timer.trySimulated('Q');
+    await idle();
+    await trying;
+    before.editor.type({ kind: 'time', slot: 10 }, '4:00');
+    await idle();
+    await opened({ store, webSerial: false });
+    await press(en.program.connectAndWrite);
+    expect(screen.getByRole('dialog', { name: en.write.title })).toBeTruthy();
+    expect(screen.getByText(en.write.safety)).toBeTruthy();
+  });
 });
