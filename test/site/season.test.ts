@@ -346,8 +346,9 @@ test('a season of three models is flown, and a lost device comes back on another
   const lost = await first.exportAll();
   const before = parseLibraryFile(lost);
   expect(seasonOf(before)).toEqual({
-    models: ['Lancer 07', 'Vega 12', 'Ridge 3'],
-    settings: [...LANCER.slice(0, 3), LANCER[4], LANCER[3], ...VEGA, ...RIDGE],
+    models: ['Lancer 07', 'Ridge 3', 'Vega 12'],
+    // The last saved one first.
+    settings: [RIDGE[0], RIDGE[2], RIDGE[1], ...[...VEGA].reverse(), ...[...LANCER].reverse()],
     flights: { Gyula: [null, null, ...upFrom(170, 11)], Salonta: upFrom(200, 11), Turda: upFrom(90, 6) },
   });
   expect(before.ignored).toEqual([]);
