@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
+import { filesMessages } from '../../src/app/messages/en-files.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
 import { share } from '../../src/app/messages/en-share.js';
 import { AppPage } from './app-page.js';
@@ -56,7 +57,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await page.evaluate(() => location.assign('#library'));
   await importFile(app, 'friend.sidus.json', file.replaceAll('"windy"', '"windy, by a friend"'));
   await page.getByRole('heading', { name: 'Import friend.sidus.json' }).waitFor();
-  await page.getByRole('dialog').getByRole('combobox').selectOption('Keep both');
+  await page.getByRole('dialog').getByText(filesMessages.import.ways.both, { exact: true }).click();
   await app.button(/^Import \d+$/).click();
   await app.text(/^Imported from “friend\.sidus\.json”: /).waitFor();
   await page.evaluate((to) => location.assign(to), hash);

@@ -38,7 +38,11 @@ export async function newProfile(found: string[], options?: BrowserContextOption
   const context = await (await browser).newContext(options);
   context.setDefaultTimeout(PATIENCE);
   context.on('weberror', (error) => found.push(error.error().message));
-  context.on('console', (message) => message.type() === 'error' && found.push(message.text()));
+  context.on('console', (message) => {
+    // For a file that cannot name an icon, such as the licences, the browser asks by itself.
+    const isIcon = message.location().url.endsWith('/favicon.ico');
+    if (message.type() === 'error' && !isIcon) found.push(message.text());
+  });
   return context.newPage();
 }
 
