@@ -2,6 +2,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { FIRST_VERSIONS } from '../src/app/browser/platform.js';
+import { entriesOf, lowered, overruns } from './tools/budgets.js';
 import { longComments } from './tools/columns.js';
 import { connectionHtml } from './tools/connection-page.js';
 import { root } from './tools/pack.js';
@@ -296,5 +297,27 @@ describe('the styles of the page', () => {
       ],
     ]);
     expect(strayClasses(texts)).toEqual(['line/a.css: .dialog has its home in ui/modal.css']);
+  });
+});
+
+describe('the size of the code', () => {
+  it('counts each text, each function that makes one and each element of a list', () => {
+    const text = `import { en } from './en.js';
+      const count = (n: number): string => \`\${n}\`;
+      export const words = { title: 'A', steps: ['one', 'two'], of: count, more: { n: (n: number) => count(n), x: en.x } } as const;
+      export const codes = [1, 2];`;
+    expect(entriesOf('en-x.ts', text)).toBe(5);
+  });
+
+  it('is held by ceilings, which only come down', () => {
+    const figures = (client: number, sentences: number) => ({
+      lines: { 'src/client': client },
+      styles: 1,
+      tests: 1,
+      sentences: { 'en.ts': sentences },
+    });
+    expect(overruns(figures(11, 3), figures(10, 4))).toEqual([expect.stringContaining('lines of src/client: 11')]);
+    expect(overruns({ ...figures(1, 1), lines: { 'src/other': 1 } }, figures(1, 1))).toHaveLength(1);
+    expect(lowered(figures(11, 3), figures(10, 4))).toEqual(figures(10, 3));
   });
 });

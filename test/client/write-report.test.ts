@@ -68,6 +68,7 @@ describe('the verdict', () => {
   it('names first what was asked for, then what else has changed', () => {
     expect(verdict(GOAL, asked.slice(0, 1), [throttle], { ...GOAL, idleThrottle: 31 })).toEqual({
       result: 'differs',
+      asked: 1,
       values: [
         { field: time, wanted: 9000, held: 9000, status: 'verified', asked: true },
         { field: throttle, wanted: 30, held: 31, status: 'differs', asked: false },

@@ -105,6 +105,8 @@ export const LAWS = {
         hold(error instanceof codec.CodecError, String(error));
         return;
       }
+      // Nobody knows what the two separators of a version are for: any are read, and spaces are written.
+      if (way === 'reply' && values.name === 'GETSWVER') frame.data.fill(0x20, 4, 5).fill(0x20, 8, 9);
       same(hex(encode(values, layout)), hex(encodeFrame(frame.code, frame.data)), 'the bytes');
     });
   },

@@ -151,8 +151,7 @@ export class LineView {
 }
 
 function test(filter: LineFilter, search: string): (record: LineRecord) => boolean {
-  // A value, such as “function 4”, is a phrase.
-  const isFound = searchFor(search, true);
+  const isFound = searchFor(search);
   const hex = hexIn(search.trim().toLowerCase());
   const isAll = search.trim() === '';
   return (record) => isOfKind(record, filter) && (isAll || says(record, isFound, hex));

@@ -13,11 +13,9 @@ export function foldedText(text: string): string {
 /**
  * The search of every list of the page.
  * @param search what the pilot typed. Without a word everything is found.
- * @param isPhrase whether the words must stand together. Default: in any order.
  * @returns whether a text, which must be folded, contains each of the words.
  */
-export function searchFor(search: string, isPhrase = false): (text: string) => boolean {
-  const folded = foldedText(search).trim();
-  const words = isPhrase ? [folded] : folded.split(/\s+/);
+export function searchFor(search: string): (text: string) => boolean {
+  const words = foldedText(search).trim().split(/\s+/);
   return (text) => words.every((word) => text.includes(word));
 }

@@ -28,11 +28,6 @@ describe('a search', () => {
     expect(searchFor(search)(foldedText(text))).toBe(false);
   });
 
-  it('for a phrase finds the words together', () => {
-    const isFound = searchFor(' Função 4 ', true);
-    expect(['funcao 4: 3', 'funcao 3: 4'].map(isFound)).toEqual([true, false]);
-  });
-
   it('is this one for every list of the page', () => {
     const page = resolve('src/app');
     const files = readdirSync(page, { recursive: true, encoding: 'utf8' }).filter((file) => /\.tsx?$/.test(file));

@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it } from 'vitest';
+import { line } from '../../../src/app/messages/en-line.js';
 import { idle } from '../bench/bench.js';
 import { connected, field, key, press } from '../screen.js';
 
@@ -7,7 +8,9 @@ describe('a range without a Shift key', () => {
   /** What a finger, and a mouse, does to a cell; the focus goes where it may. */
   const tap = async (name: string): Promise<void> => {
     fireEvent.pointerDown(field(name), { pointerType: 'touch' });
+    fireEvent.pointerUp(field(name), { pointerType: 'touch' });
     if (fireEvent.mouseDown(field(name), { button: 0 })) field(name).focus();
+    fireEvent.click(field(name));
     await idle();
   };
   const pick = async (from: string, to: string): Promise<void> => {
@@ -146,8 +149,7 @@ describe('a range without a Shift key', () => {
     clipboard(given as Clipboard);
     await pick('Function 1 time', 'Function 2, S2');
     await press('Copy');
-    const name = 'The browser does not let this page copy. Copy the text from here.';
-    const byHand = within(screen.getByRole('dialog', { name }));
+    const byHand = within(screen.getByRole('dialog', { name: line.copyByHand }));
     expect(byHand.getByRole<HTMLTextAreaElement>('textbox').value).toBe('10.50\t25\t25\n11.00\t35\t35');
     expect(screen.queryByText('Copied.', { exact: true })).toBeNull();
   });
