@@ -96,8 +96,6 @@ describe('the port is taken', () => {
     const all = app.page.getByRole('link', { name: en.help.page }).first();
     const page = await app.page.request.get(new URL((await all.getAttribute('href')) ?? '', app.page.url()).href);
     expect(await page.text()).toContain('brltty');
-    await app.bench((bench) => bench.setBusy(false));
-    await app.connect();
   });
 });
 

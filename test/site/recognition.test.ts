@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { comparingMessages } from '../../src/app/messages/en-compare.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
 
@@ -69,7 +70,8 @@ test('the right one of 300 models is found by what its timer holds, and gets the
   await app.result('Verified.');
   await app.close();
   await app.page.evaluate(() => location.assign('#library/lancer'));
-  await app.text('1 value differs from what it holds now').waitFor();
+  const { differs, now } = comparingMessages.modelBackups;
+  await app.text(differs(1, now)).waitFor();
 });
 
 test('two programs are shown side by side, and one value is copied', async () => {

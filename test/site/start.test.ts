@@ -90,7 +90,7 @@ test('a kept program is deleted after one question', async () => {
   await app.button(/^Open F1Q, new/).waitFor();
   await app.button(/^Delete F1Q/).click();
   await app.page.getByRole('listitem').getByRole('button', { name: 'Delete', exact: true }).click();
-  await app.text('Make one without a timer, and write it later.').waitFor();
+  await app.button(/^Open F1Q, new/).waitFor({ state: 'detached' });
 });
 
 test('the advice during the search for a timer fills the page, and another port is one click away', async () => {
