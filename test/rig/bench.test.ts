@@ -39,13 +39,17 @@ describe('servos that follow', () => {
     await toggle.click();
     await pilot.sees(en.bench.followingNow);
     expect(sent(rig, 'SETSERVO'), 'no position is sent before one is changed').toBe(0);
-    const begin = rig.frames.length;
 
     await pilot.goTo('program');
-    // A key that is held: 60 positions of one servo, where they stand.
     await pilot.field('Function 2, S1').focus();
+    await keyboard.press('Alt+ArrowUp');
+    // The first position of each following is read back before its servo moves.
+    await expect.poll(stand).toEqual([2, [36, 35, 35]]);
+    await expect.poll(() => rig.frames.at(-1)?.code).toBe(COMMANDS.MOVETOFUNC.reply);
+    const begin = rig.frames.length;
+    // A key that is held: 59 more positions of one servo, where they stand.
     await keyboard.down('Alt');
-    for (let i = 0; i < 60; i++) await keyboard.down('ArrowUp');
+    for (let i = 0; i < 59; i++) await keyboard.down('ArrowUp');
     await keyboard.up('ArrowUp');
     await keyboard.up('Alt');
     await pilot.sees(en.bench.triedAndWaiting(1, 0));
@@ -116,12 +120,17 @@ describe('servos that follow', () => {
     await pilot.sees(en.bench.at('function 2'));
     await pilot.page.getByRole('switch', { name: en.bench.follow }).click();
     await pilot.sees(en.bench.followingNow);
+    await pilot.goTo('program');
+    await pilot.field('Function 2, S1').fill('69');
+    await pilot.field('Function 2, S1').blur();
+    // The first position of each following is read back before its servo moves.
+    await expect.poll(() => rig.timer.core.servos[0]).toBe(69);
+    await expect.poll(() => rig.frames.at(-1)?.code).toBe(COMMANDS.MOVETOFUNC.reply);
     const moved = sent(rig, 'MOVETOFUNC');
     const covered = rig.coverAfter(
       encodeFrame(COMMANDS.SETSERVO.request, [2, 0, 70]).length + encodeFrame(COMMANDS.MOVETOFUNC.request, [2]).length,
       'fromPage',
     );
-    await pilot.goTo('program');
     await pilot.field('Function 2, S1').fill('70');
     await pilot.field('Function 2, S1').blur();
     await covered;
