@@ -65,7 +65,14 @@ test('the worker keeps what the page needs, and letters of another language once
   const readCzech = (): Promise<number> =>
     page.evaluate(async () => (await document.fonts.load('16px "Inter Variable"', 'ř')).length);
   const isNeeded = (name: string): boolean => !/\.(?:js|css)$/.test(name);
-  const needed = ['favicon.svg', 'index.html', 'inter-latin-wght-normal.woff2', 'manifest.webmanifest'];
+  const needed = [
+    'LICENSES.txt',
+    'connection.html',
+    'favicon.svg',
+    'index.html',
+    'inter-latin-wght-normal.woff2',
+    'manifest.webmanifest',
+  ];
   expect((await keptNames(page)).filter(isNeeded)).toEqual(needed);
 
   expect(await readCzech()).toBe(1);

@@ -335,7 +335,7 @@ export const states = {
       await change(page, connectPort);
       await press(page, /^Write( \d+ changes?)?…$/);
       await promise(page);
-      await page.getByRole('button', { name: 'Write 2 changes' }).click();
+      await page.getByRole('button', { name: 'Write 2 changes', exact: true }).click();
       await page.getByRole('button', { name: 'Write again…' }).click();
       await page.getByRole('checkbox', { name: /^Move the servos/ }).check();
     },
@@ -363,7 +363,7 @@ export const states = {
       await goTo(page, 'bench');
       await promise(page);
       await press(page, 'Next');
-      await page.getByText('Servos at start').waitFor();
+      await page.getByText('Servos at start').first().waitFor({ state: 'attached' });
     },
   },
   following: {
@@ -433,7 +433,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.setBusy(true));
       await press(page, 'Connect');
-      await page.getByText('Close other programs and tabs that talk to the timer').waitFor();
+      await page.getByText('What to do').first().waitFor();
     },
   },
   disturbed: {
@@ -466,7 +466,7 @@ export const states = {
       await press(page, /^Write( \d+ changes?)?…$/);
       await page.evaluate(() => window.workbench.unplugAt('SETTIMERS'));
       await promise(page);
-      await page.getByRole('button', { name: 'Write 2 changes' }).click();
+      await page.getByRole('button', { name: 'Write 2 changes', exact: true }).click();
       await page.getByRole('alert').getByText('It is not certain what the timer holds.').waitFor();
       await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
       await toTop(page);
@@ -479,7 +479,7 @@ export const states = {
       await conflict(page);
       await page.evaluate(() => window.workbench.unplugAt('SETTIMERS'));
       await promise(page);
-      await page.getByRole('button', { name: 'Write 2 changes' }).click();
+      await page.getByRole('button', { name: 'Write 2 changes', exact: true }).click();
       await page.getByRole('alert').getByText('It is not certain what the timer holds.').waitFor();
       await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
       await page.evaluate(() => window.workbench.replug());
@@ -687,7 +687,8 @@ export const states = {
     reach: async (page) => {
       await connect(page);
       await goTo(page, 'memories');
-      await press(page, /^Copy M1 to M2/);
+      await press(page, 'Copy to…: M1');
+      await press(page, /^Copy M1 to M/);
       await page.getByRole('dialog').getByRole('checkbox').first().waitFor();
     },
   },

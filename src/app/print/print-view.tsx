@@ -56,7 +56,8 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
         <Problem text={failed.value && words.failed} />
         <PrintPicker print={print} />
       </div>
-      <div class="print-sheets">
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: keys scroll it on a phone */}
+      <div class="print-sheets" tabIndex={0}>
         {sheets.length === 0 && <p>{words.nothing}</p>}
         {sheets.map((sheet) => (
           <SheetPaper
