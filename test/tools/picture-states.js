@@ -363,7 +363,7 @@ export const states = {
       await goTo(page, 'bench');
       await promise(page);
       await press(page, 'Next');
-      await page.getByText('Servos at start').first().waitFor({ state: 'attached' });
+      await page.getByRole('button', { name: 'Previous' }).first().waitFor();
     },
   },
   following: {
