@@ -1,7 +1,4 @@
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { extractText, getDocumentProxy } from 'unpdf';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
@@ -27,14 +24,9 @@ const WIND: SharedSetting = {
 
 /** The text of what the page prints, in the order of the page. */
 async function printed(app: AppPage): Promise<string> {
-  const folder = mkdtempSync(join(tmpdir(), 'printed-'));
-  const file = join(folder, 'sheet.pdf');
-  writeFileSync(file, await app.page.pdf({ preferCSSPageSize: true }));
-  try {
-    return execFileSync('pdftotext', ['-raw', file, '-'], { encoding: 'utf8' }).replaceAll(/\s+/g, ' ');
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
+  const pdf = await getDocumentProxy(new Uint8Array(await app.page.pdf({ preferCSSPageSize: true })));
+  const { text } = await extractText(pdf, { mergePages: true });
+  return text.replaceAll(/\s+/g, ' ');
 }
 
 async function goToPrint(app: AppPage): Promise<void> {
