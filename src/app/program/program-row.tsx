@@ -67,8 +67,7 @@ export function ProgramRow(props: ProgramRowProps) {
         </th>
         {isStart ? (
           <td class="time origin">
-            {messages.value.program.origin}
-            {ownsTime && <ReservedTime editor={editor} />}
+            {ownsTime && <ReservedTime editor={editor} />} {messages.value.program.origin}
           </td>
         ) : (
           <td {...cellProps(row, TIME_COLUMN, 'time')}>
@@ -80,8 +79,8 @@ export function ProgramRow(props: ProgramRowProps) {
           </td>
         )}
         <td {...cellProps(row, INTERVAL_COLUMN, 'interval')}>
-          {slot > 0 && <IntervalField {...{ editor, selection, hand, slot }} label={edits.table.intervalOf(name)} />}
           {slot > 0 && <CountedFrom {...{ identity, slot, place }} />}
+          {slot > 0 && <IntervalField {...{ editor, selection, hand, slot }} label={edits.table.intervalOf(name)} />}
         </td>
         {positions.map((field, servo) => (
           <td key={fieldLabel(identity, field)} {...cellProps(row, FIRST_SERVO_COLUMN + servo)}>
@@ -127,5 +126,5 @@ export function TimeUnit({ editor, identity, slot }: TimeUnitProps) {
 function ReservedTime({ editor }: { readonly editor: Editor }) {
   const { program, seconds } = messages.value;
   const time = useComputed(() => editor.working.value?.times[0] ?? 0).value;
-  return time === 0 ? null : <span class="cell-name">{program.reserved(seconds(formatTime(time)))}</span>;
+  return time === 0 ? null : <span class="row-unit">{program.reserved(seconds(formatTime(time)))}</span>;
 }

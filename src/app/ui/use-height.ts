@@ -20,7 +20,7 @@ export function useHeight(
     if (likely !== undefined) style.setProperty(name, `${likely}px`);
     // The observer brings the height. Asking the element would lay out the page once more.
     const observer = new ResizeObserver((entries) => {
-      const height = Math.round(entries.at(-1)?.borderBoxSize[0]?.blockSize ?? current.offsetHeight);
+      const height = Math.ceil(entries.at(-1)?.borderBoxSize[0]?.blockSize ?? current.offsetHeight);
       if (height === told) return;
       told = height;
       if (height === usual) style.removeProperty(name);
