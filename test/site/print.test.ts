@@ -7,7 +7,7 @@ import { encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/ind
 import { programOf } from '../app/programs.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
-import { pagesOf } from './pdf.js';
+import { type PdfPage, pagesOf } from './pdf.js';
 import { textOfCode } from './qr.js';
 
 const wide = (name: string, functions: number, servos: number, note = '', modelName = 'Lancer 07'): SharedSetting => ({
@@ -51,6 +51,12 @@ function struckThrough(app: AppPage): Promise<string[]> {
 
 const solid = (text: string): string => text.replace(/\s/g, '');
 
+/** What is printed, without spaces: those of a table are only distances. */
+async function solidPages(app: AppPage): Promise<readonly PdfPage[]> {
+  const pages = await pagesOf(await app.page.pdf({ preferCSSPageSize: true }));
+  return pages.map(({ size, text }) => ({ size, text: solid(text) }));
+}
+
 test('sheets of several programs: each page names its model, and every row is on one, on each paper', async () => {
   const app = await AppPage.open();
   for (const setting of SETTINGS) {
@@ -66,7 +72,7 @@ test('sheets of several programs: each page names its model, and every row is on
     // Waits for the fonts: they may come later than the words.
     await app.page.evaluate(() => document.fonts.ready);
     expect(await struckThrough(app), paper).toEqual([]);
-    const pages = pagesOf(await app.page.pdf({ preferCSSPageSize: true }));
+    const pages = await solidPages(app);
     expect([...new Set(pages.map((page) => page.size))], paper).toEqual([size]);
     const printed = SETTINGS.map(({ name, modelName, program }) => {
       const own = pages.filter(({ text }) => text.includes(solid(`${modelName} · ${name} · M1`)));
@@ -106,7 +112,7 @@ test('a changed value is marked on paper, and nothing there says that it is in t
   await app.type('DT time', '4:10');
   await app.page.evaluate(() => location.assign('#print'));
   await app.page.locator('.leaf').waitFor();
-  const [page, ...others] = pagesOf(await app.page.pdf({ preferCSSPageSize: true }));
+  const [page, ...others] = await solidPages(app);
   expect(others).toEqual([]);
   expect(page?.text).toContain(solid(`4:10${en.knowledge.marks.now('3:00')}`));
   expect(page?.text).toContain(solid(en.program.changes(1)));

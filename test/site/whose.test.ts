@@ -1,10 +1,10 @@
-import { extractText, getDocumentProxy } from 'unpdf';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
 import { decodeLink, encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
+import { pagesOf } from './pdf.js';
 
 const [CALM] = exampleMemories('Q');
 const WIND: SharedSetting = {
@@ -24,9 +24,8 @@ const WIND: SharedSetting = {
 
 /** The text of what the page prints, in the order of the page. */
 async function printed(app: AppPage): Promise<string> {
-  const pdf = await getDocumentProxy(new Uint8Array(await app.page.pdf({ preferCSSPageSize: true })));
-  const { text } = await extractText(pdf, { mergePages: true });
-  return text.replaceAll(/\s+/g, ' ');
+  const pages = await pagesOf(await app.page.pdf({ preferCSSPageSize: true }));
+  return pages.map(({ text }) => text).join(' ');
 }
 
 async function goToPrint(app: AppPage): Promise<void> {
