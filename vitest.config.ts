@@ -25,9 +25,12 @@ const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsE
  */
 const PATIENCE = { testTimeout: 600_000, hookTimeout: 600_000, expect: { poll: { timeout: 120_000 } } };
 
-/** Tests of the site that try many sizes, themes, faults of a browser or versions: `npm run test:matrix`. */
+/**
+ * Tests of the site that try many sizes, themes, papers, fingers, faults of a line or a browser, or versions:
+ * `npm run test:matrix`. The journeys of a pilot stay in `npm test`.
+ */
 const MATRICES =
-  'test/site/{digits,forced-colours,in-reach,in-sight,long-names,look,many-settings,rows,services,update,worker}.test.ts';
+  'test/site/{by-ear,digits,first-picture,forced-colours,in-reach,in-sight,link,long-names,look,many-settings,package,preview,print,rows,services,share,touch,two-tabs,update,worker}.test.ts';
 const site = {
   environment: 'node',
   globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
