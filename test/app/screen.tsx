@@ -1,6 +1,7 @@
 import { act, fireEvent, render, screen, within } from '@testing-library/preact';
 import { onTestFinished } from 'vitest';
 import { App } from '../../src/app/app.js';
+import { en } from '../../src/app/messages/en.js';
 import type { View } from '../../src/app/shell/views.js';
 import { type AppBench, appBench, type BenchOptions, idle } from './bench/bench.js';
 
@@ -113,5 +114,5 @@ export function button(name: string | RegExp): HTMLButtonElement {
 
 /** The table of the program; the log of the line is another one. */
 export function table() {
-  return within(screen.getByRole('table', { name: 'Time and servo positions of each function' }));
+  return within(screen.getByRole('table', { name: en.program.tableCaption }));
 }

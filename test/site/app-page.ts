@@ -141,11 +141,11 @@ export class AppPage {
   }
 
   get dialog(): Locator {
-    return this.page.getByRole('dialog', { name: 'Write to the timer' });
+    return this.page.getByRole('dialog', { name: en.write.title });
   }
 
   get table(): Locator {
-    return this.page.getByRole('table', { name: 'Time and servo positions of each function' });
+    return this.page.getByRole('table', { name: en.program.tableCaption });
   }
 
   /** The bar with the buttons for the program. The notices above the program have their own buttons. */
@@ -168,7 +168,7 @@ export class AppPage {
   /** What the settings say about the connected timer. */
   async showAbout(): Promise<void> {
     await this.goTo('Settings');
-    await this.text('About this timer').click();
+    await this.text(en.aboutTimer.title).click();
   }
 
   /** The large figures, which a click opens. */

@@ -1,5 +1,6 @@
 import type { CDPSession } from 'playwright';
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 
@@ -96,7 +97,7 @@ test.each([
     const app = await AppPage.open(options);
     const ear = await Listener.at(app);
     await ear.press('button', 'Try a simulated F1Q timer');
-    await ear.hears('table', 'Time and servo positions of each function');
+    await ear.hears('table', en.program.tableCaption);
     await ear.hears('status', /.*/);
     await ear.hears('StaticText', /^As in the timer, read \d\d:\d\d$/);
     expect(await ear.nameless(), 'controls of the program view without a name').toEqual([]);
@@ -105,7 +106,7 @@ test.each([
     await ear.enter('Function 4, S2', '70');
     await ear.hears('StaticText', '2 changes');
     await ear.press('button', 'Write 2 changes…');
-    await ear.hears('dialog', 'Write to the timer');
+    await ear.hears('dialog', en.write.title);
     await ear.hears('rowheader', 'Function 4, S2');
     expect(await ear.nameless(), 'controls of the difference without a name').toEqual([]);
     await ear.press('checkbox', /^The propeller is off/, 'Space');
@@ -118,8 +119,8 @@ test.each([
 
     await ear.press('link', 'Memories');
     await ear.hears('heading', 'Memories');
-    await ear.press('button', 'Read and keep all…');
-    await ear.press('button', 'Read and keep');
+    await ear.press('button', en.overview.readAll);
+    await ear.press('button', en.memories.start['back-up']);
     await ear.hears('StaticText', /were read and kept/);
     await ear.press('button', 'Close');
     await ear.press('button', 'Compare with M1: M2');

@@ -3,6 +3,7 @@ import type { Page } from 'playwright';
 import { expect, inject, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { filesMessages } from '../../src/app/messages/en-files.js';
+import { libraryMessages } from '../../src/app/messages/en-library.js';
 import { formatLibraryFile, type Library, parseLibraryFile } from '../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
@@ -92,7 +93,7 @@ test('a season goes into one file, the device is emptied, and the file brings al
   await app.button(en.erase.open).click();
   await Promise.all([page.waitForEvent('load'), app.button(en.erase.start).click()]);
   await page.evaluate(() => location.assign('#library'));
-  await app.text('No model yet').waitFor();
+  await app.text(libraryMessages.empty.title).waitFor();
   const text = formatLibraryFile(before, { writtenAt: Date.now(), writtenBy: 'a test' });
   await importFile(app, 'back.sidus.json', text);
   await takeAll(app);
@@ -108,7 +109,7 @@ test('the list of commands has Import and Export', async () => {
   await app.goTo('Settings');
   const command = async (name: string): Promise<void> => {
     await page.keyboard.press('Control+k');
-    await page.getByRole('combobox', { name: 'Type what you want to do' }).fill(name);
+    await page.getByRole('combobox', { name: en.palette.search }).fill(name);
     await page.keyboard.press('Enter');
   };
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), command('import')]);

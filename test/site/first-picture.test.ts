@@ -2,6 +2,8 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type { Page, Route } from 'playwright';
 import { describe, expect, inject, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
+import { first } from '../../src/app/messages/en-first.js';
 import { AppPage } from './app-page.js';
 import { SITE } from './host.js';
 import { newPage, PHONE } from './page.js';
@@ -71,10 +73,10 @@ describe('the start is part of the page as it is sent:', () => {
     await app.page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.unregister());
     await app.page.reload();
     await asked;
-    await app.button('New program…').click();
+    await app.button(en.newProgram.title).click();
     await app.button('Connect').click();
     await expect.poll(() => app.button('Connect').getAttribute('aria-disabled')).toBe('true');
-    await expect.poll(() => app.button('New program…').getAttribute('aria-disabled')).toBeNull();
+    await expect.poll(() => app.button(en.newProgram.title).getAttribute('aria-disabled')).toBeNull();
     await release();
     await app.hasRead();
     await expect
@@ -106,7 +108,7 @@ describe('the start is part of the page as it is sent:', () => {
     await page.goto(inject('site'));
     await page.getByRole('alert').getByText('A part of the page could not be loaded.').waitFor();
     await page.unroute(PAGE_SCRIPT);
-    await page.getByRole('button', { name: 'Load it again' }).click();
+    await page.getByRole('button', { name: first.again }).click();
     await works(page);
     await expect.poll(() => page.getByRole('alert').count()).toBe(0);
   });
@@ -121,7 +123,7 @@ describe('the start is part of the page as it is sent:', () => {
     expect(await page.getByRole('alert').count()).toBe(0);
     await page.clock.fastForward(2000);
     await page.getByRole('alert').getByText('The page is still loading.').waitFor();
-    await page.getByRole('button', { name: 'Load it again' }).waitFor();
+    await page.getByRole('button', { name: first.again }).waitFor();
     await release();
     await works(page);
     await expect.poll(() => page.getByRole('alert').count()).toBe(0);

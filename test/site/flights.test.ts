@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
+import { flightMessages } from '../../src/app/messages/en-flights.js';
 import { meant, readCsv } from '../app/flights/csv-reader.js';
 import { AppPage } from './app-page.js';
 import { fillLibrary } from './library.js';
@@ -22,7 +23,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await form.getByRole('button', { name: 'Wind: more' }).click();
   await form.getByRole('textbox', { name: 'Temperature °C' }).fill('-2,5');
   await form.getByRole('textbox', { name: 'Note' }).fill('=1+1, trimmed; "left"');
-  await form.getByText('Date, place, model').click();
+  await form.getByText(flightMessages.form.when).click();
   await form.getByRole('combobox', { name: 'Place' }).fill('Gyula');
   await form.getByRole('button', { name: 'Done' }).click();
   await form.waitFor({ state: 'hidden' });
@@ -31,7 +32,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
 
   // The pilot disconnects, and would fly with a DT for trimming.
   await app.button('Disconnect').click();
-  const leave = page.getByRole('dialog', { name: 'Before you disconnect' });
+  const leave = page.getByRole('dialog', { name: en.nextFlight.leaving.title });
   await leave.getByText('DT of M1 is 20 s. Put it back to 3:00 min?').waitFor();
   await leave.getByRole('button', { name: 'Put DT back to 3:00 min…' }).click();
   await app.dialog.waitFor();
@@ -52,7 +53,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   const trimmed = rows.filter({ hasText: 'DT 20 s' });
 
   const download = page.waitForEvent('download');
-  await app.button('Save as a table (CSV)').click();
+  await app.button(flightMessages.csv.save).click();
   const file = await download;
   expect(file.suggestedFilename()).toMatch(/^flights-\d{4}-\d\d-\d\d\.csv$/);
   const bytes = await readFile(await file.path());
@@ -66,17 +67,17 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   expect(cells).toMatchObject({
     Place: 'Gyula',
     'DT (s)': '20',
-    'Motor stop (s)': '10',
+    [flightMessages.csv.columns.motorStop]: '10',
     Memory: '1',
     'Wind (m/s)': '2',
-    'Temperature (°C)': '-2.5',
+    [flightMessages.csv.columns.temperature]: '-2.5',
     'Result (s)': '19.5',
   });
   const { Note: note = '' } = cells;
   expect([note, meant(note)]).toEqual([`'=1+1, trimmed; "left"`, '=1+1, trimmed; "left"']);
 
   await trimmed.click();
-  await form.getByText('What was flown').click();
+  await form.getByText(flightMessages.form.flown).click();
   const flown = form.getByRole('table', { name: en.program.tableCaption });
   await expect
     .poll(() => flown.getByRole('row', { name: /^DT/ }).innerText(), { message: 'a copy, whatever was written since' })

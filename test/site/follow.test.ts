@@ -3,8 +3,7 @@ import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 
-const followSwitch = (app: AppPage): Locator =>
-  app.page.getByRole('switch', { name: 'Servos follow the positions', exact: true });
+const followSwitch = (app: AppPage): Locator => app.page.getByRole('switch', { name: en.bench.follow, exact: true });
 
 const isOn = async (app: AppPage): Promise<boolean> =>
   (await followSwitch(app).getAttribute('aria-checked')) === 'true';
@@ -62,7 +61,7 @@ test('while following, a changed position of the function where the servos stand
   await app.text('1 tried in the timer').waitFor();
   await expect.poll(() => stand(app)).toEqual([2, [36, 35, 35]]);
   expect(await app.sets()).toEqual(['SETSERVO']);
-  await app.button('Stop following').click();
+  await app.button(en.bench.stopFollowing).click();
   await isOff(app);
 });
 
@@ -89,7 +88,7 @@ test('following stops when the tab is hidden', async () => {
     Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
     document.dispatchEvent(new Event('visibilitychange'));
   });
-  await app.text('The servos no longer follow.').waitFor();
+  await app.text(en.bench.ended.over).waitFor();
   await app.isReady();
   await app.page.evaluate(() => {
     Reflect.deleteProperty(document, 'hidden');

@@ -129,7 +129,7 @@ test('each timer keeps its own history: the F1B at the port, and a simulated F1Q
   await app.connect();
   await real.goBack(() => app.undo.click());
   await app.button('Disconnect').click();
-  await app.button('Close program').click();
+  await app.button(en.header.closeProgram).click();
   await app.trySimulated('F1Q');
   await simulated.goBack(() => app.undo.click());
 });

@@ -79,7 +79,7 @@ test.each([
     };
     await app.button('Connect').first().waitFor();
     await see('start');
-    await app.button('New program…').click();
+    await app.button(en.newProgram.title).click();
     await dialog.waitFor();
     await see('new program');
     await shut();
@@ -90,19 +90,19 @@ test.each([
     await app.bench((bench) => bench.chooseAdapter());
     await app.connect();
     await see('program');
-    await app.type('Motor stop time', '39.95');
+    await app.type(en.program.motorStopTime, '39.95');
     await app.type('Function 1 time', '1:30.25');
     await app.type('DT time', '10:00');
     for (const servo of ['S1', 'S2', 'S3']) await app.type(`Function 2, ${servo}`, '130');
-    await app.type('Idle throttle', 'x');
+    await app.type(en.program.idleThrottle, 'x');
     await see('program with edits and errors');
-    await app.type('Idle throttle', '30');
+    await app.type(en.program.idleThrottle, '30');
     await app.button('Tools for Function 4').click();
     await see('tools of a row');
     await page.keyboard.press('Escape');
     await app.showFigures();
     await see('large figures');
-    await app.button('Close the large figures').click();
+    await app.button(en.strip.close).click();
     await page.keyboard.press('Control+k');
     await dialog.waitFor();
     await see('commands');
@@ -118,8 +118,8 @@ test.each([
       await app.goTo(view);
       await see(view);
     }
-    await app.text('About this timer').click();
-    await app.text('Serial settings').click();
+    await app.text(en.aboutTimer.title).click();
+    await app.text(en.ports.settings).click();
     await see('settings, all open');
     await app.button(/^Delete/).click();
     await dialog.waitFor();
@@ -140,10 +140,10 @@ test.each([
     await see('bench, tried');
     await app.button('Keep it').first().click();
     await app.goTo('Memories');
-    await app.button('Read and keep all…').click();
+    await app.button(en.overview.readAll).click();
     await dialog.waitFor();
     await see('read all');
-    await dialog.getByRole('button', { name: 'Read and keep' }).click();
+    await dialog.getByRole('button', { name: en.memories.start['back-up'] }).click();
     await dialog.getByText('were read and kept').waitFor();
     await see('all read');
     await dialog.getByRole('button', { name: 'Close' }).click();

@@ -112,7 +112,7 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   };
   await app.showFigures();
   await isIn(app.page.locator('.memories label').last());
-  await app.button('Close the large figures').click();
+  await app.button(en.strip.close).click();
   await app.goTo('Memories');
   await app.button('Copy to…: M1').click();
   await isIn(app.button('Copy M1 to M5…'));
@@ -131,9 +131,9 @@ test('a copy of a memory shows all three servos on a small phone in the sun', as
   const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
   await app.trySimulated('F1Q');
   await app.goTo('Memories');
-  await app.button('Read and keep all…').click();
+  await app.button(en.overview.readAll).click();
   const dialog = app.page.getByRole('dialog');
-  await dialog.getByRole('button', { name: 'Read and keep' }).click();
+  await dialog.getByRole('button', { name: en.memories.start['back-up'] }).click();
   await app.button('Close').click();
   await app.button('Copy to…: M1').click();
   await app.button('Copy M1 to M3…').click();
@@ -163,8 +163,8 @@ test('on a desktop two memories stand beside each other, with the buttons of eac
   await app.connect();
   await app.goTo('Memories');
   // A memory that was read has the most buttons.
-  await app.button('Read and keep all…').click();
-  await app.page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
+  await app.button(en.overview.readAll).click();
+  await app.page.getByRole('dialog').getByRole('button', { name: en.memories.start['back-up'] }).click();
   await app.button('Close').click();
   await app.button('Compare with M1: M4').waitFor();
   const found = await app.page.locator('.memory-card').evaluateAll((cards) => ({
@@ -181,8 +181,8 @@ test('on a small phone in the sun the buttons of a memory stand on one line', as
   const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
   await app.trySimulated('F1Q');
   await app.goTo('Memories');
-  await app.button('Read and keep all…').click();
-  await app.page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
+  await app.button(en.overview.readAll).click();
+  await app.page.getByRole('dialog').getByRole('button', { name: en.memories.start['back-up'] }).click();
   await app.button('Close').click();
   await app.button('Compare with M1: M4').waitFor();
   const lines = await app.page
@@ -315,7 +315,7 @@ test('on a phone on its side the way to stop following is in the window, with al
   await app.page.getByRole('switch').click();
   await app.page.getByRole('switch', { checked: true }).waitFor();
   await app.goTo('Program');
-  await app.button('Stop following').waitFor();
+  await app.button(en.bench.stopFollowing).waitFor();
   const outside = await app.page.locator('.actions button').evaluateAll((buttons) =>
     buttons.flatMap((button) => {
       const { left, right, top, bottom } = button.getBoundingClientRect();
@@ -374,7 +374,7 @@ test.each([
     await expect.poll(lines).toBe(1);
     await app.button('Table').tap();
     await app.showFigures();
-    await app.button('Change presets').tap();
+    await app.button(en.edits.presets.change).tap();
     const hidden = () =>
       app.page.locator('.preset-settings :is(button, input)').evaluateAll((controls) =>
         controls.flatMap((control) => {
@@ -448,7 +448,7 @@ test('on a small phone in the sun the buttons of the preview stand on one line',
 
 test('on a phone on its side nothing of a new program is below the edge', async () => {
   const app = await AppPage.open({ ...PHONE, viewport: { width: 844, height: 390 }, before: IN_SUN });
-  await app.button('New program…').tap();
+  await app.button(en.newProgram.title).tap();
   const dialog = app.page.getByRole('dialog', { name: 'New program' });
   await dialog.waitFor();
   const [caution, buttons] = [

@@ -15,10 +15,10 @@ describe('what no timer can hold is refused at the field', () => {
   const cases: [field: string, text: string, shown: string, reason: string][] = [
     ['Function 2, S1', '131', '131', 'A position must be 0 to 130 steps.'],
     ['DT time', '655.36', '10:55.36', 'A time can be at most 10:55.35\u00a0min.'],
-    ['Function 2, S1', 'six', 'six', 'Not a whole number of steps.'],
-    ['DT time', 'soon', 'soon', 'Not a time: type seconds like 12.5, or minutes like 2:05.'],
-    ['Function 2, S1', '', '', 'Empty: type a value.'],
-    ['DT time', '', '', 'Empty: type a value.'],
+    ['Function 2, S1', 'six', 'six', en.unreadable['not-a-whole-number']],
+    ['DT time', 'soon', 'soon', en.unreadable['not-a-time']],
+    ['Function 2, S1', '', '', en.unreadable.empty],
+    ['DT time', '', '', en.unreadable.empty],
   ];
 
   test('with its reason, also through a reload, and Write leads there', async () => {

@@ -1,4 +1,5 @@
 import { expect, inject, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { newKeptPage, newPage } from './page.js';
 
 /** The part of the manifest that these tests use. */
@@ -52,7 +53,7 @@ test('a shortcut leads to what it names, opens no port, and a reload does not le
     if (url.includes('?')) await page.waitForFunction(() => document.activeElement?.tagName === 'BUTTON');
     else await page.getByRole('heading', { level: 1 }).waitFor();
     const focused = await page.evaluate(() => document.activeElement?.closest('button')?.textContent ?? undefined);
-    await expect.poll(() => page.locator('.link-state').innerText()).toBe('Not connected');
+    await expect.poll(() => page.locator('.link-state').innerText()).toBe(en.link.status.off);
     found.push([name, focused, page.url().replace(inject('site'), '')]);
   }
   expect(found).toEqual([

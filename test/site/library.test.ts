@@ -36,7 +36,7 @@ it('a pilot keeps a setting, finds it after a reload, changes and deletes it, an
   await app.button('Save over fly-off, calm of Lancer 07').click();
   await app.button(/^Save over/).waitFor({ state: 'hidden' });
   await app.page.keyboard.press('Control+k');
-  await app.page.getByRole('combobox', { name: 'Type what you want to do' }).fill('save as');
+  await app.page.getByRole('combobox', { name: en.palette.search }).fill('save as');
   await app.page.keyboard.press('Enter');
   await app.page.getByRole('textbox', { name: libraryMessages.save.name }).fill('trimming');
   await app.page.getByRole('dialog').getByRole('button', { name: 'Save', exact: true }).click();
@@ -71,7 +71,7 @@ it('a pilot keeps a setting, finds it after a reload, changes and deletes it, an
   // At once: for ten seconds it could still be put back.
   await app.reload();
   await open(app, hash);
-  await app.text('It is not in the library any more.').waitFor();
+  await app.text(libraryMessages.setting.gone).waitFor();
 });
 
 it('models are made with the keyboard alone', async () => {

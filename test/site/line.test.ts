@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { parseCapture } from '../../src/protocol/index.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 
@@ -38,7 +39,7 @@ describe('the line', () => {
 
     await load(app, text);
     await app.text('field.txt: a recording of').waitFor();
-    await app.button('Replay it as a timer').click();
+    await app.button(en.line.replay).click();
     await app.goTo('Program');
     await app.hasRead();
     await app.page.getByRole('banner').getByText('simulated').waitFor();
@@ -55,7 +56,7 @@ describe('the line', () => {
     await expect.poll(() => app.line.locator('tbody tr:not(.damaged)').count()).toBe(0);
     await expect.poll(() => app.line.locator('tbody tr.damaged').count()).toBeGreaterThan(0);
     await app.page.getByRole('searchbox', { name: 'Search' }).fill('nothing like this');
-    await app.text('Nothing to show.').waitFor();
+    await app.text(en.line.empty).waitFor();
   });
 
   test('does not move while it is paused', async () => {
@@ -108,15 +109,15 @@ describe('copying', () => {
 describe('a frame by hand', () => {
   test('goes out once after two clicks and a yes, and the program is read again', async () => {
     const app = await opened();
-    await app.text('Send a frame by hand').click();
+    await app.text(en.line.send.title).click();
     await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('SETSERVO');
-    await app.field('Data, in hex').fill('04 01 46');
+    await app.field(en.line.send.data).fill('04 01 46');
     // A double click: the second click does not count as the yes.
     await app.button('Send…').dblclick();
-    await app.page.getByRole('alertdialog', { name: 'Send this frame to the timer?' }).waitFor();
+    await app.page.getByRole('alertdialog', { name: en.line.send.confirmTitle }).waitFor();
     await app.page.keyboard.press('Enter');
     expect(await app.bench((bench) => bench.sets)).toEqual([]);
-    await app.button('Yes, send it once').click();
+    await app.button(en.line.send.confirm).click();
     await app.goTo('Program');
     await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
     expect(await app.bench((bench) => bench.sets)).toEqual(['SETSERVO']);

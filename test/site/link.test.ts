@@ -104,11 +104,11 @@ describe('about this timer', () => {
     const app = await AppPage.open({ bench: { granted: true, quirks: { bigEndianTimes: true } } });
     await app.connect();
     await app.says('The times of this timer fall from row to row.');
-    await app.button('Swap them and read again').click();
+    await app.button(en.byteOrder.exchange).click();
     await expect.poll(() => app.valueOf('DT')).toBe('3:00');
     await app.showAbout();
-    await app.text('Its times fall. With the two bytes of each swapped they would rise.').waitFor();
-    const assumed = app.page.getByRole('checkbox', { name: 'The two bytes of each time are swapped' });
+    await app.text(en.aboutTimer.quirkNames['times-big-endian']).waitFor();
+    const assumed = app.page.getByRole('checkbox', { name: en.aboutTimer.assumptions.bigEndianTimes });
     await expect.poll(() => assumed.isChecked()).toBe(true);
 
     await app.goTo('Program');
@@ -123,10 +123,10 @@ describe('about this timer', () => {
     await app.connect();
     await app.type('DT time', '4:00.05');
     await app.write();
-    await app.result('The timer did not take every value.');
+    await app.result(en.write.differs.title);
     await app.close();
     await app.showAbout();
-    await app.text('It rounds times.').waitFor();
+    await app.text(en.aboutTimer.quirkNames['times-rounded']).waitFor();
   });
 });
 

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
 import { fillLibrary } from './library.js';
@@ -45,9 +46,9 @@ test('long names of models and memories leave room for what they name, on a smal
   ).toBeLessThan(100);
 
   await app.goTo('Memories');
-  await app.button('Read and keep all…').click();
+  await app.button(en.overview.readAll).click();
   const dialog = app.page.getByRole('dialog');
-  await dialog.getByRole('button', { name: 'Read and keep' }).click();
+  await dialog.getByRole('button', { name: en.memories.start['back-up'] }).click();
   await app.button('Close').click();
   await app.button('Compare with M1: M2').click();
   const grid = app.page.locator('.comparison-grid');

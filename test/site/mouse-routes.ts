@@ -1,4 +1,5 @@
 import type { Locator } from 'playwright';
+import { en } from '../../src/app/messages/en.js';
 
 /** A drag over the table, from one field to another, and the selection after it. */
 type Route = readonly [from: string, to: string, selected: string];
@@ -21,7 +22,7 @@ export const ROUTES: readonly Route[] = [
 
 /** Those that begin or end at the first or the last row. */
 export const EDGE_ROUTES: readonly Route[] = [
-  ['Motor stop time', 'Function 2 time', '3 rows, 1 column'],
+  [en.program.motorStopTime, 'Function 2 time', '3 rows, 1 column'],
   ['DT time', 'Function 9, S2', '2 rows, 4 columns'],
   ['Start, S1', 'DT, S3', '11 rows, 3 columns'],
 ];

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { EDGE_ROUTES, ROUTES, textOf } from './mouse-routes.js';
 
@@ -17,7 +18,7 @@ describe('a drag with the mouse selects, and moves no value', () => {
   test('from anywhere to anywhere in the table', async () => {
     const app = await opened();
     const { mouse } = app.page;
-    const toolbar = app.page.getByRole('toolbar', { name: 'Selected range' });
+    const toolbar = app.page.getByRole('toolbar', { name: en.edits.table.range.title });
     const before = await app.entries();
     for (const [from, to, selected] of [...ROUTES, ...EDGE_ROUTES]) {
       const what = `from ${from} to ${to}`;
@@ -50,7 +51,7 @@ describe('a drag with the mouse selects, and moves no value', () => {
     await mouse.down();
     await mouse.move(end.x, end.y, { steps: 3 });
     await mouse.up();
-    const toolbar = app.page.getByRole('toolbar', { name: 'Selected range' });
+    const toolbar = app.page.getByRole('toolbar', { name: en.edits.table.range.title });
     await toolbar.waitFor();
     await mouse.click(end.x, end.y);
     await toolbar.waitFor({ state: 'hidden' });

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 
 test('the pilot looks at a memory, makes another fly next, and Disconnect repeats that', async () => {
@@ -23,7 +24,7 @@ test('the pilot looks at a memory, makes another fly next, and Disconnect repeat
   expect(await asked(), 'a tap on a memory sends nothing').toEqual([]);
   await app.button('Look at M3').click();
   await app.page.getByRole('heading', { name: /^M3, read \d\d:\d\d$/ }).waitFor();
-  const held = app.page.getByRole('table', { name: 'Time and servo positions of each function' });
+  const held = app.page.getByRole('table', { name: en.program.tableCaption });
   await expect.poll(() => held.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:15');
   expect(await current(), 'M1 is current again').toBe(0);
   const wire = await asked();

@@ -10,10 +10,10 @@ import { importFile } from './library.js';
 test('after one visit a whole day on the field needs no network, from Connect to a setting for a friend', async () => {
   const app = await AppPage.open({ acceptDownloads: true });
   const { page } = app;
-  await app.text('Ready offline').waitFor();
+  await app.text(en.start.readyOffline).waitFor();
   await page.context().setOffline(true);
   await app.reload();
-  await app.text('Ready offline').waitFor();
+  await app.text(en.start.readyOffline).waitFor();
   expect(await page.evaluate(() => navigator.onLine)).toBe(false);
 
   await app.trySimulated('F1Q');

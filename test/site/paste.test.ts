@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { parseTime } from '../../src/app/editing/units.js';
+import { en } from '../../src/app/messages/en.js';
 import { edits } from '../../src/app/messages/en-edits.js';
 import { sheets } from '../app/editing/sheets.js';
 import { AppPage } from './app-page.js';
@@ -172,7 +173,7 @@ test('a sheet goes where its rows and columns say, wherever the cursor is', asyn
   await take();
   await expect.poll(() => rowOf(app, 'Function 9')).toEqual(['2:00', '63', '56', '88']);
   expect(await rowOf(app, 'DT')).toEqual(['3:00', '63', '95', '88']);
-  expect((await app.entries())['Motor stop time']).toBe('10.0');
+  expect((await app.entries())[en.program.motorStopTime]).toBe('10.0');
 
   await paste(app, 'DT time', sheets.transposed);
   await take();
@@ -203,7 +204,7 @@ test('a sheet as the page shows it for printing is copied and pasted back', asyn
   const copied = await app.page.evaluate(() => navigator.clipboard.readText());
   expect(copied).toMatch(/\nFunction\tTime\tAfter\tS1 *\tS2 *\tS3/);
   await app.page.goBack();
-  for (const field of ['Function 2, S1', 'Function 9, S2', 'DT time', 'Motor stop time']) {
+  for (const field of ['Function 2, S1', 'Function 9, S2', 'DT time', en.program.motorStopTime]) {
     await app.type(field, field.endsWith('time') ? '40 s' : '0');
   }
   await paste(app, 'Function 5, S3', copied);

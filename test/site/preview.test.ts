@@ -1,9 +1,10 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { SIZES } from './themes.js';
 
-const preview = ({ page }: AppPage) => page.getByRole('region', { name: 'Flight preview' });
+const preview = ({ page }: AppPage) => page.getByRole('region', { name: en.preview.title });
 
 /** The angle of a surface in the sketch, as drawn. */
 const turned = (app: AppPage, surface: string): Promise<string> =>
@@ -37,11 +38,11 @@ test('the model is shown under the timeline, both in one window, at the time of 
   }
 
   await app.field('DT, S2').focus();
-  await preview(app).getByText('DT: the model comes down').waitFor();
+  await preview(app).getByText(en.preview.comesDown).waitFor();
   expect(await turned(app, 'tailplane'), 'at DT the tailplane is turned all the way up').toBe('rotate(-42deg)');
   await app.type('DT, S2', '56');
   await app.field('DT time').focus();
-  await preview(app).getByText('No servo moves at DT', { exact: true }).waitFor();
+  await preview(app).getByText(en.preview.nothingAtDt, { exact: true }).waitFor();
   await app.text('No servo moves at DT: the timer does not bring the model down.').first().waitFor();
 });
 
@@ -54,7 +55,7 @@ test('the flight can be played with keys alone, and the timeline shows the time'
   await preview(app).getByRole('button', { name: 'Play' }).press('Enter');
   await preview(app).getByText('3:03 min', { exact: true }).waitFor();
   await cursor.first().waitFor();
-  const back = preview(app).getByRole('button', { name: 'Previous mark' });
+  const back = preview(app).getByRole('button', { name: en.preview.back });
   await back.press('Enter');
   await preview(app).getByText('3:00 min', { exact: true }).waitFor();
   await back.press('Enter');
@@ -64,8 +65,8 @@ test('the flight can be played with keys alone, and the timeline shows the time'
 test('the pilot names the servos once: on the sketch, in the lanes, and after a reload', async () => {
   const app = await AppPage.open({ viewport: SIZES.desktop });
   await app.trySimulated('F1Q');
-  await app.button('Name the servos…').click();
-  await app.page.getByRole('combobox', { name: 'S1 moves' }).selectOption('Something else');
+  await app.button(en.preview.nameServos).click();
+  await app.page.getByRole('combobox', { name: 'S1 moves' }).selectOption(en.preview.duties.other);
   await app.page.getByRole('textbox', { name: 'Name for what S1 moves' }).fill('Left flap');
   await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('131');
   await app.button('Save').click();
@@ -84,7 +85,7 @@ test('the pilot names the servos once: on the sketch, in the lanes, and after a 
   await app.button('Servos…').click();
   await expect.poll(() => app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).inputValue()).toBe('20');
   await app.button('Guess again').click();
-  await preview(app).getByText('A guess, not to scale.').waitFor();
+  await preview(app).getByText(en.preview.guessed).waitFor();
 });
 
 test('on a phone the picture includes the preview, which works by finger', async () => {
@@ -94,7 +95,7 @@ test('on a phone the picture includes the preview, which works by finger', async
   await preview(app).getByText('Launch').waitFor();
   expect(await tooSmall(preview(app))).toEqual([]);
   await app.expectNoSidewaysScrolling();
-  await app.button('Name the servos…').tap();
+  await app.button(en.preview.nameServos).tap();
   expect(await tooSmall(app.page.getByRole('dialog'))).toEqual([]);
   await app.expectNoSidewaysScrolling();
 });

@@ -61,8 +61,8 @@ test('sheets of several programs: each page names its model, and every row is on
   const app = await AppPage.open();
   for (const setting of SETTINGS) {
     await app.page.evaluate((to) => void location.assign(to), LINK_MARK + encodeLink(setting));
-    await app.button('Keep in the library').click();
-    await app.button('Show in the library').click();
+    await app.button(share.received.keep).click();
+    await app.button(share.received.show).click();
   }
   await app.page.evaluate(() => location.assign('#print'));
   for (const { name } of SETTINGS) await app.page.getByRole('checkbox', { name: new RegExp(`${name}$`) }).check();

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { comparingMessages } from '../../src/app/messages/en-compare.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
@@ -85,9 +86,11 @@ test('two programs are shown side by side, and one value is copied', async () =>
   await app.text('1 value differs.').waitFor();
   await choice('Compare').selectOption({ label: 'Timer, M1' });
   await expect.poll(() => choice('Compare').locator('option:checked').textContent()).toBe('Timer, M1');
-  await expect.poll(() => choice('with').locator('option:checked').textContent()).toBe('On the screen');
+  await expect
+    .poll(() => choice('with').locator('option:checked').textContent())
+    .toBe(comparingMessages.compare.screen);
   await app.button('Take 52 for function 4, S2').click();
-  await app.text('They hold the same.').waitFor();
+  await app.text(en.overview.same).waitFor();
   await app.goTo('Program');
   await expect.poll(() => app.valueOf('Function 4, S2')).toBe('52');
 });

@@ -15,14 +15,14 @@ describe('a write that the page did not survive', () => {
     await app.says(en.notes.back.title);
     return app;
   }
-  const panel = (app: AppPage) => app.page.getByRole('region', { name: 'An earlier write was interrupted' });
+  const panel = (app: AppPage) => app.page.getByRole('region', { name: en.recovery.title });
 
   test('can be finished', async () => {
     const app = await interrupted();
     await app.button('Connect').click();
     await app.isReady();
     await panel(app).getByText('The timer holds 1 value of that write; 1 value is still as before.').waitFor();
-    await panel(app).getByRole('button', { name: 'Finish the write…' }).click();
+    await panel(app).getByRole('button', { name: en.recovery.finish }).click();
     await app.dialog.waitFor();
     await expect.poll(() => app.difference()).toEqual(['Function 2, S1 | 35 | 7']);
     await app.tickSafety();
@@ -36,7 +36,7 @@ describe('a write that the page did not survive', () => {
   test('can be taken back', async () => {
     const app = await interrupted();
     await app.button('Connect').click();
-    await panel(app).getByRole('button', { name: 'Write the old values back…' }).click();
+    await panel(app).getByRole('button', { name: en.recovery.goBack }).click();
     await app.dialog.waitFor();
     await expect.poll(() => app.difference()).toEqual(['DT | 4:00 min | 3:00 min']);
     await app.tickSafety();
@@ -63,7 +63,7 @@ describe('a write that the page did not survive', () => {
           .count(),
       )
       .toBe(0);
-    await panel(app).getByRole('button', { name: 'It is another timer' }).click();
+    await panel(app).getByRole('button', { name: en.recovery.otherTimer }).click();
     await panel(app).waitFor({ state: 'detached' });
 
     await app.button('Disconnect').click();
@@ -95,9 +95,9 @@ test('all memories are backed up, one is copied to another, and the backup is re
   const job = (name: string) => app.page.getByRole('dialog', { name });
 
   await app.goTo('Memories');
-  await app.button('Read and keep all…').click();
-  await job('Read and keep all memories').getByRole('button', { name: 'Read and keep' }).click();
-  await job('Read and keep all memories').getByText('4 memories were read and kept.').waitFor();
+  await app.button(en.overview.readAll).click();
+  await job(en.memories.plans['back-up'].title).getByRole('button', { name: en.memories.start['back-up'] }).click();
+  await job(en.memories.plans['back-up'].title).getByText('4 memories were read and kept.').waitFor();
   await app.button('Close').click();
   expect(await memories(), 'a backup changes no memory').toEqual(before);
 
@@ -116,7 +116,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
   expect(await app.bench(({ adapter }) => adapter.timer.core.memory), 'M1 is current again').toBe(0);
 
   await app.button('Restore all 4…').click();
-  const restore = job('Restore a backup');
+  const restore = job(en.memories.plans.restore.title);
   await restore.getByRole('button', { name: 'Restore' }).click();
   await restore.getByText(/^M4 verified /).waitFor();
   await app.button('Close').click();

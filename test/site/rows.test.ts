@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { IN_SUN, PHONE } from './page.js';
 
@@ -214,10 +215,10 @@ test('on a phone the pilot switches between times and intervals, and the motor s
   const time = app.field('Function 2 time');
   const interval = app.field('Function 2 interval');
   await expect.poll(async () => [await time.isVisible(), await interval.isVisible()]).toEqual([true, false]);
-  await app.button('Show intervals').tap();
+  await app.button(en.edits.table.showIntervals).tap();
   await interval.waitFor();
   await expect
-    .poll(async () => [await time.isVisible(), await app.field('Motor stop time').isVisible()])
+    .poll(async () => [await time.isVisible(), await app.field(en.program.motorStopTime).isVisible()])
     .toEqual([false, true]);
   await app.button('Show times').tap();
   await time.waitFor();

@@ -2,7 +2,9 @@ import { readFile } from 'node:fs/promises';
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
+import { flightMessages } from '../../src/app/messages/en-flights.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
+import { modelMessages } from '../../src/app/messages/en-which-model.js';
 import { type LibraryFile, parseLibraryFile } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
@@ -118,7 +120,7 @@ class Device {
   async saveAs(name: string, model: string, note: string): Promise<void> {
     const { app } = this;
     const first = app.button(libraryMessages.save.open);
-    await first.or(app.button('Save as new…')).first().click();
+    await first.or(app.button(libraryMessages.save.asNew)).first().click();
     const dialog = app.page.getByRole('dialog', { name: libraryMessages.save.open });
     await dialog.getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
     await dialog.getByRole('combobox', { name: 'Model' }).selectOption({ label: model });
@@ -158,11 +160,11 @@ class Device {
         await form.getByRole('button', { name: 'Wind: more' }).click();
         await form.getByRole('textbox', { name: 'Temperature °C' }).fill('-2,5');
         await form.getByRole('textbox', { name: 'Note' }).fill(`First of ${count} at ${place}`);
-        await form.getByText('Date, place, model').click();
+        await form.getByText(flightMessages.form.when).click();
         await form.getByRole('combobox', { name: 'Place' }).fill(place);
       }
       const isLast = at === count - 1;
-      await form.getByRole('button', { name: isLast ? 'Done' : 'Fly this again' }).click();
+      await form.getByRole('button', { name: isLast ? 'Done' : flightMessages.flying.again }).click();
     }
     await form.waitFor({ state: 'hidden' });
   }
@@ -176,7 +178,7 @@ class Device {
   async takeFile(text: string): Promise<void> {
     const { page } = this.app;
     await page.evaluate(() => location.assign('#library'));
-    await this.app.text('No model yet').waitFor();
+    await this.app.text(libraryMessages.empty.title).waitFor();
     await importFile(this.app, 'from the lost one.sidus.json', text);
     await this.app.text('It holds 3 models, 12 programs, 30 flights.').waitFor();
     await this.app.button('Import 45').click();
@@ -247,9 +249,9 @@ test('a season of three models is flown, and a lost device comes back on another
   // Lancer 07: read from its timer.
   await first.hold(memoriesOf(1));
   await app.connect();
-  await app.button('Which model?').click();
+  await app.button(en.recognition.which).click();
   await page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill('Lancer 07');
-  await app.button('Keep as a new model').click();
+  await app.button(modelMessages.recognition.dialog.keep).click();
   await app.button('Model Lancer 07: say which model it is').waitFor();
   await app.goTo('Memories');
   for (const [memory, name] of [
@@ -294,10 +296,10 @@ test('a season of three models is flown, and a lost device comes back on another
   await first.hold(memoriesOf(2));
   await page.evaluate(() => location.assign('#program'));
   await app.connect();
-  await app.text('This timer is not known here. Which model is it?').waitFor();
+  await app.text(modelMessages.recognition.unknown).waitFor();
   await app.button('Choose…').click();
   await page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill('Vega 12');
-  await app.button('Keep as a new model').click();
+  await app.button(modelMessages.recognition.dialog.keep).click();
   for (const { name, dt, note } of VEGA) {
     await app.type('DT time', dt);
     await first.saveAs(name, 'Vega 12', note);
@@ -322,7 +324,7 @@ test('a season of three models is flown, and a lost device comes back on another
   }
   await first.tag('Ridge 3', RIDGE);
   await first.toProgram();
-  await app.button('Close program').click();
+  await app.button(en.header.closeProgram).click();
   await app.trySimulated('F1E');
   await app.button('Choose…').click();
   await page.getByRole('dialog').getByRole('button', { name: 'Ridge 3' }).click();

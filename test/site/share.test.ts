@@ -38,9 +38,9 @@ test('a setting that is shared by link can be kept on another device, after one 
   await dialog.getByText('windy', { exact: true }).waitFor();
   await expect.poll(() => dialog.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:00');
   await friend.reload();
-  await dialog.getByRole('button', { name: 'Keep in the library' }).click();
+  await dialog.getByRole('button', { name: share.received.keep }).click();
   await dialog.getByRole('status').filter({ hasText: '“windy” is in the library.' }).waitFor();
-  await dialog.getByRole('button', { name: 'Show in the library' }).click();
+  await dialog.getByRole('button', { name: share.received.show }).click();
   await friend.page.getByRole('heading', { name: 'windy' }).waitFor();
   await friend.reload();
   await friend.page.getByRole('heading', { name: 'windy' }).waitFor();
@@ -53,8 +53,8 @@ test('the QR code of a setting can be read from the screen, in every theme', asy
   for (const size of [{}, PHONE]) {
     const app = await AppPage.open(size);
     await arrive(app, HASH);
-    await app.button('Keep in the library').click();
-    await app.button('Show in the library').click();
+    await app.button(share.received.keep).click();
+    await app.button(share.received.show).click();
     await app.button('Share…').click();
     await app.page.getByRole('img', { name: 'QR code of “calm morning”' }).waitFor();
     for (const theme of ['light', 'dark', 'sun', 'forced']) {
@@ -70,8 +70,8 @@ const NAMES = [name, 'WETTBEWERBSFLIEGER '.repeat(4).slice(0, LIMITS.name)];
 test.each(NAMES)('code and link of “%s” are in sight at once, on every size and in every theme', async (name) => {
   const app = await AppPage.open();
   await arrive(app, LINK_MARK + encodeLink({ ...SHARED, name, note: '' }));
-  await app.button('Keep in the library').click();
-  await app.button('Show in the library').click();
+  await app.button(share.received.keep).click();
+  await app.button(share.received.show).click();
   await app.button('Share…').click();
   await app.page.getByRole('img', { name: `QR code of “${name}”` }).waitFor();
   for (const [width, height] of [
@@ -114,7 +114,7 @@ test('a link that is opened while the page is open is shown over the present vie
   await app.type('DT time', '5:00');
   await app.goTo('Memories');
   await arrive(app, `${HASH.slice(0, -4)}AAAA`);
-  await app.page.getByRole('alert').filter({ hasText: 'This link cannot be read.' }).waitFor();
+  await app.page.getByRole('alert').filter({ hasText: share.damaged.title }).waitFor();
   await app.button('Close').click();
   expect(hashOf(app)).toBe('#memories');
   await arrive(app, HASH);

@@ -1,4 +1,5 @@
 import { expect } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import type { AppPage } from './app-page.js';
 
 /**
@@ -18,7 +19,7 @@ export const SHEET = {
 export const ROWS = ['Start', ...[1, 2, 3, 4, 5, 6, 7, 8, 9].map((row) => `Function ${row}`), 'DT'];
 
 /** The name of the field for the time of a row. */
-export const timeField = (row: number): string => (row === 0 ? 'Motor stop time' : `${ROWS[row]} time`);
+export const timeField = (row: number): string => (row === 0 ? en.program.motorStopTime : `${ROWS[row]} time`);
 
 /** The name of the field for a position. */
 export const positionField = (row: number, servo: number): string => `${ROWS[row]}, S${servo + 1}`;

@@ -37,7 +37,7 @@ test('inside a frame the page does not work, and says where it does', async () =
   });
   await page.goto(`${new URL(inject('site')).origin}/outer`);
   const frame = page.frameLocator('iframe');
-  await frame.getByRole('heading', { name: 'Sidus Timer works only in its own tab.' }).waitFor();
+  await frame.getByRole('heading', { name: en.framed.title }).waitFor();
   await expect.poll(() => frame.getByRole('button').count()).toBe(0);
   await expect.poll(() => frame.getByRole('link').getAttribute('href')).toBe(inject('site'));
   // Nothing was started or stored that the other page could reach.
@@ -56,15 +56,15 @@ test('inside a frame the page does not work, and says where it does', async () =
 
 /** Makes a program with the defaults of the dialog. */
 async function make(app: AppPage): Promise<void> {
-  await app.button('New program…').click();
-  await app.button('Make the program').click();
+  await app.button(en.newProgram.title).click();
+  await app.button(en.newProgram.make).click();
   await app.table.waitFor();
 }
 
 test('a program is made without a timer, survives a reload, and is written after Connect', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await make(app);
-  await app.text('New program, in no timer yet').waitFor();
+  await app.text(en.knowledge.made).waitFor();
   await app.type('Function 4, S2', '70');
   await app.kept();
   await app.reload();
@@ -73,7 +73,7 @@ test('a program is made without a timer, survives a reload, and is written after
     [],
     [],
   ]);
-  await app.button('Connect and write…').click();
+  await app.button(en.program.connectAndWrite).click();
   await app.dialog.getByRole('checkbox', { name: /^The propeller is off/ }).check();
   await app.dialog.getByRole('button', { name: /^Write \d+ changes$/ }).click();
   await app.result('Verified.');
@@ -83,10 +83,10 @@ test('a program is made without a timer, survives a reload, and is written after
 
 test('a kept program is deleted after one question', async () => {
   const app = await AppPage.open({ bench: {} });
-  await app.button('New program…').click();
-  await app.button('Make the program').click();
+  await app.button(en.newProgram.title).click();
+  await app.button(en.newProgram.make).click();
   await app.table.waitFor();
-  await app.button('Close program').click();
+  await app.button(en.header.closeProgram).click();
   await app.button(/^Open F1Q, new/).waitFor();
   await app.button(/^Delete F1Q/).click();
   await app.page.getByRole('listitem').getByRole('button', { name: 'Delete', exact: true }).click();

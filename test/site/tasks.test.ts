@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 import { costText, Pilot } from './pilot.js';
@@ -82,7 +83,7 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
       await pilot.press(app.button('Tools for Motor stop'));
       await pilot.press(app.button('+0.3 s'));
       await expect
-        .poll(async () => [await app.valueOf('Motor stop time'), await app.valueOf('Function 9 time')])
+        .poll(async () => [await app.valueOf(en.program.motorStopTime), await app.valueOf('Function 9 time')])
         .toEqual(['10.3', '14.80']);
     },
   ],
@@ -104,8 +105,8 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
     'compare two memories, and copy one to another',
     async ({ app, pilot }) => {
       await pilot.press(app.page.getByRole('link', { name: 'Memories', exact: true }));
-      await pilot.press(app.button('Read and keep all…'));
-      await pilot.press(dialog(app).getByRole('button', { name: 'Read and keep' }));
+      await pilot.press(app.button(en.overview.readAll));
+      await pilot.press(dialog(app).getByRole('button', { name: en.memories.start['back-up'] }));
       await dialog(app).getByText('were read and kept').waitFor();
       await pilot.press(dialog(app).getByRole('button', { name: 'Close' }));
       await pilot.press(app.button('Compare with M1: M2'));

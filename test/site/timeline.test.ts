@@ -20,7 +20,7 @@ async function opened(options: AppOptions = {}): Promise<Seen> {
   await app.connect();
   // On a phone the picture replaces the table.
   if (options.isMobile) await app.button('Picture').click();
-  const mark = app.page.getByRole('group', { name: 'Servo positions over time' }).getByRole('slider', { name: FIELD });
+  const mark = app.page.getByRole('group', { name: en.timeline.picture }).getByRole('slider', { name: FIELD });
   await mark.scrollIntoViewIfNeeded();
   return { app, mark };
 }
@@ -113,7 +113,7 @@ describe('the mark of a function is moved', () => {
       devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
     await touch('touchStart', { x, y });
     for (let way = 1; way <= 16; way++) await touch('touchMove', { x: x + way, y: y + 220 });
-    await app.text('Step by step').waitFor();
+    await app.text(en.timeline.finest).waitFor();
     await touch('touchEnd');
     await stands(mark, 11.6);
   });

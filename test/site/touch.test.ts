@@ -1,5 +1,6 @@
 import type { Locator } from 'playwright';
 import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 import { PHONE } from './page.js';
 import { positionField, ROWS, SHEET, SHIFTED, Trail, timeField } from './sheet.js';
@@ -33,11 +34,11 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
       .getByRole('button', { name: `Go to ${to} ›`, exact: true })
       .tap();
 
-  await app.field('Motor stop time').tap();
+  await app.field(en.program.motorStopTime).tap();
   // The keyboard of the system does not open as well.
-  await expect.poll(() => app.field('Motor stop time').getAttribute('inputmode')).toBe('none');
-  await write('Motor stop time', '7.8');
-  await press('Motor stop time', ['+0.1 s', '+0.1 s']);
+  await expect.poll(() => app.field(en.program.motorStopTime).getAttribute('inputmode')).toBe('none');
+  await write(en.program.motorStopTime, '7.8');
+  await press(en.program.motorStopTime, ['+0.1 s', '+0.1 s']);
   for (const row of ROWS.keys()) {
     const isFunction = row > 0 && row < ROWS.length - 1;
     await app.field(isFunction ? timeField(row) : positionField(row, 0)).tap();
@@ -62,7 +63,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   await app.page.locator('.strip-close').tap();
 
   await app.button('Tools for Function 4').tap();
-  await app.page.getByRole('textbox', { name: 'By, in seconds' }).fill('1.5');
+  await app.page.getByRole('textbox', { name: en.edits.shift.by }).fill('1.5');
   await trail.note();
   await app.button('Later').tap();
   await trail.note();
@@ -154,8 +155,11 @@ describe('a finger on the table', () => {
   test('selects a range, copies it, fills it down and pastes it', async () => {
     const { app, tap, focused } = await opened();
     await tap('Function 1, S1');
-    await app.button('Select range').tap();
-    await app.page.getByRole('toolbar', { name: 'Selected range' }).getByText('Now tap another cell.').waitFor();
+    await app.button(en.edits.sheet.selectRange).tap();
+    await app.page
+      .getByRole('toolbar', { name: en.edits.table.range.title })
+      .getByText(en.edits.table.range.pick)
+      .waitFor();
     await tap('Function 3, S2');
     await app.text('3 functions, 2 columns').waitFor();
     expect(await focused(), 'no field has the focus, so no keyboard comes up').toBeFalsy();
@@ -169,7 +173,7 @@ describe('a finger on the table', () => {
     await expect.poll(() => app.positions('S2')).toEqual(FIRST_POSITIONS);
 
     await tap('Function 5, S2');
-    await app.button('Select range').tap();
+    await app.button(en.edits.sheet.selectRange).tap();
     await app.button('Paste…').tap();
     await app.page.getByRole('dialog', { name: 'Paste' }).getByRole('button', { name: 'Paste' }).tap();
     await expect.poll(async () => (await app.positions('S3')).slice(5, 9)).toEqual(['25', '35', '45', '95']);
@@ -236,7 +240,14 @@ test('the keys on the touch screen do not cover the edited field or its row', as
     for (const theme of ['light', 'sun']) {
       const look = `${width} x ${height}, ${theme}`;
       await showTheme(app, theme);
-      for (const field of ['Start, S1', 'Motor stop time', 'Function 5, S2', 'Function 9 time', 'DT, S3', 'DT time']) {
+      for (const field of [
+        'Start, S1',
+        en.program.motorStopTime,
+        'Function 5, S2',
+        'Function 9 time',
+        'DT, S3',
+        'DT time',
+      ]) {
         await app.field(field).tap();
         await keysFor(app, field).waitFor();
         await expect

@@ -45,7 +45,7 @@ test('a tab that is asked for in the middle of a write first ends it', async () 
   await second.button(takeOver).click();
   await second.text(en.otherTab.busy).waitFor();
   expect(await second.page.getByRole('button').allInnerTexts()).toEqual([takeOver]);
-  await second.page.getByRole('heading', { name: 'Set your Sidus timer' }).waitFor();
+  await second.page.getByRole('heading', { name: en.start.title }).waitFor();
   expect(await first.bench(({ content }) => [content.times[10], content.positions[0]?.[2]])).toEqual([24_000, 7]);
   expect(
     await second.page.evaluate(async () => {

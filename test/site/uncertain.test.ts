@@ -18,7 +18,7 @@ test('a cable pulled before the answer to a write makes the timer uncertain unti
   await app.type('DT time', '6:00');
   await app.bench((bench) => bench.unplugAt('SETTIMERS'));
   await app.write();
-  await app.result('It is not certain what the timer holds.');
+  await app.result(en.write.unknown.title);
   expect(await app.bench(({ content }) => content.times[10]), 'the timer has taken the DT').toBe(36_000);
 
   await app.close();
@@ -40,7 +40,7 @@ test('a cable pulled before the answer to a write makes the timer uncertain unti
   await survivor.bench(({ content }) => {
     content.times[10] = 36_000;
   });
-  await survivor.button('Connect and read').click();
+  await survivor.button(en.knowledge.connect).click();
   await survivor.isReady();
   await expect.poll(() => survivor.page.getByRole('region', { name: 'Not certain' }).count()).toBe(0);
   await expect.poll(() => survivor.valueOf('DT time')).toBe('6:00');
@@ -49,7 +49,7 @@ test('a cable pulled before the answer to a write makes the timer uncertain unti
   await survivor.type('DT time', '4:00');
   await survivor.bench((bench) => bench.unplugAt('SETTIMERS'));
   await survivor.write();
-  await survivor.result('It is not certain what the timer holds.');
+  await survivor.result(en.write.unknown.title);
   await survivor.close();
   await survivor.bench((bench) => bench.replug());
   await survivor.isReady();
@@ -66,7 +66,7 @@ test('a write stopped on the way says so after Disconnect, too', async () => {
   await app.type('DT time', '6:00');
   await app.bench((bench) => bench.sleepAt('SETTIMERS'));
   await app.write();
-  await app.result('It is not certain what the timer holds.');
+  await app.result(en.write.unknown.title);
   await app.close();
   await app
     .button(/^(Stop|Disconnect)$/)

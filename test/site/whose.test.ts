@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
+import { share } from '../../src/app/messages/en-share.js';
 import { decodeLink, encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { AppPage } from './app-page.js';
@@ -42,7 +43,7 @@ async function goToProgram(app: AppPage): Promise<void> {
 test('values of one model over the timer of another keep their name, on paper, in a link and when saved', async () => {
   const app = await AppPage.open();
   await app.page.evaluate((to) => void location.assign(to), LINK_MARK + encodeLink(WIND));
-  await app.button('Keep in the library').click();
+  await app.button(share.received.keep).click();
   await app.page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
   await app.trySimulated('F1Q');
   await app.button(libraryMessages.save.open).click();

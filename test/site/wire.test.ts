@@ -64,8 +64,8 @@ test('the computer sleeps in the middle of a write: nothing more is sent, and th
     };
   });
   await app.write();
-  await app.result('It is not certain what the timer holds.');
-  await app.dialog.getByText('This page stood still during the job.').waitFor();
+  await app.result(en.write.unknown.title);
+  await app.dialog.getByText(en.timer['stood-still'].title).waitFor();
   expect(await app.bench(({ sets }) => sets)).toEqual(['SETTIMERS']);
   await app.close();
   await app.readAgain();
@@ -91,7 +91,7 @@ describe('the plug is pulled', () => {
     const app = await edited();
     await app.bench((bench) => bench.unplugAt('SETSERVO'));
     await app.write();
-    await app.result('It is not certain what the timer holds.');
+    await app.result(en.write.unknown.title);
     await app.close();
     await app.says(en.link.lost.title);
     await expect

@@ -58,13 +58,13 @@ async function type(name: string, text: string): Promise<void> {
 
 async function flip(): Promise<void> {
   show('bench');
-  fireEvent.click(screen.getByRole('switch', { name: 'Servos follow the positions' }));
+  fireEvent.click(screen.getByRole('switch', { name: en.bench.follow }));
   await idle();
 }
 
 function isOn(): boolean {
   show('bench');
-  const it = screen.getByRole('switch', { name: 'Servos follow the positions' });
+  const it = screen.getByRole('switch', { name: en.bench.follow });
   return it.getAttribute('aria-checked') === 'true';
 }
 
@@ -115,8 +115,8 @@ describe('the bench', () => {
     await press('Cancel');
     await press('Jump…');
     expect(jumps()).toBe(0);
-    await press('Send the jump now');
-    expect([jumps(), screen.queryByText('The timer acknowledged the jump.') !== null]).toEqual([1, true]);
+    await press(en.bench.jumpSure);
+    expect([jumps(), screen.queryByText(en.bench.jumped) !== null]).toEqual([1, true]);
   });
 });
 
@@ -202,7 +202,7 @@ describe('hold to unlock', () => {
     const app = await opened();
     down(unlockButton());
     await vi.advanceTimersByTimeAsync(HOLD - 100);
-    expect(unlockButton().textContent).toBe('Keep holding');
+    expect(unlockButton().textContent).toBe(en.bench.unlockHold);
     up(unlockButton());
     await idle();
     expect(unlocks(app)).toBe(0);
@@ -212,7 +212,7 @@ describe('hold to unlock', () => {
     down(unlockButton());
     await idle();
     expect(unlocks(app)).toBe(1);
-    expect(screen.getByText('The motor is unlocked. The propeller may start.')).toBeTruthy();
+    expect(screen.getByText(en.bench.unlocked)).toBeTruthy();
   });
 
   it('goes on while the finger moves on the button', async () => {
@@ -226,7 +226,7 @@ describe('hold to unlock', () => {
 
   it('does nothing on a click', async () => {
     const app = await opened();
-    await press('Hold to UNLOCK');
+    await press(en.bench.unlock);
     expect(unlocks(app)).toBe(0);
   });
 });
@@ -257,7 +257,7 @@ describe('servos that follow', () => {
     expect(positions(app)).toEqual([70, 70]);
     show('bench');
     expect(screen.getByText(words.triedHere(['Function 4, S2: 55 → 70'], 0))).toBeTruthy();
-    await press('Stop following');
+    await press(en.bench.stopFollowing);
     expect([isOn(), isMarked('Function 4'), note().includes(words.ended.over)]).toEqual([false, false, false]);
     expect(band()).toContain('Tried: Function 4, S2: 55 → 70. Keep what was tried');
     await press('Keep it');
@@ -274,9 +274,9 @@ describe('servos that follow', () => {
     await late();
     expect(behind()).toBeUndefined();
     await type('Function 4, S2', '70');
-    expect(behind()).toBe('before following');
-    await press('Stop following');
-    expect(behind()).toBe('before following');
+    expect(behind()).toBe(en.timeline.compareBefore);
+    await press(en.bench.stopFollowing);
+    expect(behind()).toBe(en.timeline.compareBefore);
     await press('Keep it');
     await late();
     expect(behind()).toBeUndefined();
@@ -289,7 +289,7 @@ describe('servos that follow', () => {
     for (const servo of ['S1', 'S2', 'S3']) await type(`Function 4, ${servo}`, '71');
     await press('Function 5');
     await type('Function 5, S1', '72');
-    await press('Stop following');
+    await press(en.bench.stopFollowing);
     expect(band()).toMatch(
       /Tried: Function 4, S1: \d+ → 71; Function 5, S1: \d+ → 72; Function 4, S2: \d+ → 71; and 1 more position\./,
     );
@@ -302,8 +302,8 @@ describe('servos that follow', () => {
     await flip();
     await type('Function 4, S2', '70');
     await flip();
-    await press('Put it back…');
-    const dialog = screen.getByRole('dialog', { name: 'Write to the timer' });
+    await press(en.bench.putBack);
+    const dialog = screen.getByRole('dialog', { name: en.write.title });
     expect(within(dialog).getByText('Function 4, S2')).toBeTruthy();
     fireEvent.click(within(dialog).getByRole('button', { name: 'Write 1 change' }));
     await idle();
@@ -314,7 +314,7 @@ describe('servos that follow', () => {
   it('can be sent to the edited function by a button under its row', async () => {
     const app = await opened();
     await flip();
-    expect(note()).toContain('It is not known where the servos stand.');
+    expect(note()).toContain(en.bench.atNone);
     await type('Function 4, S2', '70');
     expect(positions(app)).toEqual([55, 115]);
     const offer = screen.getByRole('button', { name: 'Move the servos to function 4' });

@@ -1,6 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { whole } from '../../../src/app/messages/dotted.js';
+import { en } from '../../../src/app/messages/en.js';
 import { comparingMessages } from '../../../src/app/messages/en-compare.js';
 import { messages } from '../../../src/app/messages/index.js';
 import type { ModelRecord, SettingRecord } from '../../../src/app/storage/index.js';
@@ -75,7 +76,7 @@ describe('two programs side by side', () => {
     const bench = await page(true, setting('trimmed', TRIMMED));
     await compare(bench, 'screen', 'setting/trimmed');
     const front = (): string | null =>
-      within(screen.getByRole('group', { name: 'Selected servo' })).getByRole('button', { pressed: true }).textContent;
+      within(screen.getByRole('group', { name: en.timeline.front })).getByRole('button', { pressed: true }).textContent;
     expect(front()).toBe('S2');
     await press('S3');
     await press('Take 4:00 min for DT');
@@ -86,7 +87,7 @@ describe('two programs side by side', () => {
     const bench = await page(true, setting('trimmed', TRIMMED));
     await bench.session.backups.add(WIND, 'write', false);
     await compare(bench, 'setting/trimmed');
-    expect(options('with').slice(0, 2)).toEqual(['On the screen', 'Timer, M1']);
+    expect(options('with').slice(0, 2)).toEqual([comparingMessages.compare.screen, 'Timer, M1']);
     expect(options('with').at(-1)).toMatch(/^Lancer · M1 · /);
     fireEvent.change(screen.getByRole('combobox', { name: 'with' }), { target: { value: 'timer/0' } });
     await idle(0);

@@ -25,7 +25,7 @@ function quirksKept({ store }: AppBench): unknown {
 
 async function about(): Promise<HTMLElement> {
   await goTo('settings');
-  const summary = screen.getByText('About this timer');
+  const summary = screen.getByText(en.aboutTimer.title);
   fireEvent.click(summary);
   return summary.closest('details') as HTMLElement;
 }
@@ -42,7 +42,7 @@ describe('what is known to differ can be forgotten', () => {
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({ bigEndianTimes: true });
     mute = false;
     await about();
-    await press('Forget what is known to differ');
+    await press(en.aboutTimer.forget);
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({});
     expect(bench.editor.baseline.value?.times).toEqual(core.content.times);
     expect(quirksKept(bench)).not.toMatchObject({ [KIND]: { bigEndianTimes: true } });
@@ -130,7 +130,7 @@ describe('a choice of memory that is not answered', () => {
     expect(screen.getByText(en.notes['select-unanswered'].title)).toBeTruthy();
     expect(bench.session.link.state.value.status).toBe('on');
     expect(bench.editor.baseline.value?.memory).toBe(0);
-    await press('Try it without a correct checksum');
+    await press(en.link.trySelectBare);
     await run(bench.session.reader.selectMemory(2));
     expect(bench.timer.core.memory).toBe(2);
     expect(bench.editor.baseline.value?.memory).toBe(2);

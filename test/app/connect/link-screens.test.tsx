@@ -37,7 +37,7 @@ describe('the adapters that are known', () => {
     cleanup();
     await opened({ store, info: FTDI, answersAt: 19_200, plug: { granted: true } });
     await goTo('settings');
-    expect(screen.getByRole('heading', { name: 'Known adapters' })).toBeTruthy();
+    expect(screen.getByRole('heading', { name: en.ports.title })).toBeTruthy();
     const known = screen.getByRole('button', { name: /^Connect to FTDI adapter/ });
     expect(known.textContent).toBe('Connect');
     fireEvent.click(known);
@@ -51,7 +51,7 @@ describe('the adapters that are known', () => {
     await goTo('settings');
     await press(/^Forget FTDI adapter/);
     expect(screen.queryByRole('button', { name: /^Connect to FTDI/ })).toBeNull();
-    expect(screen.queryByRole('heading', { name: 'Known adapters' })).toBeNull();
+    expect(screen.queryByRole('heading', { name: en.ports.title })).toBeNull();
     expect(await serial.getPorts()).toEqual([]);
     serial.choose(null);
     await goTo('program');
@@ -62,7 +62,7 @@ describe('the adapters that are known', () => {
   it('are not shown before one was allowed', async () => {
     await opened({ info: FTDI });
     await goTo('settings');
-    expect(screen.queryByRole('heading', { name: 'Known adapters' })).toBeNull();
+    expect(screen.queryByRole('heading', { name: en.ports.title })).toBeNull();
   });
 });
 
@@ -133,7 +133,7 @@ describe('what to do while no timer answers', () => {
 
   it('fills the page and changes with the seconds: look, switch, distance, another adapter', async () => {
     await asleep();
-    expect([stage(), current()]).toEqual(['Looking for the timer', undefined]);
+    expect([stage(), current()]).toEqual([en.link.status.searching, undefined]);
     await idle(1700);
     expect([stage(), current()]).toEqual([en.link.stages.steps.switch, en.link.stages.steps.switch]);
     expect(screen.getByText(/^No answer for 2 s\./)).toBeTruthy();
@@ -150,7 +150,7 @@ describe('what to do while no timer answers', () => {
 
   it('gets the focus, and a screen reader says its title', async () => {
     await asleep();
-    const title = screen.getByRole('heading', { level: 1, name: 'Looking for the timer' });
+    const title = screen.getByRole('heading', { level: 1, name: en.link.status.searching });
     expect([document.activeElement, title.closest('[role=status]')]).toEqual([title, expect.anything()]);
     await press('Stop');
     expect(document.activeElement, 'the button is gone, so the focus goes to the page').toBe(screen.getByRole('main'));
@@ -236,7 +236,7 @@ describe('the serial settings', () => {
       'leave',
       'leave',
     ]);
-    expect(screen.queryByRole('button', { name: 'Usual settings' })).toBeNull();
+    expect(screen.queryByRole('button', { name: en.ports.reset })).toBeNull();
     await choose('Rate', '19200');
     await choose('Parity', 'even');
     await choose('Stop bits', '2');
@@ -263,7 +263,7 @@ describe('the serial settings', () => {
     expect(views.shown.value).toBe('program');
     await press('Disconnect');
     await goTo('settings');
-    await press('Usual settings');
+    await press(en.ports.reset);
     expect([choice('Rate').value, choice('Parity').value, session.link.settings.value]).toEqual(['find', 'none', null]);
   });
 });
@@ -272,19 +272,19 @@ describe('about this timer', () => {
   it('is what it did differently, and how it is connected', async () => {
     await connected({ info: FTDI, quirks: { timersReplyAs66: true } });
     await goTo('settings');
-    fireEvent.click(screen.getByText('About this timer'));
+    fireEvent.click(screen.getByText(en.aboutTimer.title));
     expect(screen.getByText(en.aboutTimer.quirkNames['timers-reply-66'])).toBeTruthy();
-    expect(screen.queryByText('Nothing so far: it has done all that was asked in the usual way.')).toBeNull();
+    expect(screen.queryByText(en.aboutTimer.nothingFound)).toBeNull();
     const facts = screen.getAllByRole('definition').map(({ textContent }) => textContent);
     expect(facts).toContain('F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos');
-    expect(facts.some((fact) => fact?.startsWith('FTDI adapter'))).toBe(true);
+    expect(facts.some((fact) => fact?.startsWith(en.link.portNames.ftdi))).toBe(true);
   });
 
   it('is what is known to differ; a click changes it, and a fresh reading follows', async () => {
     const { session } = await connected();
     await goTo('settings');
-    fireEvent.click(screen.getByText('About this timer'));
-    const box = screen.getByRole<HTMLInputElement>('checkbox', { name: 'The two bytes of each time are swapped' });
+    fireEvent.click(screen.getByText(en.aboutTimer.title));
+    const box = screen.getByRole<HTMLInputElement>('checkbox', { name: en.aboutTimer.assumptions.bigEndianTimes });
     expect(box.checked).toBe(false);
     fireEvent.click(box);
     await idle();
@@ -345,17 +345,17 @@ describe('what an interrupted job left behind', () => {
     await press('Close');
     timer.core.press();
     await idle();
-    const region = screen.getByRole('region', { name: 'An earlier write was interrupted' });
+    const region = screen.getByRole('region', { name: en.recovery.title });
     const panel = within(region);
     expect(region.querySelector('summary')?.textContent).toBe('Compare');
     expect(document.querySelectorAll('.notice'), 'there is no notice beside it').toHaveLength(0);
     expect(panel.getByText(/The timer holds 1 value of that write; 1 value is still as before\./)).toBeTruthy();
-    await press('Finish the write…');
+    await press(en.recovery.finish);
     await tickSafety();
     await press('Write 1 change');
     expect(timer.core.content.positions[0]?.[2]).toBe(7);
     await press('Close');
-    expect(screen.queryByRole('region', { name: 'An earlier write was interrupted' })).toBeNull();
+    expect(screen.queryByRole('region', { name: en.recovery.title })).toBeNull();
     expect(button('Write…').disabled).toBe(false);
   });
 
@@ -374,8 +374,8 @@ describe('what an interrupted job left behind', () => {
   it('offers to make the former memory fly next again', async () => {
     const { adapter, timer, session, memories } = await connected();
     timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && timer.core.memory === 2 && adapter.unplug();
-    await press('Read and keep all…');
-    await press('Read and keep');
+    await press(en.overview.readAll);
+    await press(en.memories.start['back-up']);
     timer.core.onAnswer = undefined;
     expect([memories.jobs.current.value, session.notices.current.value?.code]).toEqual([null, 'memory-left']);
     adapter.replug();

@@ -26,7 +26,7 @@ describe('a new program', () => {
     await opened();
     await make(() => {
       fireEvent.click(screen.getByRole('radio', { name: 'F1B' }));
-      fireEvent.change(screen.getByRole('combobox', { name: 'Functions, without start and DT' }), {
+      fireEvent.change(screen.getByRole('combobox', { name: en.newProgram.functions }), {
         target: { value: '12' },
       });
       fireEvent.change(screen.getByRole('combobox', { name: 'Servos' }), { target: { value: '2' } });
@@ -34,7 +34,7 @@ describe('a new program', () => {
     expect(table().getByRole('rowheader', { name: /^Function 11/ })).toBeTruthy();
     expect(table().queryByRole('columnheader', { name: /^S3/ })).toBeNull();
     await type('Function 3, S2', '70');
-    expect(screen.getByText('New program, in no timer yet')).toBeTruthy();
+    expect(screen.getByText(en.knowledge.made)).toBeTruthy();
     expect(document.body.textContent).not.toMatch(/last read|as in the timer|was 65/i);
   });
 
@@ -55,7 +55,7 @@ describe('a new program', () => {
     const { timer } = await opened({ plug: { granted: true } });
     await make();
     await type('DT time', '4:00');
-    await press('Connect and write…');
+    await press(en.program.connectAndWrite);
     fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
     await idle(0);
     await press(/^Write \d+ changes$/);
@@ -68,14 +68,14 @@ describe('a new program', () => {
     await opened({ plug: { granted: true } });
     await make();
     await type('DT time', '4:00');
-    expect(screen.getByRole('button', { name: 'Connect and write…' }).textContent).toBe('Connect…');
+    expect(screen.getByRole('button', { name: en.program.connectAndWrite }).textContent).toBe('Connect…');
   });
 
   it('waits for a timer that sleeps, and writes nothing unasked when it wakes', async () => {
     const { timer, write } = await opened({ plug: { granted: true } });
     timer.core.sleep();
     await make();
-    await press('Connect and write…');
+    await press(en.program.connectAndWrite);
     timer.core.press();
     await idle();
     expect([timer.core.content.times[1], write.current.value]).toEqual([1050, null]);
@@ -103,11 +103,11 @@ describe('what this device keeps', () => {
     const bench = await opened();
     await make();
     await type('DT time', '4:00');
-    await press('Close program');
+    await press(en.header.closeProgram);
     expect(card(en.start.models.title).getByText('DT 4:00 min')).toBeTruthy();
     await press(/^Open F1Q, new made \d\d:\d\d DT 4:00 min$/);
     expect(field('DT time').value).toBe('4:00');
-    await press('Close program');
+    await press(en.header.closeProgram);
     await press(/^Delete F1Q/);
     await press(en.cancel);
     await press(/^Delete F1Q/);
@@ -119,7 +119,7 @@ describe('what this device keeps', () => {
     const bench = await connected();
     await type('Function 2, S1', '7');
     await run(bench.session.timer.disconnect());
-    await press('Close program');
+    await press(en.header.closeProgram);
     await press(/^Open F1Q, M1, changes changed/);
     expect(field('Function 2, S1').value).toBe('7');
   });
@@ -145,7 +145,7 @@ describe('what this device keeps', () => {
 
   it('is nothing at first, and then the picture says that it is an example', async () => {
     await opened();
-    expect(within(screen.getByRole('figure')).getByText('Example: an F1Q')).toBeTruthy();
+    expect(within(screen.getByRole('figure')).getByText(en.start.picture.example)).toBeTruthy();
     expect([screen.queryByText(en.start.programs.title), screen.queryByRole('link', { name: /backup/ })]).toEqual([
       null,
       null,
@@ -159,18 +159,18 @@ describe('after Disconnect', () => {
     await press('Disconnect');
     expect(field('DT time').value).toBe('3:00');
     expect(screen.getByText(/^As last read \d\d:\d\d$/)).toBeTruthy();
-    await press('Close program');
-    expect(screen.getByRole('heading', { name: 'Set your Sidus timer' })).toBeTruthy();
+    await press(en.header.closeProgram);
+    expect(screen.getByRole('heading', { name: en.start.title })).toBeTruthy();
   });
 });
 
 describe('the page on this device', () => {
   it('is ready offline when all of it is kept, and not before', async () => {
     const { models } = await opened();
-    expect(screen.queryByText('Ready offline')).toBeNull();
+    expect(screen.queryByText(en.start.readyOffline)).toBeNull();
     models.installation.isKept();
     await idle(0);
-    expect(screen.getByText('Ready offline')).toBeTruthy();
+    expect(screen.getByText(en.start.readyOffline)).toBeTruthy();
   });
 
   it('is installed by a click, where the browser offers that', async () => {

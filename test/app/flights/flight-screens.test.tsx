@@ -196,7 +196,7 @@ describe('the log', () => {
     const app = await season();
     act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
     fill('Wind m/s', 'much');
-    expect(form().getByRole('alert').textContent).toBe('Not a number.');
+    expect(form().getByRole('alert').textContent).toBe(flightMessages.form.unreadable['not-a-number']);
     await press('Done');
     expect(document.activeElement).toBe(form().getByRole('textbox', { name: 'Wind m/s' }));
     fill('Wind m/s', '51');
@@ -211,7 +211,7 @@ describe('the log', () => {
     vi.stubGlobal('URL', Object.assign(URL, { createObjectURL: (blob: Blob) => String(saved.push(blob)) }));
     act(() => app.models.flights.showOnly({ model: 'v' }));
     expect(screen.getByText(flightMessages.filter.of('Vega'))).toBeTruthy();
-    await press('Save as a table (CSV)');
+    await press(flightMessages.csv.save);
     const text = await saved[0]?.text();
     expect(saved[0]?.type).toBe('text/csv');
     expect(text?.split('\r\n').length).toBe(3);
@@ -248,13 +248,13 @@ describe('after a verified write', () => {
     app.session.safety.confirm();
     await idle(0);
     await press(/^Write \d+ changes?$/);
-    const written = within(screen.getByRole('dialog', { name: 'Write to the timer' }));
+    const written = within(screen.getByRole('dialog', { name: en.write.title }));
     expect(written.getAllByText(/DT 20 s/).length, 'the figures stand once').toBe(1);
-    expect(written.getByText('Logs a flight with what the timer holds.')).toBeTruthy();
+    expect(written.getByText(flightMessages.flying.purpose)).toBeTruthy();
     button('Flying this').focus();
     await press('Flying this');
     expect(document.activeElement, 'the focus does not leave the dialog').toBe(button('Fill in'));
-    const dialog = within(screen.getByRole('dialog', { name: 'Write to the timer' }));
+    const dialog = within(screen.getByRole('dialog', { name: en.write.title }));
     expect(dialog.getByText(/^Flight logged \d\d:\d\d · No model$/)).toBeTruthy();
     expect(flights(app).map(({ program }) => program.times[10])).toEqual([2000]);
     dialog.getByRole('button', { name: 'Undo' }).focus();
@@ -297,7 +297,7 @@ describe('the page of a model', () => {
       '10:00Sat, 21 Nov 2026 · WieseRound 2 · 3.5 m/s2:51.5 min',
       '09:00Sat, 21 Nov 2026 · WieseRound 13:00 min',
     ]);
-    await press('All its flights');
+    await press(flightMessages.section.all);
     expect(app.models.views.path.value).toBe('flights');
     expect(rows().length).toBe(2);
     expect(

@@ -1,7 +1,7 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
-import { guide } from '../../../src/app/messages/en-guide.js';
+import { checklist, guide, troubles, words } from '../../../src/app/messages/en-guide.js';
 import { settings } from '../../../src/app/messages/en-settings.js';
 import { TABS_BELOW } from '../../../src/app/ui/use-query.js';
 import { idle, reloaded, run } from '../bench/bench.js';
@@ -60,7 +60,7 @@ describe('the help', () => {
     };
     hit(screen.getByRole('textbox', { name: 'DT time' }));
     expect(views.shown.value).toBe('program');
-    await press('What the values are');
+    await press(en.edits.table.explain);
     hit(document.body);
     expect(views.shown.value).toBe('program');
     await press('Close');
@@ -70,18 +70,18 @@ describe('the help', () => {
 
   it('is shown in short over the table that it explains, and leads to the rest', async () => {
     const { views } = await connected();
-    await press('What the values are');
-    const dialog = within(screen.getByRole('dialog', { name: 'What the values are' }));
-    expect(dialog.getByText('0 to 130 steps.')).toBeTruthy();
+    await press(en.edits.table.explain);
+    const dialog = within(screen.getByRole('dialog', { name: en.edits.table.explain }));
+    expect(dialog.getByText(words.fields.position.range)).toBeTruthy();
     expect(dialog.getByText('Motor stop')).toBeTruthy();
-    fireEvent.click(dialog.getByRole('button', { name: 'More about each' }));
+    fireEvent.click(dialog.getByRole('button', { name: words.more }));
     await idle(0);
     expect([views.shown.value, views.path.value, screen.queryByRole('dialog')]).toEqual(['help', 'words', null]);
   });
 
   it('says nothing about a motor on a class without one', async () => {
     await connected({ identity: { timerClass: 'B' } });
-    await press('What the values are');
+    await press(en.edits.table.explain);
     expect(within(screen.getByRole('dialog')).queryByText('Motor stop')).toBeNull();
   });
 });
@@ -92,7 +92,7 @@ describe('what the checklist says of the timer', () => {
   it('is nothing before one was read', async () => {
     const { models } = await opened();
     await look(models, 'checklist');
-    expect(known()).toBe('No timer has been read. Connect to see its memory and DT here.');
+    expect(known()).toBe(checklist.known.nothing);
   });
 
   it('is what flies next while the timer is connected, and else what was last read', async () => {
@@ -115,15 +115,15 @@ describe('what the checklist says of the timer', () => {
 
   it('never comes from a program that is in no timer', async () => {
     const bench = await opened();
-    await press('New program…');
-    await press('Make the program');
+    await press(en.newProgram.title);
+    await press(en.newProgram.make);
     await look(bench.models, 'checklist');
-    expect(known()).toBe('No timer has been read. Connect to see its memory and DT here.');
+    expect(known()).toBe(checklist.known.nothing);
     cleanup();
     const { models, editor } = await drawn(await reloaded(bench));
     await look(models, 'checklist');
     expect(editor.madeAt.value).not.toBeNull();
-    expect(known()).toBe('No timer has been read. Connect to see its memory and DT here.');
+    expect(known()).toBe(checklist.known.nothing);
   });
 
   it('is that nobody knows, after a write was cut off', async () => {
@@ -145,7 +145,7 @@ describe('what the checklist says of the timer', () => {
 it('a symptom of the connection has the same steps as the page shows when it happens', async () => {
   const { models } = await opened();
   await look(models, 'trouble');
-  const symptom = within(screen.getByText('The timer does not answer').closest('details') as HTMLElement);
+  const symptom = within(screen.getByText(troubles.symptoms.noAnswer.title).closest('details') as HTMLElement);
   expect(symptom.getByText(en.help.steps.battery)).toBeTruthy();
 });
 

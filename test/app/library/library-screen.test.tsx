@@ -146,7 +146,7 @@ it('a setting that is open can be loaded again after changes, as one step', asyn
 it('a program is saved under a model that is made with it', async () => {
   const app = await at('model-0/setting-0');
   await press(messages.value.open);
-  await press('Save as new…');
+  await press(libraryMessages.save.asNew);
   const dialog = within(screen.getByRole('dialog'));
   const newModel = dialog.getByRole<HTMLOptionElement>('option', { name: 'New model' });
   fireEvent.change(dialog.getByRole('combobox', { name: 'Model' }), { target: { value: newModel.value } });
@@ -200,10 +200,10 @@ it('a phone saves a program from the large figures', async () => {
   await at('model-0/setting-0');
   await press(messages.value.open);
   expect(
-    screen.queryByRole('button', { name: 'Save as new…' }),
+    screen.queryByRole('button', { name: libraryMessages.save.asNew }),
     'the bar of a phone has no room for this button',
   ).toBeNull();
   fireEvent.click(document.querySelector('.strip-figures') as HTMLElement);
   await idle();
-  expect(screen.getByRole('button', { name: 'Save as new…' })).toBeTruthy();
+  expect(screen.getByRole('button', { name: libraryMessages.save.asNew })).toBeTruthy();
 });

@@ -2,6 +2,7 @@ import { act, fireEvent, render, screen, waitFor, within } from '@testing-librar
 import { options, type VNode } from 'preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { LinePanel } from '../../../src/app/line/line-panel.js';
+import { en } from '../../../src/app/messages/en.js';
 import { type AppBench, appBench, connectedBench, idle, run } from '../bench/bench.js';
 import { button, press } from '../screen.js';
 import { damage, lineError } from './line.js';
@@ -73,7 +74,7 @@ describe('the rows', () => {
     const [newest] = rows();
     expect(newest?.[0]).toMatch(/^\d\d:\d\d:\d\d\.\d{3}$/);
     expect(newest?.slice(1)).toEqual([
-      'from the timer',
+      en.line.in,
       'Identify, reply · GETSWVER F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos',
       '00 00 00 00 00 0c 6c 51 35 33 36 20 0a 04 03 20 ac 45',
     ]);
@@ -89,7 +90,7 @@ describe('the rows', () => {
     session.log.add(lineError('framing'));
     await idle();
     expect(rows()[0]?.slice(1)).toEqual([
-      'from the timer',
+      en.line.in,
       'Line error: framing A byte did not end as it should: the rate is wrong, or the signal is weak.',
       '',
     ]);
@@ -164,8 +165,8 @@ describe('on a page without traffic', () => {
     await load('field.txt', ...RECORDING);
     expect(await screen.findByText('field.txt: a recording of 3 entries.')).toBeTruthy();
     expect(rows()).toHaveLength(3);
-    expect(button('Replay it as a timer').disabled).toBe(false);
-    fireEvent.click(button('Back to the live line'));
+    expect(button(en.line.replay).disabled).toBe(false);
+    fireEvent.click(button(en.line.back));
     expect(await screen.findByText(/^Nothing has been on the line yet/)).toBeTruthy();
   });
 
@@ -202,7 +203,7 @@ describe('the tools', () => {
   it('empty the log', async () => {
     await opened();
     await press('Clear');
-    expect(screen.getByText('Nothing to show.')).toBeTruthy();
+    expect(screen.getByText(en.line.empty)).toBeTruthy();
     expect(button('Save').disabled).toBe(true);
   });
 
@@ -210,7 +211,7 @@ describe('the tools', () => {
     await opened();
     change('Show', 'out');
     await idle();
-    expect(new Set(rows().map(([, way]) => way))).toEqual(new Set(['to the timer']));
+    expect(new Set(rows().map(([, way]) => way))).toEqual(new Set([en.line.out]));
     change('Show', 'all');
     await act(() => type('Search', '6b 6b'));
     await waitFor(() => expect(messagesShown()).toEqual(['Identify · GETSWVER', 'Identify · GETSWVER']));
@@ -277,12 +278,12 @@ describe('a recording', () => {
     await load('field.txt', ...RECORDING);
     expect(await screen.findByText('field.txt: a recording of 3 entries.')).toBeTruthy();
     expect(rows().map(([time, way]) => [time, way])).toEqual([
-      ['0.100', 'from the timer'],
-      ['0.052', 'from the timer'],
-      ['0.000', 'to the timer'],
+      ['0.100', en.line.in],
+      ['0.052', en.line.in],
+      ['0.000', en.line.out],
     ]);
     expect(screen.queryByRole('button', { name: 'Pause' })).toBeNull();
-    fireEvent.click(button('Back to the live line'));
+    fireEvent.click(button(en.line.back));
     expect(await screen.findByRole('button', { name: 'Pause' })).toBeTruthy();
     expect(rows()).toEqual(live);
   });
@@ -291,7 +292,7 @@ describe('a recording', () => {
     const { session } = await opened();
     const tried = vi.spyOn(session.timer, 'tryRecording').mockResolvedValue();
     await load('field.txt', ...RECORDING);
-    fireEvent.click(await screen.findByRole('button', { name: 'Replay it as a timer' }));
+    fireEvent.click(await screen.findByRole('button', { name: en.line.replay }));
     expect(tried.mock.calls[0]?.[0].map(({ time }) => time)).toEqual([0, 52, 100]);
     expect(await screen.findByRole('button', { name: 'Pause' }), 'the live line is shown again').toBeTruthy();
   });
@@ -300,7 +301,7 @@ describe('a recording', () => {
     await opened();
     await load('field.txt', ...RECORDING.slice(0, 2));
     expect(await screen.findByText(/It cannot be replayed/)).toBeTruthy();
-    expect(button('Replay it as a timer').disabled).toBe(true);
+    expect(button(en.line.replay).disabled).toBe(true);
   });
 
   it('is refused with the line that is wrong', async () => {
@@ -326,9 +327,9 @@ describe('a recording', () => {
 describe('a frame by hand', () => {
   it('is shown as it goes out, with what it says', async () => {
     await opened();
-    await unfold('Send a frame by hand');
+    await unfold(en.line.send.title);
     change('Frame', 'SETSERVO');
-    type('Data, in hex', '040146');
+    type(en.line.send.data, '040146');
     await idle();
     expect(screen.getByText(/Goes out as/).textContent).toBe(
       'Goes out as 00 00 00 00 00 06 63 04 01 46 ae 45 Write a position · SETSERVO Function 4, S2: 70 steps',
@@ -337,19 +338,19 @@ describe('a frame by hand', () => {
 
   it('refuses bad hex at the field', async () => {
     await opened();
-    await unfold('Send a frame by hand');
-    type('Data, in hex', '0');
+    await unfold(en.line.send.title);
+    type(en.line.send.data, '0');
     await idle();
     const field = screen.getByLabelText(/^Data, in hex/);
     expect(field.getAttribute('aria-invalid')).toBe('true');
     const said = document.getElementById(field.getAttribute('aria-describedby') ?? '');
-    expect(said?.textContent).toBe('A digit is missing: type two for each byte.');
+    expect(said?.textContent).toBe(en.line.send.faults['odd-digits']);
     expect(button('Send').getAttribute('aria-disabled')).toBe('true');
   });
 
   it('that only reads is sent at once, and its reply shown', async () => {
     const { timer } = await opened();
-    await unfold('Send a frame by hand');
+    await unfold(en.line.send.title);
     change('Frame', 'GETMEMORY');
     timer.core.memory = 2;
     timer.core.answered.length = 0;
@@ -368,17 +369,17 @@ describe('a frame by hand', () => {
     ['JUMP2', 'servos may move, the propeller may start, and what the timer holds may change.'],
   ])('that may do more needs a second click, after a text that says what may happen: %s', async (name, warning) => {
     const { timer } = await opened();
-    await unfold('Send a frame by hand');
+    await unfold(en.line.send.title);
     change('Frame', name);
-    type('Data, in hex', name === 'MOVETOFUNC' || name === 'SETMEMORY' ? '01' : '');
+    type(en.line.send.data, name === 'MOVETOFUNC' || name === 'SETMEMORY' ? '01' : '');
     timer.core.answered.length = 0;
     await idle();
     await press('Send…');
-    const asking = screen.getByRole('alertdialog', { name: 'Send this frame to the timer?' });
+    const asking = screen.getByRole('alertdialog', { name: en.line.send.confirmTitle });
     expect(asking.textContent).toContain(warning);
     expect(document.activeElement, 'no button has the focus, so a key that is held down presses nothing').toBe(asking);
     expect(timer.core.answered).toEqual([]);
-    const yes = button('Yes, send it once');
+    const yes = button(en.line.send.confirm);
     fireEvent.click(yes);
     fireEvent.click(yes);
     await idle();
@@ -388,7 +389,7 @@ describe('a frame by hand', () => {
 
   it.each(['button', 'Escape'])('is cancelled by %s', async (how) => {
     const { timer } = await opened();
-    await unfold('Send a frame by hand');
+    await unfold(en.line.send.title);
     change('Frame', 'UNLOCK');
     await idle();
     await press('Send…');
@@ -403,26 +404,26 @@ describe('a frame by hand', () => {
 
   it('can have any letter', async () => {
     await opened();
-    await unfold('Send a frame by hand');
+    await unfold(en.line.send.title);
     change('Frame', 'other');
     await idle();
-    type('Letter, in hex', '7');
+    type(en.line.send.letter, '7');
     await idle();
-    expect(screen.getByText('Type the letter as one byte in hex, such as 6B.')).toBeTruthy();
-    type('Letter, in hex', '79');
+    expect(screen.getByText(en.line.send.faults['not-a-byte'])).toBeTruthy();
+    type(en.line.send.letter, '79');
     await idle();
     expect(screen.getByText(/Goes out as/).textContent).toContain('03 79 79 45 Unknown letter 79');
   });
 
   it('that was lost with its adapter may have done what it asks for', async () => {
     const { timer, adapter } = await opened();
-    await unfold('Send a frame by hand');
+    await unfold(en.line.send.title);
     change('Frame', 'UNLOCK');
     await idle();
     await press('Send…');
     timer.core.onAnswer = () => adapter.unplug();
-    await press('Yes, send it once');
-    const sentence = 'No reply came. What the frame asked for may have happened anyway.';
+    await press(en.line.send.confirm);
+    const sentence = en.line.send.unanswered;
     expect([timer.core.motorLocked, screen.queryByRole('button', { name: 'Send…' })]).toEqual([false, null]);
     expect(screen.getByText(sentence), 'while the adapter is gone').toBeTruthy();
     timer.core.onAnswer = undefined;
@@ -437,8 +438,8 @@ describe('a frame by hand', () => {
     await run(bench.session.timer.connect());
     await run(bench.session.timer.disconnect());
     await panelOf(bench);
-    await unfold('Send a frame by hand');
-    expect(screen.getByText('Connect to the timer to send.')).toBeTruthy();
+    await unfold(en.line.send.title);
+    expect(screen.getByText(en.line.send.notConnected)).toBeTruthy();
     expect(screen.queryByRole('button', { name: /^Send/ })).toBeNull();
   });
 });

@@ -94,16 +94,16 @@ describe('copying a memory', () => {
     const { timer } = await reviewed();
     timer.core.memories[2]?.times.splice(10, 1, 30_000);
     await write();
-    expect(lines()).toContain('The timer does not hold what was shown.');
+    expect(lines()).toContain(en.timer.stale.title);
     expect(lines()).toContain('Nothing was written into M3.');
-    await press('Show the difference again…');
+    await press(en.memories.again);
     expect(screen.getByText('M3: DT: 5:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
   });
 
   it('that cannot be backed up says so of that memory, whatever was written into others before', async () => {
     const app = await connected();
-    await press('Read and keep all…');
-    await press('Read and keep');
+    await press(en.overview.readAll);
+    await press(en.memories.start['back-up']);
     await press('Close');
     for (const memory of app.timer.core.memories) memory.times[10] = 36_000;
     const { store, session, memories, timer } = app;

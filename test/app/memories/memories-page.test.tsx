@@ -15,8 +15,8 @@ async function atMemories(options: BenchOptions = {}): Promise<AppBench> {
 /** With all memories read and kept. */
 async function read(): Promise<AppBench> {
   const app = await atMemories();
-  await press('Read and keep all…');
-  fireEvent.click(within(screen.getByRole('dialog')).getByRole('button', { name: 'Read and keep' }));
+  await press(en.overview.readAll);
+  fireEvent.click(within(screen.getByRole('dialog')).getByRole('button', { name: en.memories.start['back-up'] }));
   await idle();
   fireEvent.click(within(screen.getByRole('dialog')).getByRole('button', { name: 'Close' }));
   await idle();
@@ -127,11 +127,7 @@ describe('the memories', () => {
     await session.knowledge.begin(before, { ...before, times });
     session.knowledge.jobOver();
     await idle(0);
-    expect(said('M3')).toEqual([
-      'DT 3:00 min or 6:00 min',
-      'motor stop 10.0 s',
-      'Not certain: a write into it was interrupted. Shown as before that write.',
-    ]);
+    expect(said('M3')).toEqual(['DT 3:00 min or 6:00 min', 'motor stop 10.0 s', en.overview.notCertain]);
   });
 
   it('cannot be looked at where the timer does not say which is current, but made to fly next', async () => {

@@ -14,7 +14,7 @@ function choices(): string[] {
 }
 
 const said = () => screen.getAllByRole('alert').map(({ textContent }) => textContent);
-const dialog = () => within(screen.getByRole('dialog', { name: 'Before you disconnect' }));
+const dialog = () => within(screen.getByRole('dialog', { name: en.nextFlight.leaving.title }));
 
 describe('the memories', () => {
   it.each([8, 9, 255])('of a timer that has %i are in one line, by a tap or in a list', async (memories) => {
@@ -66,7 +66,7 @@ describe('the memories', () => {
       false,
       null,
     ]);
-    const held = within(screen.getByRole('table', { name: 'Time and servo positions of each function' }));
+    const held = within(screen.getByRole('table', { name: en.program.tableCaption }));
     const row = held.getByRole('rowheader', { name: 'DT min' }).parentElement;
     expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00');
     expect(held.queryAllByRole('textbox')).toEqual([]);
@@ -250,7 +250,7 @@ describe('Disconnect', () => {
     app.timer.core.sleep();
     await press('Back to M1 and disconnect');
     expect(dialog().getByRole('alert').textContent).toContain('The timer did not go back to M1.');
-    expect(dialog().getByRole('status').textContent).toContain('It is not known which memory flies next.');
+    expect(dialog().getByRole('status').textContent).toContain(en.nextFlight.unknown);
     app.timer.core.press();
     await idle();
     expect(dialog().getByRole('status').textContent).toBe(`${words.other('M3')} ${words.original('M1')}`);

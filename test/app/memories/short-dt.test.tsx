@@ -1,11 +1,12 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { type AppBench, appBench, idle, reloaded, run } from '../bench/bench.js';
 import { button, connected, drawn, goTo, late, press, strandAtM3, type } from '../screen.js';
 
 beforeEach(() => localStorage.clear());
 
-const dialog = () => within(screen.getByRole('dialog', { name: 'Before you disconnect' }));
+const dialog = () => within(screen.getByRole('dialog', { name: en.nextFlight.leaving.title }));
 const status = ({ session }: AppBench) => session.link.state.value.status;
 const buttons = () =>
   dialog()
@@ -41,7 +42,7 @@ describe('with a short DT in the timer', () => {
     expect(buttons()).toEqual(['Cancel', 'Disconnect with DT\u00a020\u00a0s', 'Put DT back to 2:45\u00a0min…']);
     await press('Put DT back to 2:45\u00a0min…');
     expect(dt(), 'nothing is written before the pilot confirms the write').toBe(2000);
-    expect(screen.getByRole('dialog', { name: 'Write to the timer' }).textContent).toContain('2:45 min');
+    expect(screen.getByRole('dialog', { name: en.write.title }).textContent).toContain('2:45 min');
     await finish(app);
     expect([dt(), status(app)]).toEqual([16_500, 'on']);
     within(screen.getByRole('dialog')).getByRole('button', { name: 'Disconnect' }).click();
@@ -190,7 +191,7 @@ describe('the limit of a short DT', () => {
       18_000,
     ]);
     await say('never');
-    expect(screen.getByRole('alert').textContent).toBe('Not a time: type seconds like 12.5, or minutes like 2:05.');
+    expect(screen.getByRole('alert').textContent).toBe(en.unreadable['not-a-time']);
     expect(limit().value, 'the text in the field stays').toBe('never');
     await say('0');
     expect([screen.queryByRole('alert'), figure()]).toEqual([null, 'strip-figure ']);

@@ -1,6 +1,7 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { formatTime } from '../../../src/app/editing/units.js';
+import { en } from '../../../src/app/messages/en.js';
 import { comparingMessages } from '../../../src/app/messages/en-compare.js';
 import { flightMessages } from '../../../src/app/messages/en-flights.js';
 import { libraryMessages } from '../../../src/app/messages/en-library.js';
@@ -25,7 +26,7 @@ async function withLibrary(): Promise<AppBench> {
 
 const sheets = () => [...document.querySelectorAll<HTMLElement>('.print-sheets article')];
 const rowsOf = (sheet: HTMLElement) =>
-  within(within(sheet).getByRole('table', { name: 'Time and servo positions of each function' }))
+  within(within(sheet).getByRole('table', { name: en.program.tableCaption }))
     .getAllByRole('row')
     .map((row) => [...row.children].map(({ textContent }) => textContent).join(' '));
 const choose = (name: RegExp) => act(() => void fireEvent.click(screen.getByRole('checkbox', { name })));
@@ -76,7 +77,7 @@ describe('the print view', () => {
       act(() => void document.body.dispatchEvent(key));
       return key.defaultPrevented;
     };
-    await press('What the values are');
+    await press(en.edits.table.explain);
     expect([hit(), views.shown.value]).toEqual([false, 'program']);
     await press('Close');
     expect([hit(), views.shown.value]).toEqual([true, 'print']);

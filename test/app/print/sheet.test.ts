@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { libraryMessages } from '../../../src/app/messages/en-library.js';
 import { type SheetSource, sheetOf } from '../../../src/app/print/sheet.js';
 import { servoGroups } from '../../../src/app/print/sheet-paper.js';
@@ -32,7 +33,7 @@ describe('a setting sheet', () => {
       memory: 'M2',
       servos: ['Tailplane', 'flaps'],
       note: ['Turns left after 12 s.'],
-      others: [{ label: 'Idle throttle', text: '12' }],
+      others: [{ label: en.program.idleThrottle, text: '12' }],
     });
     expect(sheet.figures.map(({ label, text, isShort }) => [label, text, isShort])).toEqual([
       ['DT', '3:00 min', false],

@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { idle } from '../bench/bench.js';
 import { connected, field, key } from '../screen.js';
 
@@ -122,7 +123,7 @@ describe('its keys', () => {
     await tap('Function 4, S2');
     await press('7');
     expect(field('Function 4, S2').value).toBe('7');
-    await press('2', '1', 'Delete the last digit');
+    await press('2', '1', en.edits.sheet.erase);
     expect(field('Function 4, S2').value).toBe('72');
     field('Function 4, S2').setSelectionRange(0, 0);
     await press('1');

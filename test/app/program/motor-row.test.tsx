@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { edits } from '../../../src/app/messages/en-edits.js';
 import { idle } from '../bench/bench.js';
 import { button, connected, field, late, press, table, type } from '../screen.js';
@@ -30,7 +31,7 @@ describe('the motor stop of a Q', () => {
     ['3:00.01', 'DT'],
   ])('of %s stands after the row of %s: a function at the same time comes after it', async (time, row) => {
     await connected();
-    await type('Motor stop time', time);
+    await type(en.program.motorStopTime, time);
     expect(motorAfter()).toBe(row);
     expect(rows().filter((name) => name === 'Motor stop')).toHaveLength(1);
   });
@@ -41,7 +42,7 @@ describe('the motor stop of a Q', () => {
     ['14.51', 'DT', '9'],
   ])('of %s stands above an interval of %s that says from what it counts: %s', async (time, below, from) => {
     await connected();
-    await type('Motor stop time', time);
+    await type(en.program.motorStopTime, time);
     const said = [...document.querySelectorAll('td.interval .cell-name')];
     expect(said.map((each) => each.textContent)).toEqual([edits.table.countedFrom(from)]);
     expect(said[0]?.closest('td')?.querySelector('input')).toBe(field(`${below} interval`));
@@ -62,12 +63,12 @@ describe('the motor stop of a Q', () => {
 
   it('stays at its place while a time is typed, and moves when the field is left', async () => {
     await connected();
-    field('Motor stop time').focus();
-    for (const text of ['1', '12', '12.2', '12.25']) put('Motor stop time', text);
+    field(en.program.motorStopTime).focus();
+    for (const text of ['1', '12', '12.2', '12.25']) put(en.program.motorStopTime, text);
     await idle();
-    expect([motorAfter(), document.activeElement]).toEqual(['Start', field('Motor stop time')]);
+    expect([motorAfter(), document.activeElement]).toEqual(['Start', field(en.program.motorStopTime)]);
     // On to the next row, as it stands.
-    fireEvent.keyDown(field('Motor stop time'), { key: 'Enter' });
+    fireEvent.keyDown(field(en.program.motorStopTime), { key: 'Enter' });
     await idle();
     expect([motorAfter(), document.activeElement]).toEqual(['Function 4', field('Function 1 time')]);
     put('Function 1 time', '12.4');
@@ -87,12 +88,12 @@ describe('the motor stop of a Q', () => {
 
   it('is put back by the tools of its row', async () => {
     await connected();
-    await type('Motor stop time', '12.25');
+    await type(en.program.motorStopTime, '12.25');
     await press('Tools for Motor stop');
     await press('Put back Motor stop');
     button('Tools for Motor stop').blur();
     await idle();
-    expect([field('Motor stop time').value, motorAfter()]).toEqual(['10.0', 'Start']);
+    expect([field(en.program.motorStopTime).value, motorAfter()]).toEqual(['10.0', 'Start']);
   });
 });
 
@@ -101,14 +102,14 @@ describe('the tools of a row', () => {
 
   it('shift everything after the motor stop with it, again and again, and say how far', async () => {
     await connected();
-    await type('Motor stop time', '12.25');
+    await type(en.program.motorStopTime, '12.25');
     await press('Tools for Motor stop');
     const panel = within(screen.getByRole('form', { name: 'Motor stop and all after' }));
     expect(document.activeElement).toBe(panel.getByRole('textbox'));
     expect(panel.getByRole('status').textContent).toBe('Motor stop, functions 5 to 9');
-    put('By, in seconds', '0,3');
+    put(en.edits.shift.by, '0,3');
     // Enter in the field.
-    fireEvent.submit(field('By, in seconds').closest('form') as HTMLFormElement);
+    fireEvent.submit(field(en.edits.shift.by).closest('form') as HTMLFormElement);
     await idle();
     expect(panel.getByRole('status').textContent).toBe('Moved 0.30 s later');
     await press('Later');
@@ -148,13 +149,13 @@ describe('the tools of a row', () => {
 
   it('stay open and keep the focus when the motor stop passes a function', async () => {
     await connected();
-    await type('Motor stop time', '12.25');
+    await type(en.program.motorStopTime, '12.25');
     await press('Tools for Motor stop');
-    put('By, in seconds', '1');
+    put(en.edits.shift.by, '1');
     await press('Earlier');
     expect(times('Motor stop')).toEqual(['11.25']);
-    expect([motorAfter(), document.activeElement]).toEqual(['Function 4', field('By, in seconds')]);
-    fireEvent.keyDown(field('By, in seconds'), { key: 'Escape' });
+    expect([motorAfter(), document.activeElement]).toEqual(['Function 4', field(en.edits.shift.by)]);
+    fireEvent.keyDown(field(en.edits.shift.by), { key: 'Escape' });
     await idle();
     expect([screen.queryByRole('form'), document.activeElement]).toEqual([null, button('Tools for Motor stop')]);
     field('Function 9, S3').focus();
@@ -165,10 +166,10 @@ describe('the tools of a row', () => {
   it('say why nothing was moved', async () => {
     const { editor } = await connected();
     await press('Tools for Function 2');
-    put('By, in seconds', '11.01');
+    put(en.edits.shift.by, '11.01');
     await press('Earlier');
     expect(screen.getByRole('alert').textContent).toMatch(/^Nothing was changed\. .*This would be before launch\.$/);
-    put('By, in seconds', 'soon');
+    put(en.edits.shift.by, 'soon');
     await idle();
     expect(screen.queryByRole('alert'), 'the message is gone once another value is typed').toBeNull();
     await press('Later');
@@ -198,12 +199,12 @@ describe('the tools of a row', () => {
   it('keep their setting from row to row, and close with a press elsewhere', async () => {
     await connected();
     await press('Tools for Function 2');
-    put('By, in seconds', '2');
+    put(en.edits.shift.by, '2');
     fireEvent.pointerDown(field('Function 5, S1'));
     await idle();
     expect(screen.queryByRole('form')).toBeNull();
     await press('Tools for Function 7');
-    expect(field('By, in seconds').value).toBe('2');
+    expect(field(en.edits.shift.by).value).toBe('2');
   });
 
   it('move DT alone from its own row', async () => {
@@ -219,7 +220,7 @@ describe('the tools of a row', () => {
     expect(screen.queryByRole('button', { name: 'Tools for Start' })).toBeNull();
     await type('Start, S1', '16');
     await press('Tools for Start');
-    expect(screen.queryByRole('textbox', { name: 'By, in seconds' })).toBeNull();
+    expect(screen.queryByRole('textbox', { name: en.edits.shift.by })).toBeNull();
     await press('Put back Start with its positions');
     expect(field('Start, S1').value).toBe('15');
   });

@@ -18,7 +18,7 @@ describe('the start', () => {
     await opened();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
       'Connect',
-      'New program…',
+      en.newProgram.title,
       'F1Q',
       'F1B',
       'F1E',
@@ -28,7 +28,7 @@ describe('the start', () => {
 
   it('says which browsers work when this one does not, and still offers the simulated timers', async () => {
     await opened({ webSerial: false });
-    expect(screen.getByText('This browser cannot reach a timer.')).toBeTruthy();
+    expect(screen.getByText(en.connection.unsupported.title)).toBeTruthy();
     expect(screen.queryByRole('button', { name: 'Connect' })).toBeNull();
     await press('Try a simulated F1B timer');
     expect(field('DT time').value).toBe('3:00');
@@ -51,7 +51,7 @@ describe('the start', () => {
     timer.core.sleep();
     await press('Connect');
     expect(screen.getByText(/^No answer for \d+ s\./)).toBeTruthy();
-    expect(screen.queryByText('The timer did not answer.')).toBeNull();
+    expect(screen.queryByText(en.timer['no-answer'].title)).toBeNull();
     timer.core.press();
     await idle();
     expect(screen.queryByText(/^No answer for \d+ s\./)).toBeNull();
@@ -105,7 +105,13 @@ describe('the table', () => {
       .getAllByRole('rowheader')
       .map(({ textContent }) => textContent);
     const functions = Array.from({ length: 9 }, (_, i) => `Function ${i + 1}`);
-    expect(rows.map((row) => row?.trim())).toEqual(['Start', 'Motor stop', ...functions, 'DT min', 'Idle throttle']);
+    expect(rows.map((row) => row?.trim())).toEqual([
+      'Start',
+      'Motor stop',
+      ...functions,
+      'DT min',
+      en.program.idleThrottle,
+    ]);
     for (const servo of ['S1', 'S2', 'S3']) {
       expect(['Start', ...functions, 'DT'].map((row) => field(`${row}, ${servo}`).value)).toEqual(
         CAPTURED_POSITIONS.map(String),
@@ -194,7 +200,7 @@ describe('the table', () => {
 
   it('says under the idle throttle why it is refused', async () => {
     await connected();
-    await type('Idle throttle', '256');
+    await type(en.program.idleThrottle, '256');
     const note = table().getByText('Idle throttle:').parentElement;
     expect(note?.textContent).toBe('Idle throttle: The idle throttle must be 0 to 255.');
   });
@@ -275,7 +281,7 @@ describe('the large figures', () => {
     await type('DT', '30');
     expect(field('DT time').value).toBe('30.00');
     expect(screen.getAllByText('Short DT')[0]?.closest('.strip-figure.bad')).toBeTruthy();
-    await type('Motor stop time', '5');
+    await type(en.program.motorStopTime, '5');
     expect(field('Motor stop').value).toBe('5.0');
   });
 
@@ -300,7 +306,7 @@ describe('the large figures', () => {
 
   it('show the idle throttle only when the timer has said one', async () => {
     await connected({ identity: { timerClass: 'B' } });
-    expect(screen.queryByRole('textbox', { name: 'Idle throttle' })).toBeNull();
+    expect(screen.queryByRole('textbox', { name: en.program.idleThrottle })).toBeNull();
   });
 });
 
@@ -310,7 +316,7 @@ describe('writing', () => {
     await type('DT time', '4:00');
     await type('Function 2, S1', '7');
     await press('Write…');
-    const dialog = within(screen.getByRole('dialog', { name: 'Write to the timer' }));
+    const dialog = within(screen.getByRole('dialog', { name: en.write.title }));
     const rows = dialog.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
     expect(rows).toEqual([
       ['Value', 'Timer holds', 'Will hold'],
@@ -340,7 +346,7 @@ describe('writing', () => {
     await connected();
     await type('Function 2, S1', '7');
     await press('Write…');
-    const dialog = screen.getByRole('dialog', { name: 'Write to the timer' });
+    const dialog = screen.getByRole('dialog', { name: en.write.title });
     fireEvent.click(within(dialog).getByRole('checkbox', { name: /^The propeller is off/ }));
     await idle();
     button('Write 1 change').focus();
@@ -387,7 +393,7 @@ describe('writing', () => {
     fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
     await press('Write 1 change');
     const dialog = within(screen.getByRole('dialog'));
-    expect(dialog.getByRole('alert').textContent).toContain('The timer did not take every value.');
+    expect(dialog.getByRole('alert').textContent).toContain(en.write.differs.title);
     expect(dialog.getByRole('row', { name: /Function 2, S1/ }).textContent).toMatch(/7\s*35\s*differs/);
   });
 
@@ -399,17 +405,15 @@ describe('writing', () => {
     expect(move(), 'it is not known yet that positions need a move').toBeNull();
     fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
     await press('Write 1 change');
-    expect(screen.getByRole('alert').textContent).toContain(
-      'The timer acknowledged the positions but did not keep them.',
-    );
-    await press('Write again…');
+    expect(screen.getByRole('alert').textContent).toContain(en.write.move.notHeld.title);
+    await press(en.write.move.again);
     expect(move()?.checked).toBe(false);
     expect(move()?.labels?.[0]?.textContent, 'the label itself says how').toMatch(/Hold the model safely/);
     expect(screen.getByText(/will probably not keep these/)).toBeTruthy();
     fireEvent.click(move() as HTMLElement);
     await press('Write 1 change');
     expect(screen.getByRole('alert').textContent).toContain('Verified.');
-    expect(screen.queryByRole('button', { name: 'Write again…' })).toBeNull();
+    expect(screen.queryByRole('button', { name: en.write.move.again })).toBeNull();
     expect(timer.core.content.positions[0]?.[2]).toBe(7);
     await press('Close');
     await type('DT time', '4:00');
@@ -447,9 +451,9 @@ describe('the line', () => {
     const log = within(screen.getByRole('table', { name: 'Line' }));
     const rows = log.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent?.trim()));
     expect(rows).toHaveLength(15);
-    expect(rows.at(-1)?.slice(1)).toEqual(['to the timer', 'Identify · GETSWVER', '00 00 00 00 00 03 6b 6b 45']);
+    expect(rows.at(-1)?.slice(1)).toEqual([en.line.out, 'Identify · GETSWVER', '00 00 00 00 00 03 6b 6b 45']);
     expect(rows[5]?.slice(1)).toEqual([
-      'from the timer',
+      en.line.in,
       'Read idle throttle, reply · GETLOWRPM 30, unit unknown',
       '00 00 00 00 00 04 76 1e 94 45',
     ]);

@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { line } from '../../../src/app/messages/en-line.js';
 import { idle } from '../bench/bench.js';
 import { connected, field, key, press } from '../screen.js';
@@ -15,7 +16,7 @@ describe('a range without a Shift key', () => {
   };
   const pick = async (from: string, to: string): Promise<void> => {
     await tap(from);
-    await press('Select range');
+    await press(en.edits.sheet.selectRange);
     await tap(to);
   };
   /** Puts this in the place of the browser's clipboard. */
@@ -32,9 +33,9 @@ describe('a range without a Shift key', () => {
   it('goes from the first cell to the cell tapped last, and no keyboard opens', async () => {
     await connected();
     await tap('Function 2, S1');
-    expect(screen.queryByRole('toolbar', { name: 'Selected range' })).toBeNull();
-    await press('Select range');
-    expect(screen.getAllByText('Now tap another cell.')).toHaveLength(2);
+    expect(screen.queryByRole('toolbar', { name: en.edits.table.range.title })).toBeNull();
+    await press(en.edits.sheet.selectRange);
+    expect(screen.getAllByText(en.edits.table.range.pick)).toHaveLength(2);
     expect(marked()).toBe(1);
     await tap('Function 4, S2');
     expect([screen.getByText('3 functions, 2 columns'), screen.getByText('6 values selected')]).toBeTruthy();
@@ -171,6 +172,6 @@ describe('a range without a Shift key', () => {
     await connected();
     await tap('DT');
     expect(screen.getByRole('button', { name: 'Done' })).toBeTruthy();
-    expect(screen.queryByRole('button', { name: 'Select range' })).toBeNull();
+    expect(screen.queryByRole('button', { name: en.edits.sheet.selectRange })).toBeNull();
   });
 });

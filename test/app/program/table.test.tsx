@@ -3,6 +3,7 @@ import fc from 'fast-check';
 import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { parseTime } from '../../../src/app/editing/units.js';
+import { en } from '../../../src/app/messages/en.js';
 import { edits } from '../../../src/app/messages/en-edits.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from '../bench/bench.js';
 import { button, field, key, late } from '../screen.js';
@@ -104,10 +105,10 @@ describe('moving', () => {
 
   it('follows the rows as shown: only the column of the times goes through the motor stop', async () => {
     await connected();
-    await enter('Motor stop time', '12.3');
+    await enter(en.program.motorStopTime, '12.3');
     field('Function 4 time').focus();
     await key('ArrowDown');
-    expect(document.activeElement).toBe(field('Motor stop time'));
+    expect(document.activeElement).toBe(field(en.program.motorStopTime));
     await key('Enter');
     expect(document.activeElement).toBe(field('Function 5 time'));
     field('Function 4, S1').focus();
@@ -436,7 +437,7 @@ describe('a paste', () => {
     await idle();
     const read = pastedCells().map(([name, to, from]) => [name, parseTime(to), parseTime(from)]);
     expect(read).toEqual([
-      ['Motor stop time', { value: 900 }, { value: 1000 }],
+      [en.program.motorStopTime, { value: 900 }, { value: 1000 }],
       ['Function 2 time', { value: 1150 }, { value: 1100 }],
       ['Function 2, S1', { value: 4000 }, { value: 3500 }],
     ]);
@@ -552,7 +553,7 @@ describe('many fields at once', () => {
   it('everything later is shifted, DT only on request', async () => {
     await connected();
     await press('Tools for Function 2');
-    fireEvent.input(field('By, in seconds'), { target: { value: '0,3' } });
+    fireEvent.input(field(en.edits.shift.by), { target: { value: '0,3' } });
     await press('Later');
     expect(['Function 1', 'Function 2', 'Function 9', 'DT'].map((row) => field(`${row} time`).value)).toEqual([
       '10.50',
@@ -622,7 +623,7 @@ describe('undo by keys', () => {
     await connected();
     await enter('Function 2, S1', '7');
     await press('Tools for Function 2');
-    field('By, in seconds').focus();
+    field(en.edits.shift.by).focus();
     await key('z', { ctrlKey: true });
     expect(field('Function 2, S1').value).toBe('7');
     field('Function 2, S1').focus();
@@ -690,12 +691,12 @@ describe('DT', () => {
 
   it('has presets and a limit for a short DT that the pilot sets and the page keeps', async () => {
     const { models } = await connected();
-    await press('Change presets');
+    await press(en.edits.presets.change);
     fireEvent.input(field('New preset'), { target: { value: '2:30' } });
     fireEvent.submit(field('New preset').closest('form') as HTMLFormElement);
     await press('Remove 10 min');
-    fireEvent.input(field('Warn if DT is shorter than'), { target: { value: '3:30' } });
-    fireEvent.change(field('Warn if DT is shorter than'), { target: { value: '3:30' } });
+    fireEvent.input(field(en.edits.presets.shortDt), { target: { value: '3:30' } });
+    fireEvent.change(field(en.edits.presets.shortDt), { target: { value: '3:30' } });
     await press('Done');
     await late();
     expect(screen.getByRole('button', { name: 'DT 2:30 min' })).toBeTruthy();
@@ -708,10 +709,10 @@ describe('DT', () => {
 
   it('keeps its presets to press, and the focus, while they are changed', async () => {
     const { models } = await connected();
-    await press('Change presets');
+    await press(en.edits.presets.change);
     await press('DT 6 min');
     expect([field('DT time').value, models.preferences.presets.value.includes(36000)]).toEqual(['6:00', true]);
-    const change = screen.getByRole('button', { name: 'Change presets' });
+    const change = screen.getByRole('button', { name: en.edits.presets.change });
     for (const name of ['Remove 6 min', 'Done']) {
       screen.getByRole('button', { name }).focus();
       await press(name);
@@ -724,9 +725,9 @@ describe('DT', () => {
   it('adds no preset when the limit is confirmed with Enter', async () => {
     const { models } = await connected();
     const before = models.preferences.presets.value;
-    await press('Change presets');
-    fireEvent.change(field('Warn if DT is shorter than'), { target: { value: '3:30' } });
-    await submitFrom('Warn if DT is shorter than');
+    await press(en.edits.presets.change);
+    fireEvent.change(field(en.edits.presets.shortDt), { target: { value: '3:30' } });
+    await submitFrom(en.edits.presets.shortDt);
     expect(screen.queryByRole('alert')).toBeNull();
     await submitFrom('New preset');
     expect(screen.getByRole('alert').textContent).toContain('Empty');
@@ -736,7 +737,7 @@ describe('DT', () => {
 
   it('refuses a preset that no timer can hold', async () => {
     await connected();
-    await press('Change presets');
+    await press(en.edits.presets.change);
     fireEvent.input(field('New preset'), { target: { value: '11:00' } });
     fireEvent.submit(field('New preset').closest('form') as HTMLFormElement);
     await idle();
@@ -798,7 +799,7 @@ describe('a time that can be read in two ways', () => {
 
   it('brings the question for a preset', async () => {
     const { models } = await connected();
-    await press('Change presets');
+    await press(en.edits.presets.change);
     fireEvent.input(field('New preset'), { target: { value: '2.30' } });
     await submitFrom('New preset');
     expect(models.preferences.presets.value).not.toContain(15000);
@@ -854,7 +855,7 @@ describe('figures and their units', () => {
     await late();
     expect(field('Motor stop').value, 'hundredths of a second are shown').toBe('9.55');
     expect(describedBy('Motor stop')).toContain('was 10.0 s');
-    expect(describedBy('Motor stop time')).toContain('was 10.0 s');
+    expect(describedBy(en.program.motorStopTime)).toContain('was 10.0 s');
   });
 
   it('stand at a row in minutes, under a heading that says seconds', async () => {
@@ -863,7 +864,7 @@ describe('figures and their units', () => {
       [...document.querySelectorAll('.row-unit')].map((unit) => unit.closest('th')?.firstElementChild?.textContent);
     expect(rows()).toEqual(['DT']);
     await enter('Function 9 time', '1:05');
-    await enter('Motor stop time', '1:00');
+    await enter(en.program.motorStopTime, '1:00');
     expect(rows()).toEqual(['Motor stop', 'Function 9', 'DT']);
   });
 

@@ -2,6 +2,7 @@ import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { options, type VNode } from 'preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { formatTime } from '../../../src/app/editing/units.js';
+import { en } from '../../../src/app/messages/en.js';
 import { messages } from '../../../src/app/messages/index.js';
 import { Theme } from '../../../src/app/settings/theme.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
@@ -180,14 +181,14 @@ describe('the timeline', () => {
 
   it('shows the model at the same time: that of the selected cell, the pointer, or the played flight', async () => {
     const app = await connected();
-    const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
+    const preview = within(screen.getByRole('region', { name: en.preview.title }));
     const happened = () => document.querySelector('.preview-facts p:last-of-type')?.textContent;
     expect(happened()).toBe('Launch');
     act(() => (handle('Function 6, S1') as SVGElement).focus());
     const time = formatTime(app.editor.working.value?.times[6] ?? 0);
     await soon(happened).toBe(`Function 6 at ${time} s`);
     expect(document.querySelector('.timeline-panel .crosshair')).toBeNull();
-    fireEvent.input(preview.getByRole('slider', { name: 'Time of the flight' }), { target: { value: '500' } });
+    fireEvent.input(preview.getByRole('slider', { name: en.preview.time }), { target: { value: '500' } });
     await idle(0);
     expect(happened()).toBe('DT at 3:00 min');
     expect(document.querySelector('.timeline-panel .crosshair')).toBeTruthy();
@@ -195,10 +196,10 @@ describe('the timeline', () => {
 
   it('stays where the pilot seeks in the preview right after a cell was selected', async () => {
     await connected();
-    const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
+    const preview = within(screen.getByRole('region', { name: en.preview.title }));
     act(() => (handle('Function 6, S1') as SVGElement).focus());
     await late();
-    fireEvent.input(preview.getByRole('slider', { name: 'Time of the flight' }), { target: { value: '500' } });
+    fireEvent.input(preview.getByRole('slider', { name: en.preview.time }), { target: { value: '500' } });
     await idle(1000);
     expect(document.querySelector('.preview-facts p:last-of-type')?.textContent).toBe('DT at 3:00 min');
   });
@@ -208,7 +209,7 @@ describe('the timeline', () => {
     async (name) => {
       const { editor, models } = await connected();
       const { player } = models.programPicture;
-      const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
+      const preview = within(screen.getByRole('region', { name: en.preview.title }));
       const click = async (): Promise<number> => {
         fireEvent.pointerDown(preview.getByRole('button', { name }));
         await idle(0);
@@ -222,7 +223,7 @@ describe('the timeline', () => {
       editor.type({ kind: 'time', slot: 6 }, '13.0');
       editor.type({ kind: 'time', slot: 7 }, '13.5');
       to(6);
-      const expected = { Play: 1300, 'Next mark': 1350, 'Previous mark': 1250 }[name];
+      const expected = { Play: 1300, 'Next mark': 1350, [en.preview.back]: 1250 }[name];
       expect(await click()).toBe(expected);
       // What was played or sought stays, and is not taken for a new choice.
       await idle(1000);
@@ -232,11 +233,11 @@ describe('the timeline', () => {
 
   it("uses the pilot's names for the servos", async () => {
     const app = await connected();
-    const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
+    const preview = within(screen.getByRole('region', { name: en.preview.title }));
     const lanes = () => screen.getAllByRole('button', { name: /^S\d/ }).map((lane) => lane.getAttribute('aria-label'));
     expect(preview.getByText(/^A guess, not to scale\./)).toBeTruthy();
     expect(lanes()).toEqual(['S1', 'S2', 'S3']);
-    fireEvent.click(preview.getByRole('button', { name: 'Name the servos…' }));
+    fireEvent.click(preview.getByRole('button', { name: en.preview.nameServos }));
     await idle(0);
     fireEvent.change(preview.getByRole('combobox', { name: 'S3 moves' }), { target: { value: 'other' } });
     await idle(0);

@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { modelMessages } from '../../../src/app/messages/en-which-model.js';
 import type { ModelRecord } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
@@ -32,7 +33,7 @@ async function withModels(...models: readonly ModelRecord[]): Promise<AppBench> 
 }
 
 const line = (): string | undefined => document.querySelector('.model-line p')?.textContent ?? undefined;
-const list = () => within(screen.getByRole('dialog', { name: 'Which model is it?' }));
+const list = () => within(screen.getByRole('dialog', { name: modelMessages.recognition.dialog.title }));
 
 describe('the line about the model', () => {
   it('is its name and the day, shown once', async () => {
@@ -69,9 +70,11 @@ describe('the line about the model', () => {
   it('is not shown when no model is kept, and the strip still offers to name one', async () => {
     const { session } = await withModels();
     expect(line()).toBeUndefined();
-    await press('Which model?');
+    await press(en.recognition.which);
     fireEvent.input(list().getByRole('textbox', { name: 'Name' }), { target: { value: '  Lancer 08 ' } });
-    fireEvent.submit(list().getByRole('button', { name: 'Keep as a new model' }).closest('form') as HTMLFormElement);
+    fireEvent.submit(
+      list().getByRole('button', { name: modelMessages.recognition.dialog.keep }).closest('form') as HTMLFormElement,
+    );
     await idle();
     expect(session.origin.timer.value?.name).toBe('Lancer 08');
     expect(screen.queryByRole('dialog')).toBeNull();
@@ -99,7 +102,7 @@ describe('the line about the model', () => {
 
   it('does not ask again after “not now”', async () => {
     const { session } = await withModels(record('Three'));
-    expect(line()).toBe('This timer is not known here. Which model is it?');
+    expect(line()).toBe(modelMessages.recognition.unknown);
     await press('Choose…');
     fireEvent.click(list().getByRole('button', { name: 'Not now' }));
     await idle(0);

@@ -149,7 +149,7 @@ describe('an unreadable record', () => {
     expect(screen.getByText('1 record could not be read and was set aside.')).toBeTruthy();
     expect(screen.queryByText(/read the timer before you fly/)).toBeNull();
     expect(JSON.parse(bench.models.aside.asText())).toMatchObject([{ stored: { key: 'x', time: 'NaN' } }]);
-    expect(screen.getByRole('button', { name: 'Save to a file' })).toBeTruthy();
+    expect(screen.getByRole('button', { name: en.aside.save })).toBeTruthy();
     await press('Dismiss');
     expect(screen.queryByText(/could not be read/)).toBeNull();
     const next = await appBench({ store: bench.store });

@@ -147,7 +147,7 @@ it('says what is true also after a tool has put its own text into every element'
     text.replaceWith(wrapped);
   }
   await type('DT time', '6:00');
-  await type('Motor stop time', '12');
+  await type(en.program.motorStopTime, '12');
   expect(words()).toContain(en.program.changes(2));
   expect(words()).toContain('DT 6:00 min');
   expect(words()).toContain('motor stop 12.0 s');
@@ -161,7 +161,7 @@ it('Connect stands where Disconnect stood, so that a second click closes no prog
   await connected();
   await press('Disconnect');
   const names = [...document.querySelectorAll('.strip .top-actions button')].map(({ textContent }) => textContent);
-  expect(names[0]).toBe('Close program');
+  expect(names[0]).toBe(en.header.closeProgram);
   expect(names.at(-1)).toBe('Connect');
 });
 

@@ -93,7 +93,7 @@ describe('the handles', () => {
     shown();
     const names = screen.getAllByRole('slider').map((slider) => slider.getAttribute('aria-label'));
     expect(names).toEqual([
-      'Motor stop time',
+      en.program.motorStopTime,
       'Start, S1',
       'Function 1 time',
       'Function 1, S1',
@@ -413,7 +413,7 @@ describe('fingers', () => {
       await drawn();
       seen.add(standing(name));
     }
-    expect(screen.getByText('Step by step')).toBeTruthy();
+    expect(screen.getByText(en.timeline.finest)).toBeTruthy();
     await act(() => void fireEvent.pointerUp(window, at(300, 70)));
     expect(seen.size, 'the mark moves on in steps').toBeGreaterThanOrEqual(4);
     expect([...seen]).toEqual(Array.from(seen, (_, count) => begin + count * step));
@@ -539,7 +539,7 @@ describe('reading', () => {
       /translate\((\S+) /.exec(document.querySelector('.crosshair')?.getAttribute('transform') ?? '') ?? [];
     expect(Number(line)).toBeCloseTo(clientX - picture().getBoundingClientRect().left, 0);
     await act(() => void fireEvent.pointerLeave(picture(), over));
-    expect(screen.getByText('Point or tap to read')).toBeTruthy();
+    expect(screen.getByText(en.timeline.ask)).toBeTruthy();
   });
 
   it('reports what the mouse is over, until it leaves it or drags it', async () => {
@@ -595,7 +595,7 @@ describe('reading', () => {
     const read = (): string | null | undefined => document.querySelector('.timeline-readout')?.textContent;
     await act(() => (handle('DT time') as SVGElement).focus());
     expect(read()).toBe('3:00 min DT');
-    await act(() => (handle('Motor stop time') as SVGElement).focus());
+    await act(() => (handle(en.program.motorStopTime) as SVGElement).focus());
     expect(read()).toBe('10.0 s Motor stop');
   });
 

@@ -1,5 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, expect, it } from 'vitest';
+import { en } from '../../../src/app/messages/en.js';
 import { strayed } from '../../../src/app/write/strayed.js';
 import { TimerError, type WriteReport } from '../../../src/client/index.js';
 import { connected, press, type } from '../screen.js';
@@ -21,7 +22,7 @@ it('a write during which another memory became current says that values may be i
     if (name === 'SETTIMERS') timer.core.memory = 2;
   };
   await press('Write 2 changes…');
-  const dialog = await confirm('Write to the timer', 'Write 2 changes');
+  const dialog = await confirm(en.write.title, 'Write 2 changes');
   expect(dialog.textContent).toContain('M3 became current during the write. Some of the values may be in M3 now.');
 });
 

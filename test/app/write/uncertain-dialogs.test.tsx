@@ -12,7 +12,7 @@ const SENTENCE = 'It is not known what M2 holds: DT is 3:00 min or 6:00 min. Do 
 /** Every dialog that can lie over the band, and the way to it. */
 const DIALOGS: readonly [title: string, open: (app: AppBench) => Promise<unknown>][] = [
   [
-    'Write to the timer',
+    en.write.title,
     async () => {
       await type('DT time', '4:00');
       await press('Write…');
@@ -30,7 +30,7 @@ const DIALOGS: readonly [title: string, open: (app: AppBench) => Promise<unknown
     },
   ],
   [
-    'Before you disconnect',
+    en.nextFlight.leaving.title,
     async (app) => {
       for (const memory of app.timer.core.memories) memory.times[10] = 2000;
       await press('Read again');

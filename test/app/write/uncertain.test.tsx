@@ -50,7 +50,7 @@ describe('after a write whose answer never came', () => {
   });
 
   it('the dialog and the page say what is not known, and nothing false', async () => {
-    expect(screen.getByRole('dialog').textContent).toContain('It is not certain what the timer holds.');
+    expect(screen.getByRole('dialog').textContent).toContain(en.write.unknown.title);
     expect(screen.getByRole('dialog').textContent, 'the band is shown over the dialog, too').toContain(SENTENCE);
     await press('Close');
     expect(band()).toContain(ELSEWHERE);
@@ -81,10 +81,13 @@ describe('after a write whose answer never came', () => {
     expect(band()).toContain(ELSEWHERE);
     expect(screen.getByText('Not known what M1 holds')).toBeTruthy();
     expect(screen.queryByText(/As in the timer|No change/)).toBeNull();
-    expect(screen.queryByRole('button', { name: 'Forget this…' }), 'not while the adapter is waited for').toBeNull();
+    expect(
+      screen.queryByRole('button', { name: en.knowledge.forget }),
+      'not while the adapter is waited for',
+    ).toBeNull();
     await press(en.header.stop);
     expect(band()).toContain(ELSEWHERE);
-    expect(button('Forget this…')).toBeTruthy();
+    expect(button(en.knowledge.forget)).toBeTruthy();
   });
 
   it.each(['with the edits', 'with nothing on the screen'])('it stays through a reload, %s', async (how) => {
@@ -107,12 +110,12 @@ describe('after a write whose answer never came', () => {
     await idle();
     expect(band()).toBeNull();
     expect(screen.getByText(/^As in the timer, read/)).toBeTruthy();
-    expect(screen.getByText('The interrupted write is complete.')).toBeTruthy();
+    expect(screen.getByText(en.notes['write-completed'].title)).toBeTruthy();
   });
 
   it('it goes by a fresh reading after a reload', async () => {
     const after = await loadedAgain(bench);
-    await press('Connect and read');
+    await press(en.knowledge.connect);
     expect(band()).toBeNull();
     expect(after.editor.baseline.value?.times[10]).toBe(36_000);
   });
@@ -120,24 +123,24 @@ describe('after a write whose answer never came', () => {
   it('it stays when the reading is not explained, and the pilot says which timer it is', async () => {
     const after = await loadedAgain(bench);
     (after.timer.core.content.positions[1] as number[])[5] = 77;
-    await press('Connect and read');
+    await press(en.knowledge.connect);
     expect(band()).toContain(SENTENCE);
     expect(screen.getByText(/neither old nor from that write/)).toBeTruthy();
     expect(document.body.textContent).not.toContain('The timer holds');
-    await press('It is another timer');
+    await press(en.recovery.otherTimer);
     expect(band()).toContain(SENTENCE.replace('M1', 'M1 of another F1Q 536'));
-    expect(screen.queryByRole('button', { name: 'Connect and read' })).toBeNull();
+    expect(screen.queryByRole('button', { name: en.knowledge.connect })).toBeNull();
   });
 
   it('it goes when the pilot says so, after a question', async () => {
     await press('Close');
     await press(en.header.stop);
-    await press('Forget this…');
+    await press(en.knowledge.forget);
     expect(band()).toContain('Forget it only if you have read that timer elsewhere');
     await press(en.cancel);
     expect(band()).toContain(ELSEWHERE);
-    await press('Forget this…');
-    await press('Forget it now');
+    await press(en.knowledge.forget);
+    await press(en.knowledge.forgetNow);
     expect([band(), bench.store.unfinished.records.size]).toEqual([null, 0]);
     await press('Undo all');
     expect(screen.getByText('As last read')).toBeTruthy();
@@ -219,7 +222,7 @@ describe('the dialog of a write', () => {
     await type('Function 2, S1', '7');
     await press('Write…');
     const dialog = screen.getByRole('dialog');
-    expect(document.activeElement).toBe(within(dialog).getByRole('heading', { name: 'Write to the timer' }));
+    expect(document.activeElement).toBe(within(dialog).getByRole('heading', { name: en.write.title }));
     expect(dialog.querySelector('.key-figures')?.textContent).toBe('DT 3:00 min as it ismotor stop 10.0 s as it is');
   });
 
@@ -228,9 +231,7 @@ describe('the dialog of a write', () => {
     await type('DT time', '6:00');
     bench.store.broken = true;
     await write();
-    expect(screen.getByRole('dialog').textContent).toContain(
-      'This device could not keep a backup of what the timer holds now.',
-    );
+    expect(screen.getByRole('dialog').textContent).toContain(en.write.unkept.title);
     await press(en.write.withoutCopy);
     expect(bench.timer.core.content.times[10]).toBe(36_000);
     expect(screen.getByRole('alert').textContent).toMatch(/M1\sverified\s.*\s· DT\s6:00\smin\s· .*\s· 1\schange$/);

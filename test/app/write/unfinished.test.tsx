@@ -43,8 +43,8 @@ const CUT: readonly [job: string, said: string, start: (app: AppBench) => Promis
     'reading all memories',
     `Reading all memories was interrupted. Another memory than M1 of ${OTHER} may fly next.`,
     async () => {
-      await press('Read and keep all…');
-      await press('Read and keep');
+      await press(en.overview.readAll);
+      await press(en.memories.start['back-up']);
     },
   ],
   ['a copy', `A copy was interrupted. Another memory than M1 of ${OTHER} may fly next.`, () => press('Copy M1 to M3…')],

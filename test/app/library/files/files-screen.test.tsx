@@ -4,6 +4,7 @@ import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { holdDroppedFiles } from '../../../../src/app/browser/dropped-files.js';
 import { LibraryFiles } from '../../../../src/app/library/files/library-files.js';
 import { filesOf } from '../../../../src/app/library-files.js';
+import { en } from '../../../../src/app/messages/en.js';
 import { filesMessages } from '../../../../src/app/messages/en-files.js';
 import { libraryMessages } from '../../../../src/app/messages/en-library.js';
 import { messages } from '../../../../src/app/messages/index.js';
@@ -89,7 +90,7 @@ describe('an import', () => {
     expect(kept(app)).toEqual(ALL);
     expect(screen.queryByRole('dialog')).toBeNull();
     expect(notice(/^Imported from “lancer/).textContent).toContain(filesMessages.counted(ONE_OF_EACH));
-    await press('Undo the import');
+    await press(filesMessages.import.undo);
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
     notice(words.undone);
     expect(screen.queryByRole('button', { name: words.undo })).toBeNull();
@@ -106,7 +107,7 @@ describe('an import', () => {
   it('of entries that are there already has nothing to do', async () => {
     await library();
     await drop(file());
-    dialog().getByText('You have all of this already.');
+    dialog().getByText(filesMessages.import.nothing);
     expect(dialog().queryByRole('button', { name: /^Import/ })).toBeNull();
     await press('Close');
     expect(screen.queryByRole('dialog')).toBeNull();
@@ -193,7 +194,7 @@ describe('an import', () => {
     await library({});
     await drop(file(text({ models: [], settings: [], flights: [] })));
     dialog().getByText(/It holds nothing\.$/);
-    expect(dialog().queryByText('You have all of this already.')).toBeNull();
+    expect(dialog().queryByText(filesMessages.import.nothing)).toBeNull();
     button('Close');
   });
 
@@ -241,7 +242,7 @@ describe('an import', () => {
     await press('Import 3');
     await app.session.library.keepSetting({ ...SETTING, note: 'flew well' });
     await idle();
-    await press('Undo the import');
+    await press(filesMessages.import.undo);
     expect(kept(app)).toEqual({ models: [], settings: [{ ...SETTING, note: 'flew well' }], flights: [] });
     notice(words.undone);
   });
@@ -257,7 +258,7 @@ describe('an import', () => {
     await drop(file(text(newer, at)));
     await press('Import 3');
     expect(kept(app)).toEqual(newer);
-    await press('Undo the import');
+    await press(filesMessages.import.undo);
     expect(kept(app)).toEqual(ALL);
     await press('Dismiss');
     expect(screen.queryByText(/^The import was undone/)).toBeNull();
@@ -270,7 +271,7 @@ describe('an import', () => {
     await press('Import 3');
     expect(notice(/^Imported from/).textContent).toContain(messages.value.notKept);
     const saved = downloads();
-    await press('Export the library…');
+    await press(en.keeping.export);
     expect(saved).toHaveLength(1);
     expect(parseLibraryFile(await (saved[0]?.text() ?? '')).library).toEqual(ALL);
   });
@@ -280,7 +281,7 @@ describe('an import', () => {
     await drop(file());
     await press('Import 3');
     app.store.broken = true;
-    await press('Undo the import');
+    await press(filesMessages.import.undo);
     notice(messages.value.notKept);
     expect(screen.queryByText(words.undone)).toBeNull();
     expect(app.session.library.models.list.value).toEqual([]);
@@ -296,7 +297,7 @@ describe('an import', () => {
       await new Promise<void>((resolve) => (go = resolve));
       await change(given);
     };
-    fireEvent.click(button('Undo the import'));
+    fireEvent.click(button(filesMessages.import.undo));
     await idle(0);
     notice(messages.value.parts.coming);
     expect([screen.queryByText(words.undone), kept(app)]).toEqual([null, ALL]);
@@ -312,7 +313,7 @@ describe('an import', () => {
     await press('Import 1');
     const { settings } = app.session.library;
     settings.remove(SETTING.id);
-    fireEvent.click(button('Undo the import'));
+    fireEvent.click(button(filesMessages.import.undo));
     await idle(0);
     settings.undoRemove();
     expect(settings.list.value.map(({ key }) => key)).toEqual([SETTING.id]);
@@ -351,12 +352,12 @@ describe('an import', () => {
     held[0]?.();
     await idle(0);
     notice(/^Imported from “first/);
-    await click('Undo the import');
+    await click(filesMessages.import.undo);
     held[1]?.();
     await idle(0);
     notice(/^Imported from “second/);
     expect(app.session.library.settings.list.value.map(({ key }) => key)).toEqual(['second']);
-    await click('Undo the import');
+    await click(filesMessages.import.undo);
     expect(app.session.library.settings.list.value).toEqual([]);
   });
 

@@ -75,7 +75,7 @@ describe('a setting that comes by link', () => {
     await comes(bench);
     expect(dialog().getByText('calm morning')).toBeTruthy();
     expect(dialog().getAllByText(/Lancer 07/).length).toBeGreaterThan(0);
-    const place = dialog().getByRole('combobox', { name: 'Keep it under' });
+    const place = dialog().getByRole('combobox', { name: share.received.modelChoice });
     const values = dialog().getByRole('table');
     const order = place.compareDocumentPosition(values);
     expect(order, 'where it would go stands above the values').toBe(Node.DOCUMENT_POSITION_FOLLOWING);
@@ -100,14 +100,14 @@ describe('a setting that comes by link', () => {
     const { library } = bench.session;
     await comes(bench);
     expect(dialog().getByText(share.received.lead)).toBeTruthy();
-    await press('Keep in the library');
+    await press(share.received.keep);
     expect(dialog().getByRole('status').textContent).toBe('“calm morning” is in the library.');
     expect(dialog().queryByText(share.received.lead), 'it is kept now').toBeNull();
     const [model] = library.models.list.value;
     const [kept] = library.settings.list.value;
     expect(model?.model).toMatchObject({ name: 'Lancer 07', timerClass: 'Q' });
     expect(kept?.setting).toEqual({ ...SETTING, id: kept?.key, from: 'link', model: model?.key });
-    await press('Show in the library');
+    await press(share.received.show);
     expect([bench.views.shown.value, bench.views.path.value]).toEqual(['library', `${model?.key}/${kept?.key}`]);
     expect(isOpen()).toBe(false);
   });
@@ -118,9 +118,11 @@ describe('a setting that comes by link', () => {
     await library.keepModel(MODEL);
     await library.keepSetting(SETTING);
     await comes(bench);
-    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: 'Keep it under' }).value).toBe(MODEL.id);
+    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: share.received.modelChoice }).value).toBe(
+      MODEL.id,
+    );
     expect(dialog().getByText(/has these values already: Lancer 07 · calm morning/)).toBeTruthy();
-    await press('Keep in the library');
+    await press(share.received.keep);
     expect(library.models.list.value).toHaveLength(1);
     expect(library.settings.list.value.map(({ setting }) => setting.model)).toEqual([MODEL.id, MODEL.id]);
     expect(library.settings.get(SETTING.id)?.setting).toEqual(SETTING);
@@ -133,7 +135,9 @@ describe('a setting that comes by link', () => {
     await library.keepSetting(SETTING);
     await comes(bench, { ...SHARED, name: `\u202e${SHARED.name}`, modelName: `${MODEL.name}\u2066`, tags: ['\u202d'] });
     expect(dialog().getByText(/has these values already: Lancer 07 · calm morning/)).toBeTruthy();
-    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: 'Keep it under' }).value).toBe(MODEL.id);
+    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: share.received.modelChoice }).value).toBe(
+      MODEL.id,
+    );
     expect(screen.getByRole('dialog').textContent).not.toMatch(/[\u202a-\u202e\u2066-\u2069]|Tags/);
   });
 
@@ -150,12 +154,12 @@ describe('a setting that comes by link', () => {
     });
     const bench = await opened({ store });
     await comes(bench);
-    const keep = () => screen.getByRole<HTMLButtonElement>('button', { name: 'Keep in the library' });
+    const keep = () => screen.getByRole<HTMLButtonElement>('button', { name: share.received.keep });
     expect(keep().disabled).toBe(true);
     answer();
     await idle(0);
     expect(keep().disabled).toBe(false);
-    await press('Keep in the library');
+    await press(share.received.keep);
     expect(bench.session.library.models.list.value.map(({ key }) => key)).toEqual([MODEL.id]);
   });
 
@@ -165,7 +169,7 @@ describe('a setting that comes by link', () => {
     await bench.session.library.keepModel(MODEL);
     await comes(bench);
     store.broken = true;
-    await press('Keep in the library');
+    await press(share.received.keep);
     expect(dialog().getByText(messages.value.notKept)).toBeTruthy();
   });
 

@@ -1,5 +1,6 @@
 import { act, fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import { en } from '../../../../src/app/messages/en.js';
 import { FlightPreview, type FlightPreviewProps } from '../../../../src/app/timeline/preview/flight-preview.js';
 import { Player } from '../../../../src/app/timeline/preview/player.js';
 import { guessedUses } from '../../../../src/app/timeline/preview/surfaces.js';
@@ -58,7 +59,7 @@ afterEach(() => void vi.unstubAllGlobals());
 describe('the flight preview', () => {
   it('says that it guesses until the pilot has named the servos, and that nothing is to scale', () => {
     const { unmount } = shown();
-    expect(screen.getByRole('region', { name: 'Flight preview' })).toBeTruthy();
+    expect(screen.getByRole('region', { name: en.preview.title })).toBeTruthy();
     expect(screen.getByText(/^A guess, not to scale\./)).toBeTruthy();
     unmount();
     shown({ named: guessedUses(PROGRAM) });
@@ -115,13 +116,13 @@ describe('the flight preview', () => {
   it('says that it does not know when times fall', async () => {
     const { player } = shown({ program: programOf('Q', [1000, 500, 200, 600, 18000]) });
     await seek(player, 300);
-    expect(said()).toBe('Not known: the times fall');
+    expect(said()).toBe(en.timeline.notKnown);
   });
 
   it('goes from event to event', async () => {
     shown();
     const seen: (string | null)[] = [];
-    for (const name of ['Next mark', 'Next mark', 'Next mark', 'Next mark', 'Previous mark', 'Previous mark']) {
+    for (const name of ['Next mark', 'Next mark', 'Next mark', 'Next mark', en.preview.back, en.preview.back]) {
       await press(name);
       seen.push(said());
     }
@@ -151,7 +152,7 @@ describe('the flight preview', () => {
 
   it('can be dragged from launch to the end, and says where it is', async () => {
     const { player } = shown();
-    const slider = screen.getByRole<HTMLInputElement>('slider', { name: 'Time of the flight' });
+    const slider = screen.getByRole<HTMLInputElement>('slider', { name: en.preview.time });
     await act(() => void fireEvent.input(slider, { target: { value: slider.max } }));
     expect(player.time.value).toBe(18300);
     expect(slider.getAttribute('aria-valuetext')).toBe('3:03 min');
@@ -191,7 +192,7 @@ describe('the flight preview', () => {
     await seek(player, 18000);
     expect(turned('tailplane')).toBe('rotate(-42deg)');
     expect(document.querySelector('.fall')).toBeTruthy();
-    expect(screen.getByText('DT: the model comes down')).toBeTruthy();
+    expect(screen.getByText(en.preview.comesDown)).toBeTruthy();
   });
 
   it('tips it up also when a servo only releases it', async () => {
@@ -208,14 +209,14 @@ describe('the flight preview', () => {
   it('says so where no servo moves at DT', async () => {
     const { player } = shown({ program: programOf('Q', PROGRAM.times, [[65, 130, 0, 65, 65]]) });
     await seek(player, 18000);
-    expect(screen.getByText('No servo moves at DT')).toBeTruthy();
+    expect(screen.getByText(en.preview.nothingAtDt)).toBeTruthy();
     expect([turned('tailplane'), document.querySelector('.fall')]).toEqual(['rotate(0deg)', null]);
   });
 
   it('lets the pilot name the servos, with the range and the direction of each', async () => {
     const said: (readonly ServoUse[] | null)[] = [];
     shown({ onName: (uses) => said.push(uses) });
-    await press('Name the servos…');
+    await press(en.preview.nameServos);
     const choose = (name: string, value: string) =>
       act(() => void fireEvent.change(screen.getByRole('combobox', { name }), { target: { value } }));
     const end = (name: string, value: string) =>
@@ -254,12 +255,12 @@ describe('the flight preview', () => {
   it('runs the motor until its stop, and turns the propeller only while it plays', async () => {
     const { player, run } = shown();
     const turning = () => document.querySelectorAll('.turning').length;
-    expect([screen.getByText('Climb, motor runs').tagName, turning()]).toEqual(['P', 0]);
+    expect([screen.getByText(en.preview.motor.true).tagName, turning()]).toEqual(['P', 0]);
     await press('Play');
     await run(2);
     expect(turning()).toBe(1);
     await seek(player, 1000);
-    expect([screen.getByText('Glide, motor stopped').tagName, turning()]).toEqual(['P', 0]);
+    expect([screen.getByText(en.preview.motor.false).tagName, turning()]).toEqual(['P', 0]);
   });
 
   it.each([
