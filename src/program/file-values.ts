@@ -1,7 +1,7 @@
 import { CodecError, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
 import { identityOf, requireProgram } from './library.js';
 import { slotKind, type TimerProgram } from './program.js';
-import { LAST_DATE, list, record, refuse, whole, word } from './require.js';
+import { LAST_DATE, list, record, refuse, requireCount, whole, word } from './require.js';
 
 /* How a program and a date are written in a file: in the words of a pilot, and without any loss. */
 
@@ -13,7 +13,7 @@ interface Row {
 }
 
 /** What the time of slot 0 is called in a file: the motor stop on class Q, reserved on the others. */
-export function startTime({ timerClass }: Identity): 'motorStop' | 'reserved' {
+function startTime({ timerClass }: Identity): 'motorStop' | 'reserved' {
   return timerClass === 'Q' ? 'motorStop' : 'reserved';
 }
 
@@ -41,11 +41,7 @@ export function programFromFile(value: unknown, path: string): TimerProgram {
   const identity = identityOf(of.identity, path);
   const count = slotCount(identity);
   const rows = list(of.slots, `${path}.slots`, count).map((row, slot) => rowOf(row, `${path}.slots[${slot}]`, slot));
-  if (rows.length !== count) {
-    const wanted = `${count} entries`;
-    const details = { value: rows.length, min: count, max: count, wanted };
-    throw new CodecError('wrong-count', `${path}.slots`, `${path}.slots must have ${wanted}`, details);
-  }
+  requireCount(rows, `${path}.slots`, count);
   const start = startTime(identity);
   return requireProgram(
     {
@@ -63,11 +59,7 @@ export function programFromFile(value: unknown, path: string): TimerProgram {
     const wanted = slotName(identity, slot);
     if (name !== wanted) refuse('unknown-word', `${at}.slot`, `“${wanted}”`, name);
     const steps = list(positions, `${at}.positions`, identity.servos);
-    if (steps.length !== identity.servos) {
-      const wanted = `${identity.servos} entries`;
-      const details = { value: steps.length, min: identity.servos, max: identity.servos, wanted };
-      throw new CodecError('wrong-count', `${at}.positions`, `${at}.positions must have ${wanted}`, details);
-    }
+    requireCount(steps, `${at}.positions`, identity.servos);
     return {
       time: slot === 0 ? 0 : timeFromFile(time, `${at}.time`),
       positions: steps.map((step, servo) => whole(step, `${at}.positions[${servo}]`, 0, 255)),

@@ -68,15 +68,11 @@ function lineAndColumn(text: string, offset: number): { line: number; column: nu
   return { line: lines.length, column: (lines.at(-1) as string).length + 1 };
 }
 
+const SPACE = /[ \n\r\t]*/y;
+const WORD = /true|false|null|-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
 /** All but quotes, backslashes and control characters. */
 const PLAIN = /[ !#-[\]-\uffff]*/y;
-const NUMBER = /-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
-const ESCAPED = new Map([...'"\\/bfnrt'].map((letter, at) => [letter, '"\\/\b\f\n\r\t'[at] as string]));
-const WORDS = new Map<string, unknown>([
-  ['true', true],
-  ['false', false],
-  ['null', null],
-]);
+const ESCAPE = /\\(?:["\\/bfnrt]|u[\dA-Fa-f]{4})/y;
 
 class JsonReader {
   readonly #text: string;
@@ -90,13 +86,13 @@ class JsonReader {
 
   read(): unknown {
     const value = this.#value('', 0);
-    this.#space();
+    this.#match(SPACE);
     if (this.#at < this.#text.length) this.#refuse('something follows the end');
     return value;
   }
 
   #value(path: string, depth: number): unknown {
-    this.#space();
+    this.#match(SPACE);
     this.#listener?.(path, this.#at);
     if (depth > DEEPEST) {
       throw this.#error('too-large', path, `nested deeper than ${DEEPEST}`, { max: DEEPEST });
@@ -105,28 +101,21 @@ class JsonReader {
     if (next === '{') return this.#object(path, depth);
     if (next === '[') return this.#list(path, depth);
     if (next === '"') return this.#string();
-    for (const [word, value] of WORDS) {
-      if (!this.#text.startsWith(word, this.#at)) continue;
-      this.#at += word.length;
-      return value;
-    }
-    NUMBER.lastIndex = this.#at;
-    const [number] = NUMBER.exec(this.#text) ?? [];
-    if (number === undefined) this.#refuse('a value must stand here');
-    this.#at += number.length;
-    return Number(number);
+    const word = this.#match(WORD);
+    if (word === '') this.#refuse('a value must stand here');
+    return JSON.parse(word);
   }
 
   #object(path: string, depth: number): object {
     const found: Record<string, unknown> = Object.create(null);
     this.#each('}', () => {
-      this.#space();
+      this.#match(SPACE);
       const from = this.#at;
       if (this.#text[this.#at] !== '"') this.#refuse('a name must stand here');
       const name = this.#string();
       const inside = path === '' ? name : `${path}.${name}`;
       if (name in found) throw this.#error('duplicate', inside, 'this name stands twice', { value: name }, from);
-      this.#space();
+      this.#match(SPACE);
       this.#take(':');
       found[name] = this.#value(inside, depth + 1);
     });
@@ -144,14 +133,14 @@ class JsonReader {
   /** Reads the parts between two brackets, separated by commas. */
   #each(end: string, one: () => void): void {
     this.#at++;
-    this.#space();
+    this.#match(SPACE);
     if (this.#text[this.#at] === end) {
       this.#at++;
       return;
     }
     for (;;) {
       one();
-      this.#space();
+      this.#match(SPACE);
       if (this.#text[this.#at] !== ',') break;
       this.#at++;
     }
@@ -159,41 +148,21 @@ class JsonReader {
   }
 
   #string(): string {
+    const from = this.#at++;
+    do this.#match(PLAIN);
+    while (this.#match(ESCAPE) !== '');
+    const next = this.#text[this.#at];
+    if (next !== '"') this.#refuse(next === '\\' ? 'no such character can follow \\' : 'a text must end on its line');
     this.#at++;
-    let found = '';
-    for (;;) {
-      PLAIN.lastIndex = this.#at;
-      const [run] = PLAIN.exec(this.#text) as unknown as [string];
-      found += run;
-      this.#at += run.length;
-      const next = this.#text[this.#at];
-      if (next === '"') break;
-      if (next !== '\\') this.#refuse('a text must end on its line');
-      found += this.#escape();
-    }
-    this.#at++;
+    return JSON.parse(this.#text.slice(from, this.#at));
+  }
+
+  /** Goes past what matches here. */
+  #match(pattern: RegExp): string {
+    pattern.lastIndex = this.#at;
+    const [found = ''] = pattern.exec(this.#text) ?? [];
+    this.#at += found.length;
     return found;
-  }
-
-  #escape(): string {
-    const letter = this.#text.charAt(this.#at + 1);
-    const plain = ESCAPED.get(letter);
-    if (plain !== undefined) {
-      this.#at += 2;
-      return plain;
-    }
-    const code = this.#text.slice(this.#at + 2, this.#at + 6);
-    if (letter !== 'u' || !/[0-9A-Fa-f]{4}/.test(code)) this.#refuse('no such character can follow \\');
-    this.#at += 6;
-    return String.fromCharCode(Number.parseInt(code, 16));
-  }
-
-  #space(): void {
-    for (;;) {
-      const code = this.#text.charCodeAt(this.#at);
-      if (code !== 0x20 && code !== 0x0a && code !== 0x0d && code !== 0x09) return;
-      this.#at++;
-    }
   }
 
   #take(wanted: string): void {

@@ -1,5 +1,5 @@
 import { CodecError } from '../protocol/index.js';
-import { dateFromFile, dateToFile, programFromFile, programToFile, startTime } from './file-values.js';
+import { dateFromFile, dateToFile, programFromFile, programToFile } from './file-values.js';
 import { placeInText, readJson, writeJson } from './json-text.js';
 import {
   entries,
@@ -13,7 +13,7 @@ import {
   type Setting,
 } from './library.js';
 import type { TimerProgram } from './program.js';
-import { flag, list, record, text, whole } from './require.js';
+import { flag, LAST_DATE, list, type Raw, record, text, whole } from './require.js';
 
 /** The name of the format, which every library file carries. */
 export const FILE_FORMAT = 'sidus-timer library';
@@ -74,43 +74,48 @@ export function formatLibraryFile(
   head: { readonly writtenAt: number; readonly writtenBy: string; readonly facts?: FactsOf },
 ): string {
   // Whatever could not be read back must not be written.
-  const { models, settings, flights } = requireLibrary(library);
-  const factsOf = (each: Model | Setting | Flight | undefined): object => {
-    const { changedAt, verified } = (each && head.facts?.get(each)) ?? {};
-    return {
-      ...(changedAt === undefined ? {} : { changedAt: dateToFile(changedAt) }),
-      ...(verified === undefined
-        ? {}
-        : {
-            verified: verified.map(({ at, program, ...rest }) => ({
-              at: dateToFile(at),
-              program: programToFile(program),
-              ...(rest.simulated === undefined ? {} : { simulated: rest.simulated }),
-            })),
-          }),
-    };
-  };
-  const written = writeJson({
-    format: FILE_FORMAT,
-    version: FILE_VERSION,
-    writtenAt: dateToFile(whole(head.writtenAt, 'writtenAt', 0, 8.64e15)),
-    writtenBy: text(head.writtenBy, 'writtenBy', LONGEST_NAME),
-    models: models.map((model, index) => ({ ...model, ...factsOf(library.models[index]) })),
-    settings: settings.map((setting, index) => ({
-      ...setting,
-      at: dateToFile(setting.at),
-      program: programToFile(setting.program),
-      ...factsOf(library.settings[index]),
-    })),
-    flights: flights.map((flight, index) => ({
-      ...flight,
-      at: dateToFile(flight.at),
-      program: programToFile(flight.program),
-      ...factsOf(library.flights[index]),
-    })),
-  });
+  const checked = requireLibrary(library);
+  whole(head.writtenAt, 'writtenAt', 0, LAST_DATE);
+  text(head.writtenBy, 'writtenBy', LONGEST_NAME);
+  const facts = new Map<Model | Setting | Flight, EntryFacts>();
+  for (const list of ['models', 'settings', 'flights'] as const) {
+    for (const [at, entry] of checked[list].entries()) {
+      const known = head.facts?.get(library[list][at] as Model | Setting | Flight);
+      if (known) facts.set(entry, known);
+    }
+  }
+  const written = writeJson(toFile({ ...head, library: checked, facts }));
   requireSize(written);
   return `${written}\n`;
+}
+
+/** What stands in the file. */
+function toFile({ library, facts, writtenAt, writtenBy }: Omit<LibraryFile, 'ignored'>): object {
+  const held = ({ at, program }: Pick<VerifiedMemory, 'at' | 'program'>): object => ({
+    at: dateToFile(at),
+    program: programToFile(program),
+  });
+  const factsOf = (entry: Model | Setting | Flight): object => {
+    const { changedAt, verified } = facts.get(entry) ?? {};
+    return {
+      ...(changedAt !== undefined && { changedAt: dateToFile(changedAt) }),
+      ...(verified && {
+        verified: verified.map((each) => ({
+          ...held(each),
+          ...(each.simulated !== undefined && { simulated: each.simulated }),
+        })),
+      }),
+    };
+  };
+  return {
+    format: FILE_FORMAT,
+    version: FILE_VERSION,
+    writtenAt: dateToFile(writtenAt),
+    writtenBy,
+    models: library.models.map((model) => ({ ...model, ...factsOf(model) })),
+    settings: library.settings.map((setting) => ({ ...setting, ...held(setting), ...factsOf(setting) })),
+    flights: library.flights.map((flight) => ({ ...flight, ...held(flight), ...factsOf(flight) })),
+  };
 }
 
 /**
@@ -129,7 +134,8 @@ export function parseLibraryFile(source: string): LibraryFile {
   }
   const value = readJson(text);
   try {
-    return new FileReader().read(value);
+    const file = fromFile(value);
+    return { ...file, ignored: ignoredIn(Object(value), toFile(file)) };
   } catch (cause) {
     if (!(cause instanceof CodecError)) throw cause;
     const { line, column } = placeInText(text, cause.field);
@@ -144,124 +150,83 @@ function requireSize({ length }: string): void {
   throw new CodecError('too-large', 'file', `a file has at most ${MAX_FILE} characters, not ${length}`, details);
 }
 
-/** The known names, by the object that they stand in. */
-const HEAD = ['$schema', 'format', 'version', 'writtenAt', 'writtenBy', 'models', 'settings', 'flights'] as const;
-const MODEL = [
-  'id',
-  'name',
-  'timerClass',
-  'note',
-  'servos',
-  'memoryNames',
-  // A picture, in files of an earlier version. Nothing reads it.
-  'photo',
-  'archived',
-  'changedAt',
-  'verified',
-] as const;
-const SERVO = ['duty', 'name', 'low', 'high', 'reversed'] as const;
-const SETTING = ['id', 'model', 'name', 'note', 'tags', 'at', 'program', 'from', 'archived', 'changedAt'] as const;
-const FLIGHT = [
-  ...['id', 'at', 'place', 'model', 'modelName', 'setting', 'settingName', 'program', 'wind', 'temperature', 'round'],
-  ...['result', 'note', 'utcOffset', 'changedAt'],
-] as const;
-const VERIFIED = ['at', 'program', 'simulated'] as const;
-const PROGRAM = ['identity', 'memory', 'idleThrottle', 'slots'] as const;
-const IDENTITY = ['timerClass', 'firmware', 'functions', 'memories', 'servos'] as const;
-const SLOT = ['slot', 'positions'] as const;
-
-type Fields<Name extends string> = { readonly [Field in Name]?: unknown };
-
-class FileReader {
-  readonly #facts = new Map<Model | Setting | Flight, EntryFacts>();
-  readonly #ignored: string[] = [];
-
-  read(value: unknown): LibraryFile {
-    const isFile = typeof value === 'object' && value !== null && 'format' in value && value.format === FILE_FORMAT;
-    if (!isFile) throw new CodecError('bad-file', 'format', `format must be “${FILE_FORMAT}”`);
-    const file = this.#know(value, '', HEAD);
-    const version = whole(file.version, 'version', 1, Number.MAX_SAFE_INTEGER);
-    if (version > FILE_VERSION) {
-      const details = { value: version, max: FILE_VERSION };
-      throw new CodecError('newer-version', 'version', `version ${version} is newer than ${FILE_VERSION}`, details);
-    }
-    return {
-      writtenAt: dateFromFile(file.writtenAt, 'writtenAt'),
-      writtenBy: text(file.writtenBy, 'writtenBy', LONGEST_NAME),
-      library: {
-        models: entries(file.models, 'models', (each, path) => this.#model(each, path)),
-        settings: entries(file.settings, 'settings', (each, path) => this.#setting(each, path)),
-        flights: entries(file.flights, 'flights', (each, path) => this.#flight(each, path)),
-      },
-      facts: this.#facts,
-      ignored: this.#ignored,
-    };
+function fromFile(value: unknown): Omit<LibraryFile, 'ignored'> {
+  const of = Object(value) as Raw<Library & Record<'format' | 'version' | 'writtenAt' | 'writtenBy', unknown>>;
+  if (of.format !== FILE_FORMAT) throw new CodecError('bad-file', 'format', `format must be “${FILE_FORMAT}”`);
+  const version = whole(of.version, 'version', 1, Number.MAX_SAFE_INTEGER);
+  if (version > FILE_VERSION) {
+    const details = { value: version, max: FILE_VERSION };
+    throw new CodecError('newer-version', 'version', `version ${version} is newer than ${FILE_VERSION}`, details);
   }
-
-  #model(value: unknown, path: string): Model {
-    const of = this.#know(value, path, MODEL);
-    const model = requireModel(of, path);
-    for (const [at, servo] of (of.servos as unknown[]).entries()) this.#know(servo, `${path}.servos[${at}]`, SERVO);
-    const { verified } = of;
-    const memories =
-      verified === undefined
-        ? {}
-        : {
-            verified: list(verified, `${path}.verified`, MOST_VERIFIED).map((each, at) =>
-              this.#verified(each, `${path}.verified[${at}]`),
-            ),
-          };
-    return this.#noted(model, of, path, memories);
-  }
-
-  #setting(value: unknown, path: string): Setting {
-    const of = this.#know(value, path, SETTING);
-    return this.#noted(requireSetting({ ...of, ...this.#held(of, path) }, path), of, path);
-  }
-
-  #flight(value: unknown, path: string): Flight {
-    const of = this.#know(value, path, FLIGHT);
-    return this.#noted(requireFlight({ ...of, ...this.#held(of, path) }, path), of, path);
-  }
-
-  #verified(value: unknown, path: string): VerifiedMemory {
-    const of = this.#know(value, path, VERIFIED);
-    const held = this.#held(of, path);
-    return of.simulated === undefined ? held : { ...held, simulated: flag(of.simulated, `${path}.simulated`) };
-  }
-
-  #held(of: Fields<'at' | 'program'>, path: string): { at: number; program: TimerProgram } {
-    return { at: dateFromFile(of.at, `${path}.at`), program: this.#program(of.program, `${path}.program`) };
-  }
-
-  #program(value: unknown, path: string): TimerProgram {
-    const program = programFromFile(value, path);
-    const of = this.#know(value, path, [...PROGRAM, startTime(program.identity)]);
-    this.#know(of.identity, `${path}.identity`, IDENTITY);
-    for (const [at, row] of (of.slots as unknown[]).entries()) {
-      this.#know(row, `${path}.slots[${at}]`, at === 0 ? SLOT : [...SLOT, 'time']);
-    }
-    return program;
-  }
-
-  #noted<T extends Model | Setting | Flight>(
+  const facts = new Map<Model | Setting | Flight, EntryFacts>();
+  const noted = <T extends Model | Setting | Flight>(
     entry: T,
-    { changedAt }: Fields<'changedAt'>,
+    raw: unknown,
     path: string,
     more: EntryFacts = {},
-  ): T {
-    const facts = changedAt === undefined ? more : { ...more, changedAt: dateFromFile(changedAt, `${path}.changedAt`) };
-    if (Object.keys(facts).length > 0) this.#facts.set(entry, facts);
+  ): T => {
+    const { changedAt } = raw as Raw<EntryFacts>;
+    const known = changedAt === undefined ? more : { ...more, changedAt: dateFromFile(changedAt, `${path}.changedAt`) };
+    if (Object.keys(known).length > 0) facts.set(entry, known);
     return entry;
-  }
+  };
+  return {
+    writtenAt: dateFromFile(of.writtenAt, 'writtenAt'),
+    writtenBy: text(of.writtenBy, 'writtenBy', LONGEST_NAME),
+    library: {
+      models: entries(of.models, 'models', (raw, path) =>
+        noted(requireModel(raw, path), raw, path, verified(raw, path)),
+      ),
+      settings: entries(of.settings, 'settings', (raw, path) =>
+        noted(requireSetting(withHeld(raw, path), path), raw, path),
+      ),
+      flights: entries(of.flights, 'flights', (raw, path) =>
+        noted(requireFlight(withHeld(raw, path), path), raw, path),
+      ),
+    },
+    facts,
+  };
+}
 
-  /** Notes the names that are not known. */
-  #know<Name extends string>(value: unknown, path: string, names: readonly Name[]): Fields<Name> {
-    const of = record<Fields<Name>>(value, path);
-    for (const name of Object.keys(of)) {
-      if ((names as readonly string[]).includes(name) || this.#ignored.length === MOST_IGNORED) continue;
-      this.#ignored.push(path === '' ? name : `${path}.${name}`);
-    }
-    return of;
+function withHeld(raw: unknown, path: string): Pick<VerifiedMemory, 'at' | 'program'> {
+  const of = record<VerifiedMemory>(raw, path);
+  const at = dateFromFile(of.at, `${path}.at`);
+  return { ...of, at, program: programFromFile(of.program, `${path}.program`) };
+}
+
+function verified(raw: unknown, path: string): EntryFacts {
+  const { verified } = raw as Raw<EntryFacts>;
+  if (verified === undefined) return {};
+  const memories = list(verified, `${path}.verified`, MOST_VERIFIED).map((each, index): VerifiedMemory => {
+    const place = `${path}.verified[${index}]`;
+    const { at, program, simulated }: Raw<VerifiedMemory> & Pick<VerifiedMemory, 'at' | 'program'> = withHeld(
+      each,
+      place,
+    );
+    return { at, program, ...(simulated !== undefined && { simulated: flag(simulated, `${place}.simulated`) }) };
+  });
+  return { verified: memories };
+}
+
+/** Names that say nothing: where the schema is; the picture of a model, in files of an earlier version. */
+const SILENT = ['$schema', 'photo'];
+
+/** The names of a file that what was read of it does not have. */
+function ignoredIn(given: object, read: object): string[] {
+  const found: string[] = [];
+  for (const place of namesBeyond(given, read)) {
+    if (found.length === MOST_IGNORED) break;
+    found.push(place.slice(1));
+  }
+  return found;
+}
+
+function* namesBeyond(given: object, read: object): Generator<string> {
+  for (const [name, value] of Object.entries(given)) {
+    if (value === null || SILENT.includes(name)) continue;
+    const inside = (read as Readonly<Record<string, object>>)[name];
+    const place = Array.isArray(given) ? `[${name}]` : `.${name}`;
+    if (!Object.hasOwn(read, name)) yield place;
+    else if (typeof value === 'object') for (const inner of namesBeyond(value, inside as object)) yield place + inner;
   }
 }

@@ -1,5 +1,5 @@
 import { CodecError, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
-import { whole } from './require.js';
+import { requireCount, whole } from './require.js';
 
 /**
  * What a pilot sets: the content of one memory. Its slots are start, function 1 .. NF-1 and DT; the identity gives NF.
@@ -114,18 +114,9 @@ export function sameLayout(a: Identity, b: Identity): boolean {
  */
 export function requireShape(program: TimerProgram): void {
   const slots = slotCount(program.identity);
-  const require = (list: readonly unknown[], field: string, count: number): void => {
-    if (list.length === count) return;
-    throw new CodecError('wrong-count', field, `${field} must have ${count} entries, not ${list.length}`, {
-      value: list.length,
-      min: count,
-      max: count,
-      wanted: `${count} entries`,
-    });
-  };
-  require(program.times, 'times', slots);
-  require(program.positions, 'positions', program.identity.servos);
+  requireCount(program.times, 'times', slots);
+  requireCount(program.positions, 'positions', program.identity.servos);
   program.positions.forEach((row, servo) => {
-    require(row, `positions[${servo}]`, slots);
+    requireCount(row, `positions[${servo}]`, slots);
   });
 }

@@ -44,6 +44,14 @@ export function list(value: unknown, path: string, most: number): readonly unkno
   return value;
 }
 
+/** @throws CodecError `wrong-count` unless the list has so many entries. */
+export function requireCount({ length }: readonly unknown[], path: string, count: number): void {
+  if (length === count) return;
+  const wanted = `${count} entries`;
+  const details = { value: length, min: count, max: count, wanted };
+  throw new CodecError('wrong-count', path, `${path} must have ${wanted}, not ${length}`, details);
+}
+
 export function text(value: unknown, path: string, longest: number, shortest = 0): string {
   if (typeof value !== 'string') refuse('wrong-type', path, 'a text', value);
   const length = characters(value, longest);

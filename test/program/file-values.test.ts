@@ -85,12 +85,17 @@ describe('a program in a file', () => {
     [
       'too few slots',
       { slots: ROWS.slice(0, 2) },
-      ['wrong-count', 'p.slots', 'p.slots must have 3 entries', { value: 2, min: 3, max: 3 }],
+      ['wrong-count', 'p.slots', 'p.slots must have 3 entries, not 2', { value: 2, min: 3, max: 3 }],
     ],
     [
       'too few positions',
       slots(1, { positions: [] }),
-      ['wrong-count', 'p.slots[1].positions', 'p.slots[1].positions must have 1 entries', { value: 0, min: 1, max: 1 }],
+      [
+        'wrong-count',
+        'p.slots[1].positions',
+        'p.slots[1].positions must have 1 entries, not 0',
+        { value: 0, min: 1, max: 1 },
+      ],
     ],
     [
       'a slot of another name',
