@@ -361,39 +361,16 @@ test.each([
 test.each([
   ['a small phone', { width: 360, height: 740 }],
   ['a phone on its side', { width: 844, height: 390 }],
-])(
-  'in the sun, what changes the presets opens in sight on %s, and the player has one line of buttons',
-  async (_, viewport) => {
-    const app = await AppPage.open({ ...PHONE, viewport, before: IN_SUN });
-    await app.trySimulated('F1Q');
-    await app.button('Picture').tap();
-    const lines = () =>
-      app.page
-        .locator('.preview-controls button')
-        .evaluateAll((buttons) => new Set(buttons.map((button) => button.getBoundingClientRect().top)).size);
-    await expect.poll(lines).toBe(1);
-    await app.button('Table').tap();
-    await app.showFigures();
-    await app.button(en.edits.presets.change).tap();
-    const hidden = () =>
-      app.page.locator('.preset-settings :is(button, input)').evaluateAll((controls) =>
-        controls.flatMap((control) => {
-          const { left, top, width, height } = control.getBoundingClientRect();
-          const there = document.elementFromPoint(left + width / 2, top + height / 2);
-          return control.contains(there) ? [] : [control.ariaLabel ?? control.textContent];
-        }),
-      );
-    await expect.poll(hidden).toEqual([]);
-    // Only the cross removes one.
-    await app.page
-      .locator('.preset-settings li')
-      .first()
-      .tap({ position: { x: 12, y: 24 } });
-    await app.button('Remove 20 s').waitFor();
-    await app.button('Remove 20 s').tap();
-    await app.button('Remove 20 s').waitFor({ state: 'detached' });
-  },
-);
+])('in the sun the player has one line of buttons on %s', async (_, viewport) => {
+  const app = await AppPage.open({ ...PHONE, viewport, before: IN_SUN });
+  await app.trySimulated('F1Q');
+  await app.button('Picture').tap();
+  const lines = () =>
+    app.page
+      .locator('.preview-controls button')
+      .evaluateAll((buttons) => new Set(buttons.map((button) => button.getBoundingClientRect().top)).size);
+  await expect.poll(lines).toBe(1);
+});
 
 test('on a phone, what is said of a memory that is looked at keeps off the edges', async () => {
   const app = await AppPage.open({ ...PHONE, bench: { granted: true } });

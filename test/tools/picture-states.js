@@ -299,15 +299,6 @@ export const states = {
       await page.getByRole('dialog').waitFor();
     },
   },
-  presets: {
-    title: 'Presets for DT',
-    reach: async (page) => {
-      await connect(page);
-      const presets = page.getByRole('button', { name: 'Change presets' }).first();
-      if (!(await presets.isVisible())) await showFigures(page);
-      await presets.click();
-    },
-  },
   write: {
     title: 'Before a write',
     reach: review,

@@ -14,7 +14,6 @@ export const shortDt = {
   /** Something that was typed prevents every write. */
   blocked: 'Something that you typed cannot be written yet. Correct it before you put DT back.',
   settings: {
-    title: 'Short DT',
     limit: 'A DT is short below',
     hint: 'A shorter DT is red, and the page asks before you disconnect. With 0 s it never asks.',
   },

@@ -31,16 +31,13 @@ export class Preferences {
     if (shortDt !== null) editor.callShort(shortDt);
   }
 
-  /** @returns false when the list is full, or no timer could hold the value. */
-  addPreset(value: number): boolean {
-    const presets = [...new Set([...this.presets.value, value])].sort((a, b) => a - b);
+  /** @returns false when they are too many, or no timer could hold one. */
+  setPresets(values: readonly number[]): boolean {
+    const presets = [...new Set(values)].sort((a, b) => a - b);
     if (!v.is(times, presets)) return false;
-    this.#keep(presets);
+    this.#presets.value = presets;
+    saveSetting('dt-presets', presets);
     return true;
-  }
-
-  removePreset(value: number): void {
-    this.#keep(this.presets.value.filter((preset) => preset !== value));
   }
 
   /** @returns false when no timer could hold the value. */
@@ -49,10 +46,5 @@ export class Preferences {
     this.#editor.callShort(value);
     saveSetting('short-dt', value);
     return true;
-  }
-
-  #keep(presets: readonly number[]): void {
-    this.#presets.value = presets;
-    saveSetting('dt-presets', presets);
   }
 }

@@ -4,8 +4,8 @@ import { PortList, SerialSettingsForm } from '../connect/port-list.js';
 import { messages } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
+import { DtTimes } from '../settings/dt-times.js';
 import type { Erase } from '../settings/erase.js';
-import { ShortDtLimit } from '../settings/short-dt-limit.js';
 import type { Theme } from '../settings/theme.js';
 import { ThemeChoice } from '../settings/theme-choice.js';
 import { Check } from '../ui/check.js';
@@ -28,7 +28,7 @@ export interface SettingsViewProps {
 /** What is set once: the look of the page, the adapters, what this device keeps. */
 export function SettingsView(props: SettingsViewProps) {
   const { session, preferences, theme, erase, views, installation, update } = props;
-  const { settings: words, erase: eraseWords, shortDt } = messages.value;
+  const { settings: words, erase: eraseWords, program } = messages.value;
   // A rail leads to the help, too.
   const areLinksBelow = useQuery(TABS_BELOW).value;
   return (
@@ -46,8 +46,8 @@ export function SettingsView(props: SettingsViewProps) {
         <ThemeChoice theme={theme} />
       </section>
       <section class="setting">
-        <h2>{shortDt.settings.title}</h2>
-        <ShortDtLimit preferences={preferences} />
+        <h2>{program.dt}</h2>
+        <DtTimes preferences={preferences} />
       </section>
       {!session.link.unavailable && (
         <section class="setting">

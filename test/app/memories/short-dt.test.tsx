@@ -191,7 +191,7 @@ describe('the limit of a short DT', () => {
       18_000,
     ]);
     await say('never');
-    expect(screen.getByRole('alert').textContent).toBe(en.unreadable['not-a-time']);
+    expect(screen.getByRole('alert').textContent).toBe(en.edits.presets.refused);
     expect(limit().value, 'the text in the field stays').toBe('never');
     await say('0');
     expect([screen.queryByRole('alert'), figure()]).toEqual([null, 'strip-figure ']);

@@ -4,24 +4,10 @@ import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { parseTime } from '../../../src/app/editing/units.js';
 import { en } from '../../../src/app/messages/en.js';
-import { edits } from '../../../src/app/messages/en-edits.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from '../bench/bench.js';
-import { button, field, key, late } from '../screen.js';
+import { button, connected, field, goTo, key, late, press } from '../screen.js';
 
 afterEach(() => localStorage.clear());
-
-/** The whole screen with a program that was read. */
-async function connected(options: BenchOptions = {}): Promise<AppBench> {
-  const bench = await appBench(options);
-  render(<App models={bench.models} />);
-  await press('Connect');
-  return bench;
-}
-
-async function press(name: string | RegExp): Promise<void> {
-  fireEvent.click(button(name));
-  await idle();
-}
 
 /** Types a text letter by letter; the focus stays. */
 async function typeOut(name: string, text: string): Promise<void> {
@@ -29,13 +15,6 @@ async function typeOut(name: string, text: string): Promise<void> {
   for (let end = 1; end <= text.length; end++) {
     fireEvent.input(field(name), { target: { value: text.slice(0, end) } });
   }
-  await idle();
-}
-
-/** What Enter in a field of a form does. */
-async function submitFrom(name: string): Promise<void> {
-  field(name).focus();
-  fireEvent.submit(field(name).closest('form') as HTMLFormElement);
   await idle();
 }
 
@@ -430,8 +409,8 @@ describe('a paste', () => {
     field('Function 9, S3').focus();
     await paste('Function\tZeit\tS1\nF2\t11.5\t40\nMotor stop\t9\t');
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
-    const apply = dialog.getByRole<HTMLButtonElement>('button', { name: edits.pasting.apply });
-    expect([dialog.getByText(edits.pasting.asks), apply.disabled]).toEqual([expect.anything(), true]);
+    const apply = dialog.getByRole<HTMLButtonElement>('button', { name: en.edits.pasting.apply });
+    expect([dialog.getByText(en.edits.pasting.asks), apply.disabled]).toEqual([expect.anything(), true]);
     const asked = dialog.getByRole('combobox', { name: '“Zeit”' });
     fireEvent.change(asked, { target: { value: 'time' } });
     await idle();
@@ -452,7 +431,7 @@ describe('a paste', () => {
     field('Start, S1').focus();
     await paste('Function\tS1\nF9\t7\nF10\t8');
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
-    expect(dialog.getByText(new RegExp(edits.refused['no-place']({})))).toBeTruthy();
+    expect(dialog.getByText(new RegExp(en.edits.refused['no-place']({})))).toBeTruthy();
     expect(pastedCells()).toEqual([['Function 9, S1', '7', '105']]);
     await press('Cancel');
     expect(editor.changes.value).toEqual([]);
@@ -689,59 +668,23 @@ describe('DT', () => {
     expect(field('DT time').value).toBe('3:00');
   });
 
-  it('has presets and a limit for a short DT that the pilot sets and the page keeps', async () => {
-    const { models } = await connected();
-    await press(en.edits.presets.change);
-    fireEvent.input(field('New preset'), { target: { value: '2:30' } });
-    fireEvent.submit(field('New preset').closest('form') as HTMLFormElement);
-    await press('Remove 10 min');
-    fireEvent.input(field(en.edits.presets.shortDt), { target: { value: '3:30' } });
-    fireEvent.change(field(en.edits.presets.shortDt), { target: { value: '3:30' } });
-    await press('Done');
-    await late();
-    expect(screen.getByRole('button', { name: 'DT 2:30 min' })).toBeTruthy();
-    expect(screen.getByText('Short DT')).toBeTruthy();
-    expect(models.preferences.presets.value).not.toContain(60000);
-    const again = await appBench();
-    expect(again.preferences.presets.value).toEqual([2000, 6000, 15000, 18000, 24000, 30000, 36000, 48000]);
-    expect(again.editor.shortDt.value).toBe(21000);
-  });
-
-  it('keeps its presets to press, and the focus, while they are changed', async () => {
-    const { models } = await connected();
-    await press(en.edits.presets.change);
-    await press('DT 6 min');
-    expect([field('DT time').value, models.preferences.presets.value.includes(36000)]).toEqual(['6:00', true]);
-    const change = screen.getByRole('button', { name: en.edits.presets.change });
-    for (const name of ['Remove 6 min', 'Done']) {
-      screen.getByRole('button', { name }).focus();
-      await press(name);
-      expect(document.activeElement, name).toBe(change);
-    }
-    expect(change.getAttribute('aria-expanded')).toBe('false');
-    expect(screen.queryByRole('button', { name: 'DT 6 min' })).toBeNull();
-  });
-
-  it('adds no preset when the limit is confirmed with Enter', async () => {
-    const { models } = await connected();
-    const before = models.preferences.presets.value;
-    await press(en.edits.presets.change);
-    fireEvent.change(field(en.edits.presets.shortDt), { target: { value: '3:30' } });
-    await submitFrom(en.edits.presets.shortDt);
-    expect(screen.queryByRole('alert')).toBeNull();
-    await submitFrom('New preset');
-    expect(screen.getByRole('alert').textContent).toContain('Empty');
-    expect(models.preferences.presets.value).toEqual(before);
-    expect(screen.getByText('Short DT')).toBeTruthy();
-  });
-
-  it('refuses a preset that no timer can hold', async () => {
+  it('has presets that the pilot sets and the page keeps', async () => {
     await connected();
-    await press(en.edits.presets.change);
-    fireEvent.input(field('New preset'), { target: { value: '11:00' } });
-    fireEvent.submit(field('New preset').closest('form') as HTMLFormElement);
-    await idle();
-    expect(screen.getByRole('alert').textContent).toContain('up to 10:55.35');
+    await goTo('settings');
+    const presets = () => field(en.edits.presets.title);
+    const say = async (text: string): Promise<void> => {
+      fireEvent.change(presets(), { target: { value: text } });
+      await idle();
+    };
+    expect(presets().value).toBe('20 s, 1 min, 3 min, 4 min, 5 min, 6 min, 8 min, 10 min');
+    for (const wrong of ['20 s, soon', '11:00', Array.from({ length: 25 }, (_, at) => at).join(', ')]) {
+      await say(wrong);
+      expect([screen.getByRole('alert').textContent, presets().value]).toEqual([en.edits.presets.refused, wrong]);
+    }
+    await say('3:00, 20; 2:30 min, 20 s');
+    expect([screen.queryByRole('alert'), presets().value]).toEqual([null, '20 s, 2:30 min, 3 min']);
+    const again = await appBench();
+    expect(again.preferences.presets.value).toEqual([2000, 15000, 18000]);
   });
 });
 
@@ -795,18 +738,6 @@ describe('a time that can be read in two ways', () => {
     fireEvent.click(screen.getByRole('button', { name: '2 min 30 s' }));
     await idle();
     expect([field('DT interval').value, editor.working.value?.times[10]]).toEqual(['2:30', last + 15000]);
-  });
-
-  it('brings the question for a preset', async () => {
-    const { models } = await connected();
-    await press(en.edits.presets.change);
-    fireEvent.input(field('New preset'), { target: { value: '2.30' } });
-    await submitFrom('New preset');
-    expect(models.preferences.presets.value).not.toContain(15000);
-    await press('2 min 30 s');
-    expect(models.preferences.presets.value).toContain(15000);
-    expect(models.preferences.presets.value).not.toContain(230);
-    expect(field('New preset').value).toBe('');
   });
 
   it('is read as seconds in a pasted table, which says so', async () => {
