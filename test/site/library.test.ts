@@ -16,9 +16,9 @@ async function makeModel(app: AppPage, name: string): Promise<void> {
 }
 
 async function makeSetting(app: AppPage, name: string): Promise<void> {
-  await app.button(libraryMessages.model.makeSetting).click();
+  await app.button(en.newProgram.title).click();
   await app.page.getByRole('dialog').getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
-  await app.button(en.save).click();
+  await app.button(en.newProgram.make).click();
   await app.page.getByRole('article', { name }).waitFor();
 }
 

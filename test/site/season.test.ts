@@ -317,9 +317,9 @@ test('a season of three models is flown, and a lost device comes back on another
   await make.getByText('F1E', { exact: true }).click();
   await app.button(en.save).click();
   for (const { name, note } of RIDGE) {
-    await (await first.goTo('Ridge 3')).getByRole('button', { name: libraryMessages.model.makeSetting }).click();
+    await (await first.goTo('Ridge 3')).getByRole('button', { name: en.newProgram.title }).click();
     await page.getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
-    await app.button(en.save).click();
+    await app.button(en.newProgram.make).click();
     await page.getByRole('article', { name, exact: true }).getByRole('textbox', { name: 'Note' }).fill(note);
   }
   await first.tag('Ridge 3', RIDGE);

@@ -3,8 +3,8 @@ import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import { type Platform, whyUnsupported } from '../browser/platform.js';
 import { unsupported } from '../messages/en-browsers.js';
 import { messages, type Said } from '../messages/index.js';
-import { CopyText } from '../ui/copy-text.js';
 import { type HelpCode, type HelpStep, helpFor } from './connection-help.js';
+import { CopyText } from './copy-text.js';
 import './connection-help-view.css';
 
 interface ConnectionHelpProps {

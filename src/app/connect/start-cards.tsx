@@ -7,7 +7,7 @@ import type { Backups } from '../session/backups.js';
 import type { Session } from '../session/session.js';
 import { SIMULATED_CLASSES } from '../session/timer-access.js';
 import type { Draft } from '../storage/index.js';
-import { NewProgramDialog } from './new-program-dialog.js';
+import { NewProgramDialog } from '../ui/new-program-dialog.js';
 import './start-cards.css';
 
 /** How many models are named here. The library has the others. */

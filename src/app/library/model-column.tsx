@@ -6,7 +6,7 @@ import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { BackSign } from '../ui/back-sign.js';
 import type { Browse } from './browse.js';
-import { NewSettingDialog } from './new-setting-dialog.js';
+import { NewSetting } from './new-setting.js';
 import type { Places } from './places.js';
 import { SettingList } from './setting-list.js';
 
@@ -59,14 +59,14 @@ export function ModelColumn(props: ModelColumnProps) {
           <SettingList {...{ session, records, chosen }} />
           <div class="buttons">
             <button type="button" onClick={() => (making.value = true)}>
-              {words.model.makeSetting}
+              {messages.value.newProgram.title}
             </button>
           </div>
           {model && places.modelSections(model)}
           {children}
         </>
       )}
-      <NewSettingDialog
+      <NewSetting
         open={making.value}
         session={session}
         model={model}

@@ -42,7 +42,6 @@ export const libraryMessages = {
     /** Used where the model's name stands above its programs. */
     facts: 'About this model',
     noSettings: 'No program yet.',
-    makeSetting: 'New program…',
     servos: 'Servos',
     servosUnknown: 'Save a program of this model first.',
     servoWay: (low: number, high: number) => `${low} to ${high} steps`,

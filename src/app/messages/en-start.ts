@@ -41,7 +41,6 @@ export const start = {
 /** The dialog that makes a program without a timer. */
 export const newProgram = {
   title: 'New program…',
-  lead: 'For a timer that is not connected. Nothing is written until you press Write.',
   timerClass: 'Class',
   functions: 'Functions, without start and DT',
   servos: 'Servos',

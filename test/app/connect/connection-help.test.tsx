@@ -4,9 +4,9 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Browser, Platform, System } from '../../../src/app/browser/platform.js';
 import { type HelpCode, type HelpStepCode, helpFor } from '../../../src/app/connect/connection-help.js';
 import { ConnectionHelp, connectionSaid } from '../../../src/app/connect/connection-help-view.js';
+import { CopyText } from '../../../src/app/connect/copy-text.js';
 import { en } from '../../../src/app/messages/en.js';
 import { restWorks, unsupported } from '../../../src/app/messages/en-browsers.js';
-import { CopyText } from '../../../src/app/ui/copy-text.js';
 import type { PortInfo } from '../../../src/serial/index.js';
 import { CONNECTION_PAGE } from '../../tools/connection-page.js';
 

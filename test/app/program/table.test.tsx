@@ -4,8 +4,8 @@ import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { parseTime } from '../../../src/app/editing/units.js';
 import { en } from '../../../src/app/messages/en.js';
-import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from '../bench/bench.js';
-import { button, connected, field, goTo, key, late, press } from '../screen.js';
+import { appBench, idle, MemoryStore } from '../bench/bench.js';
+import { connected, field, goTo, key, late, press } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 

@@ -1,6 +1,6 @@
 import { useId, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
-import { useCopy } from './use-copy.js';
+import { useCopy } from '../ui/use-copy.js';
 import './copy-text.css';
 
 /**
