@@ -317,9 +317,8 @@ export class AppPage {
   async sent(): Promise<string[]> {
     const before = await this.page.evaluate(() => location.hash);
     await this.openLine();
-    const older = this.line.getByRole('button', { name: 'Show older' });
-    // They also load without a click when their place is visible.
-    while (await older.isVisible()) await older.evaluate((button: HTMLElement) => button.click()).catch(() => {});
+    const older = this.line.getByRole('button', { name: /^Show \d+ more$/ });
+    while (await older.isVisible()) await older.click();
     const names = await this.line
       .locator('tbody tr.out .name')
       .evaluateAll((all) => all.map(({ textContent }) => textContent ?? '').reverse());

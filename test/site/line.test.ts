@@ -4,6 +4,8 @@ import { en } from '../../src/app/messages/en.js';
 import { parseCapture } from '../../src/protocol/index.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 
+const { send, ...words } = en.line;
+
 /** A pilot who has read the timer and opened the line. */
 async function opened(options: Parameters<typeof AppPage.open>[0] = {}): Promise<AppPage> {
   const app = await AppPage.open({ bench: {}, ...options });
@@ -39,7 +41,7 @@ describe('the line', () => {
 
     await load(app, text);
     await app.text('field.txt: a recording of').waitFor();
-    await app.button(en.line.replay).click();
+    await app.button(words.replay).click();
     await app.goTo('Program');
     await app.hasRead();
     await app.page.getByRole('banner').getByText('simulated').waitFor();
@@ -52,11 +54,11 @@ describe('the line', () => {
     await app.bench((bench) => bench.damageAfter(70));
     await app.connect();
     await app.openLine();
-    await app.page.getByRole('combobox', { name: 'Show' }).selectOption('Damaged');
+    await app.page.getByRole('combobox', { name: 'Show' }).selectOption(words.damaged);
     await expect.poll(() => app.line.locator('tbody tr:not(.damaged)').count()).toBe(0);
     await expect.poll(() => app.line.locator('tbody tr.damaged').count()).toBeGreaterThan(0);
     await app.page.getByRole('searchbox', { name: 'Search' }).fill('nothing like this');
-    await app.text(en.line.empty).waitFor();
+    await app.text(words.empty).waitFor();
   });
 
   test('does not move while it is paused', async () => {
@@ -66,7 +68,7 @@ describe('the line', () => {
     await app.goTo('Program');
     await app.readAgain();
     await app.goTo('Line');
-    await app.text('Paused. 12 entries since.').waitFor();
+    await app.text(words.came(12)).waitFor();
     await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before);
     await app.button('Go on').click();
     await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before + 12);
@@ -75,7 +77,7 @@ describe('the line', () => {
   test('refuses a bad file with the line that is wrong', async () => {
     const app = await opened();
     await load(app, '# Sidus capture 1\n0.000 > 00\nnonsense\n');
-    await app.page.getByRole('alert').getByText('Line 3 of this file cannot be read.').waitFor();
+    await app.page.getByRole('alert').getByText(words.noRecording(3)).waitFor();
   });
 });
 
@@ -96,7 +98,7 @@ describe('copying', () => {
     };
     const app = await opened({ before: refuse });
     await app.button('Copy').click();
-    const dialog = app.page.getByRole('dialog', { name: 'The browser does not let this page copy.' });
+    const dialog = app.page.getByRole('dialog', { name: words.copyByHand });
     const marked = await dialog
       .getByRole('textbox')
       .evaluate((area: HTMLTextAreaElement) => area.value.slice(area.selectionStart, area.selectionEnd));
@@ -107,17 +109,18 @@ describe('copying', () => {
 });
 
 describe('a frame by hand', () => {
-  test('goes out once after two clicks and a yes, and the program is read again', async () => {
+  test('goes out once after a tick and a yes, and the program is read again', async () => {
     const app = await opened();
-    await app.text(en.line.send.title).click();
-    await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('SETSERVO');
-    await app.field(en.line.send.data).fill('04 01 46');
+    await app.text(send.title).click();
+    await app.field(send.bytes).fill('63 04 01 46');
     // A double click: the second click does not count as the yes.
-    await app.button('Send…').dblclick();
-    await app.page.getByRole('alertdialog', { name: en.line.send.confirmTitle }).waitFor();
+    await app.button(send.send).dblclick();
+    const dialog = app.page.getByRole('dialog', { name: send.confirmTitle });
+    await dialog.waitFor();
     await app.page.keyboard.press('Enter');
     expect(await app.bench((bench) => bench.sets)).toEqual([]);
-    await app.button(en.line.send.confirm).click();
+    await dialog.getByLabel(en.write.safety).check();
+    await app.button(send.confirm).click();
     await app.goTo('Program');
     await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
     expect(await app.bench((bench) => bench.sets)).toEqual(['SETSERVO']);

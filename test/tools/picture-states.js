@@ -615,7 +615,7 @@ export const states = {
       await connectPort(page);
       await goTo(page, 'line');
       await page.getByText('Send a frame by hand').click();
-      await page.getByRole('combobox', { name: 'Frame' }).selectOption('UNLOCK');
+      await page.getByLabel('Letter and data, in hex').fill('6D');
       await press(page, 'Send…');
     },
   },

@@ -18,20 +18,11 @@ export interface LinePanelProps {
 export function LinePanel({ session, view, form }: LinePanelProps) {
   const unused = view.unused.value;
   return (
-    // biome-ignore lint/a11y/noStaticElementInteractions: the button beside it takes a file too
-    <div
-      class="stack gap-3 line-body"
-      onDragOver={(event) => event.preventDefault()}
-      onDrop={(event) => {
-        event.preventDefault();
-        const file = event.dataTransfer?.files[0];
-        if (file) void view.load(file);
-      }}
-    >
-      <h1>{messages.value.line.title}</h1>
+    <div class="stack gap-3 line-body">
+      <h1>{messages.value.views.names.line}</h1>
       <LineTools session={session} view={view} />
       {/* Above the log, which can be very long. */}
-      {!unused && <SendFrame form={form} connected={session.connection.value !== null} />}
+      {!unused && <SendFrame session={session} form={form} />}
       <RecordingBar session={session} view={view} />
       {unused ? <p class="hint">{messages.value.line.unused}</p> : <LineTable view={view} />}
     </div>

@@ -1,23 +1,21 @@
-import { useCallback, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import type { LineRecord } from '../session/line-record.js';
-import { useNear } from '../ui/use-near.js';
-import type { LineGroup, LineView } from './line-view.js';
+import { type LineGroup, type LineView, STEP } from './line-view.js';
 import { rowText } from './row-text.js';
 import './line-table.css';
 
 /** What was on the line, newest first: time, direction, meaning, bytes. */
 export function LineTable({ view }: { readonly view: LineView }) {
-  const { line } = messages.value;
+  const { line, program, showMore, views } = messages.value;
   const found = view.found.value.length;
-  const shown = view.shownCount.value;
+  const hidden = found - view.shownCount.value;
   const timeText = view.recording.value ? sinceBegin : clockTime;
   return (
     <div class="line-log">
-      <table class="line-rows" aria-label={line.title}>
+      <table class="line-rows" aria-label={views.names.line}>
         <thead>
           <tr>
-            <th scope="col">{line.time}</th>
+            <th scope="col">{program.time}</th>
             <th scope="col">{line.direction}</th>
             <th scope="col">{line.message}</th>
             <th scope="col">{line.bytes}</th>
@@ -28,7 +26,13 @@ export function LineTable({ view }: { readonly view: LineView }) {
         ))}
       </table>
       {found === 0 && <p class="hint row line-end">{line.empty}</p>}
-      {found > shown && <Older key={shown} view={view} />}
+      {hidden > 0 && (
+        <div class="row line-end">
+          <button type="button" onClick={() => view.showOlder()}>
+            {showMore(Math.min(STEP, hidden))}
+          </button>
+        </div>
+      )}
     </div>
   );
 }
@@ -54,7 +58,7 @@ function Group({ group, timeText }: GroupProps) {
 
 interface LineRowProps {
   readonly record: LineRecord;
-  /** “to the timer”. */
+  /** “To the timer”. */
   readonly way: string;
   readonly timeText: TimeText;
 }
@@ -70,22 +74,6 @@ function LineRow({ record, way, timeText }: LineRowProps) {
       </td>
       <td class="bytes">{bytes}</td>
     </tr>
-  );
-}
-
-/** A button for older entries. It acts without a click when it comes near the window. */
-function Older({ view }: { readonly view: LineView }) {
-  const { line } = messages.value;
-  const place = useRef<HTMLDivElement>(null);
-  const showOlder = useCallback(() => view.showOlder(), [view]);
-  useNear(place, showOlder, 400);
-  return (
-    <div ref={place} class="row line-end">
-      <p class="hint">{line.more(view.shownCount.value, view.found.value.length)}</p>
-      <button type="button" onClick={showOlder}>
-        {line.older}
-      </button>
-    </div>
   );
 }
 

@@ -1,15 +1,16 @@
-import { useLayoutEffect, useRef } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
 import { whole } from '../messages/dotted.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Select } from '../ui/choice.js';
 import { CopyButton } from '../ui/copy-button.js';
-import { CopyReport } from './copy-report.js';
 import type { LineFilter, LineView } from './line-view.js';
 import { captureText } from './recording.js';
-import { captureNotes } from './report.js';
+import { captureNotes, gatherFacts, reportText } from './report.js';
 import './line-tools.css';
+
+const FILTERS: readonly LineFilter[] = ['all', 'out', 'in', 'damaged'];
 
 /** The tools of the log: pause, clear, copy, save, load, filter. */
 export function LineTools({ session, view }: { readonly session: Session; readonly view: LineView }) {
@@ -37,11 +38,11 @@ export function LineTools({ session, view }: { readonly session: Session; readon
         )}
         {live && (
           <button type="button" disabled={view.all.value.length === 0} onClick={() => save(view)}>
-            {line.save}
+            {messages.value.save}
           </button>
         )}
         <LoadButton view={view} />
-        <CopyReport session={session} />
+        <CopyButton label={line.copyReport} text={() => reportText(gatherFacts(session))} />
       </div>
       {used && <LineChoice view={view} />}
       <p class="line-came" role="status">
@@ -52,22 +53,20 @@ export function LineTools({ session, view }: { readonly session: Session; readon
 }
 
 function LineChoice({ view }: { readonly view: LineView }) {
-  const { line } = messages.value;
-  const { value: search } = view.search;
-  useLayoutEffect(() => view.find(search), [view, search]);
+  const { line, label } = messages.value;
   return (
     <div class="line-choice">
       <label>
         <span>{line.filter}</span>
         <Select
-          choices={Object.keys(line.filters) as LineFilter[]}
-          nameOf={(filter) => line.filters[filter]}
+          choices={FILTERS}
+          nameOf={(filter) => line[filter]}
           chosen={view.filter.value}
           onChoose={(filter) => view.setFilter(filter)}
         />
       </label>
       <label class="search">
-        <span>{line.search}</span>
+        <span>{label.search}</span>
         <input
           type="search"
           autocomplete="off"
@@ -119,5 +118,5 @@ function save(view: LineView): void {
   const identity = records.at(-1)?.layout.identity;
   const kind = identity ? `${identity.timerClass}${identity.firmware}` : line.unidentified;
   // The letter of a class may be any printable character.
-  saveFile(line.fileName(kind.replaceAll(/[^a-z0-9]/gi, '_')), captureText(records, captureNotes(records)));
+  saveFile(`sidus-line-${kind.replaceAll(/[^a-z0-9]/gi, '_')}.txt`, captureText(records, captureNotes(records)));
 }

@@ -8,8 +8,8 @@ import { rowText } from './row-text.js';
 /** Which entries are shown: all, those of one direction, or damaged ones. */
 export type LineFilter = 'all' | 'out' | 'in' | 'damaged';
 
-/** How many entries are shown at first, and how many more each time their end is reached: more than fit on a screen. */
-const STEP = 32;
+/** How many entries are shown at first, and how many more on each click. */
+export const STEP = 100;
 /** How many entries are in a group. A new entry moves the older groups, but only its own group is drawn again. */
 const GROUP = 8;
 
@@ -39,7 +39,7 @@ export class LineView {
   );
   /** The entries that pass the filter, oldest first. */
   readonly found: ReadonlySignal<readonly LineRecord[]> = computed(() => {
-    const isAskedFor = test(this.#filter.value, this.#sought.value);
+    const isAskedFor = test(this.#filter.value, this.#search.value);
     return this.all.value.filter(isAskedFor);
   });
   /**
@@ -64,7 +64,6 @@ export class LineView {
   #drawn: readonly LineGroup[] = [];
   readonly #filter = signal<LineFilter>('all', { name: 'filter' });
   readonly #search = signal('', { name: 'search' });
-  readonly #sought = signal('', { name: 'sought' });
   readonly #recording = signal<Recording | null>(null, { name: 'recording' });
   readonly #fault = signal<RecordingError | null>(null, { name: 'fault' });
   readonly #still = signal<{ readonly entries: readonly LineRecord[]; readonly newest: number } | null>(null);
@@ -86,14 +85,8 @@ export class LineView {
   }
 
   setSearch(text: string): void {
-    this.#search.value = text;
-  }
-
-  /** Shows the entries that contain a text. */
-  find(text: string): void {
-    if (text === this.#sought.peek()) return;
     batch(() => {
-      this.#sought.value = text;
+      this.#search.value = text;
       this.#room.value = STEP;
     });
   }

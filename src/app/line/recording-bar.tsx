@@ -17,7 +17,7 @@ export function RecordingBar({ session, view }: { readonly session: Session; rea
     <>
       {fault && (
         <div class="notice bad" role="alert">
-          <p>{line.recordingFaults[fault.fault](fault.line)}</p>
+          <p>{line.noRecording(fault.line)}</p>
           <button type="button" class="quiet" onClick={() => view.dismissFault()}>
             {dismiss}
           </button>
@@ -26,8 +26,8 @@ export function RecordingBar({ session, view }: { readonly session: Session; rea
       {recording && (
         <div class="notice recording" role="status">
           <p>
-            <strong>{line.recording(recording.name, recording.records.length)}</strong> {line.recordingLead}{' '}
-            {recording.replayable ? line.replayHint : line.cannotReplay}
+            <strong>{line.recording(recording.name, recording.records.length)}</strong>{' '}
+            {!recording.replayable && line.cannotReplay}
           </p>
           <div class="buttons">
             <button type="button" disabled={session.engaged.value || !recording.replayable} onClick={replay}>

@@ -26,22 +26,14 @@ export interface Recording {
   readonly replayable: boolean;
 }
 
-/**
- * Why a file is no recording: another first line (`heading`), a line of another form, no entries, too many bytes, or an
- * unreadable file.
- */
-export type RecordingFault = 'heading' | 'line' | 'empty' | 'too-large' | 'unreadable';
-
 /** A file that is no recording. */
 export class RecordingError extends Error {
   override readonly name = 'RecordingError';
-  readonly fault: RecordingFault;
-  /** The line with the fault, counted from 1; 0 when the fault is in no single line. */
-  readonly line: number;
+  /** The line with the fault, counted from 1; null when the fault is in no single line. */
+  readonly line: number | null;
 
-  constructor(fault: RecordingFault, line = 0, cause?: unknown) {
-    super(`no recording: ${fault}`, { cause });
-    this.fault = fault;
+  constructor(line: number | null, cause?: unknown) {
+    super('no recording', { cause });
     this.line = line;
   }
 }
@@ -55,17 +47,17 @@ const BARE = [COMMANDS.GETLOWRPM.reply, COMMANDS.SETMEMORY.request, COMMANDS.SET
 
 /** @throws RecordingError */
 export async function readRecording(file: File): Promise<Recording> {
-  if (file.size > LARGEST) throw new RecordingError('too-large');
+  if (file.size > LARGEST) throw new RecordingError(null);
   const text = await attempt(() => file.text(), PATIENCE).catch((error: unknown) => {
-    throw new RecordingError('unreadable', 0, error);
+    throw new RecordingError(null, error);
   });
   return parseRecording(plainName(file.name), text);
 }
 
-/** @throws RecordingError `heading`, `line` or `empty`. */
+/** @throws RecordingError */
 export function parseRecording(name: string, text: string): Recording {
   const entries = parsed(text);
-  if (entries.length === 0) throw new RecordingError('empty');
+  if (entries.length === 0) throw new RecordingError(null);
   const records = recordsOf(entries);
   const { request, reply } = COMMANDS.GETSWVER;
   const asked = records.findIndex(({ frame }) => frame?.code === request);
@@ -79,7 +71,8 @@ function parsed(text: string): CaptureEntry[] {
   } catch (error) {
     if (!(error instanceof CodecError)) throw error;
     const line = Number(error.field.replace('line ', ''));
-    throw new RecordingError(line === 1 ? 'heading' : 'line', line, error);
+    // The first line is the heading: without it the file is something else.
+    throw new RecordingError(line === 1 ? null : line, error);
   }
 }
 

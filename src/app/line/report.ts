@@ -51,29 +51,33 @@ export interface ReportFacts {
 
 /** The report: a capture with everything else as comments, so it can be loaded and replayed as it is. */
 export function reportText(facts: ReportFacts): string {
-  const { report, name, line } = messages.value;
-  const { port, identity, counts } = facts;
-  const timer = report.timer(identity && identityText(identity));
-  const notes = [
-    report.program(name, facts.version),
-    report.browser(facts.browser, facts.platform),
-    report.page(facts.installed),
-    port ? report.port(port.kind, port.key, settingsText(port.settings)) : report.noPort,
-    facts.simulated ? `${timer}, ${report.simulated}` : timer,
-    report.found([...facts.quirksFound].map(([code, params]) => [code, ...pairs(Object.entries(params))].join(' '))),
-    report.assumed(pairs(Object.entries(facts.quirksAssumed))),
-    report.line(line.counts(counts.out, counts.in, counts.damaged, counts.errors), facts.repeats),
-    report.errors(pairs([...facts.lineErrors])),
-    report.unasked(facts.strays, facts.delay),
-  ];
-  return captureText(facts.entries, notes);
+  const { port, identity, counts, repeats, delay } = facts;
+  const found = [...facts.quirksFound].map(([code, params]) => [code, ...pairs(Object.entries(params))].join(' '));
+  return captureText(facts.entries, [
+    programText(facts.version),
+    `Browser: ${facts.browser}, ${facts.platform}`,
+    `Page: ${facts.installed ? 'installed' : 'in a browser tab'}`,
+    `Port: ${port ? `${port.kind}, ${port.key}, ${settingsText(port.settings)}` : 'none'}`,
+    `${timerText(identity)}${facts.simulated ? ', simulated' : ''}`,
+    `Found: ${found.join('; ') || 'nothing unusual'}`,
+    `Assumed: ${pairs(Object.entries(facts.quirksAssumed)).join('; ') || 'nothing'}`,
+    `Line: ${pairs([...Object.entries(counts), ...(repeats === null ? [] : [['repeats', repeats] as const])]).join(', ')}`,
+    `Line errors: ${pairs([...facts.lineErrors]).join(', ') || 'none'}`,
+    `Unasked frames: ${facts.strays}; latest reply: ${delay === null ? 'in time' : `after ${Math.round(delay)} ms`}`,
+  ]);
 }
 
 /** The top of a saved line: what a reader needs to understand it. */
 export function captureNotes(records: readonly LineRecord[]): string[] {
-  const { report, name } = messages.value;
-  const identity = records.at(-1)?.layout.identity;
-  return [report.program(name, version), report.timer(identity ? identityText(identity) : null)];
+  return [programText(version), timerText(records.at(-1)?.layout.identity ?? null)];
+}
+
+function programText(number: string): string {
+  return `${messages.value.name} ${number}`;
+}
+
+function timerText(identity: Identity | null): string {
+  return `Timer: ${identity ? identityText(identity) : 'not identified'}`;
 }
 
 /** The facts of this session, the browser and the page. */

@@ -4,7 +4,7 @@ import { edits } from './en-edits.js';
 import { help } from './en-help.js';
 import { aside, erase, framed, keeping, removed, removedFromLibrary } from './en-keeping.js';
 import { knowledge } from './en-knowledge.js';
-import { line, report } from './en-line.js';
+import { line } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
 import { look, memories, nextFlight, overview } from './en-memories.js';
 import { alike, byteOrder, connection, notes, timer } from './en-notices.js';
@@ -109,7 +109,6 @@ export const en = {
   },
   write,
   line,
-  report,
   byteOrder,
   update,
   aboutPage,

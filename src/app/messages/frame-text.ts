@@ -29,13 +29,12 @@ export function frameName({ direction, frame, rejected, error }: Seen): string {
 }
 
 /**
- * The meaning of a line entry: “Function 4, S2: 70 steps”. Empty for a request whose name says everything.
+ * The meaning of a line entry: “Function 4, S2: 70 steps”. Empty where the name says everything.
  * @param layout what is known about the timer.
  */
 export function describeFrame({ frame, rejected, error }: Seen, layout: LayoutOptions): string {
   const { line } = messages.value;
-  if (error) return line.errorMeaning[error];
-  if (rejected || !frame) return line.rejectedMeaning[rejected ?? 'noise'];
+  if (error || rejected || !frame) return '';
   try {
     return content(frame, layout);
   } catch (refused) {
@@ -93,7 +92,7 @@ function replyText(reply: Reply, { identity }: LayoutOptions): string {
     case 'SETTIMERS':
       return reply.times === null ? line.acknowledged : timesText(known(identity), reply.times);
     case 'GETSERVOPOS':
-      return reply.positions.map((steps, servo) => line.positions(servoName(servo), steps)).join('; ');
+      return reply.positions.map((steps, servo) => `${servoName(servo)}: ${steps.join(' ')}`).join('; ');
     case 'GETSWVER':
       return identityText(reply.identity);
     case 'GETMEMORY':
@@ -106,12 +105,12 @@ function replyText(reply: Reply, { identity }: LayoutOptions): string {
 }
 
 function timesText(identity: Identity, times: readonly number[]): string {
-  const { line } = messages.value;
+  const { line, edits } = messages.value;
   const shown = times.map(formatTime);
   const figure = (slot: number): string => figureText(identity, { kind: 'time', slot }, times[slot] as number);
   const functions = shown.filter((_, slot) => slotKind(identity, slot) === 'function');
   return [
-    line.dt(figure(times.length - 1)),
+    edits.presets.use(figure(times.length - 1)),
     identity.timerClass === 'Q' ? line.motorStop(figure(0)) : line.reserved(shown[0] as string),
     ...(functions.length > 0 ? [line.functions(functions)] : []),
   ].join(', ');

@@ -71,8 +71,8 @@ describe('where the servos stand', () => {
     'another memory': ({ session }) => session.reader.selectMemory(1),
     'a frame by hand': async ({ session }) => {
       const form = new FrameForm(session);
-      form.edit({ command: 'MOVETOFUNC', data: '02' });
-      await form.send();
+      form.type('69 02');
+      form.ask();
       await form.confirm();
     },
     'a write of a position': async (app) => {
@@ -219,12 +219,12 @@ describe('following ends', () => {
   ];
   const whileFree: typeof ends = [
     [
-      'over',
+      'memory',
       'a frame is sent by hand',
       async ({ session }) => {
         const form = new FrameForm(session);
-        form.edit({ command: 'MOVETOFUNC', data: '02' });
-        await form.send();
+        form.type('69 02');
+        form.ask();
         await form.confirm();
       },
     ],
@@ -283,22 +283,6 @@ describe('following ends', () => {
       expect(isStrayed, `a position was stored in ${at}: ${stored}`).toBe(stored && at === 1);
       await run(app.session.timer.disconnect());
     }
-  });
-
-  it('not by a frame by hand that only reads; a reading follows one that may move servos', async () => {
-    const app = await following();
-    const form = new FrameForm(app.session);
-    form.edit({ command: 'GETMEMORY' });
-    await run(form.send());
-    set(app, [S2, 70]);
-    await idle();
-    expect([app.follow.on.value, told(app)]).toEqual([true, ['S4.1=70', 'M4']]);
-    const before = reads(app);
-    form.edit({ command: 'MOVETOFUNC', data: '02' });
-    await form.send();
-    await run(form.confirm());
-    await idle();
-    expect([app.follow.on.value, app.follow.endRead.value, reads(app) > before]).toEqual([false, true, true]);
   });
 
   it.each(ends)('as “%s” between storing and moving when %s: nothing more is moved', async (reason, _, done) => {

@@ -41,7 +41,7 @@ describe('a report', () => {
       '# Timer: F1B, firmware 536, 9 functions and DT, 4 memories, 3 servos',
       '# Found: memory-unknown; times-rounded slot 3 sent 1005 held 1000',
       '# Assumed: bigEndianTimes false',
-      '# Line: 12 to the timer, 10 from the timer, 2 damaged, 1 line error, 3 repeats',
+      '# Line: out 12, in 10, damaged 2, errors 1, repeats 3',
       '# Line errors: framing 1',
       '# Unasked frames: 2; latest reply: after 903 ms',
       '',
@@ -69,7 +69,7 @@ describe('a report', () => {
       '# Timer: not identified, simulated',
       '# Found: nothing unusual',
       '# Assumed: nothing',
-      '# Line: 12 to the timer, 10 from the timer, 2 damaged, 1 line error',
+      '# Line: out 12, in 10, damaged 2, errors 1',
       '# Line errors: none',
       '# Unasked frames: 0; latest reply: in time',
     ]);
@@ -101,7 +101,7 @@ describe('a report', () => {
     const { session } = await connectedBench({ info: { usbVendorId: 0x0403, usbProductId: 0x6001 } });
     const text = reportText(gatherFacts(session));
     expect(text).toContain('# Port: ftdi, usb:0403:6001, 9600 8N1\n');
-    expect(text).toMatch(/^# Line: 7 to the timer, 7 from the timer, 0 damaged, 0 line errors, 0 repeats$/m);
+    expect(text).toMatch(/^# Line: out 7, in 7, damaged 0, errors 0, repeats 0$/m);
     expect(text).toContain('# Line errors: none\n');
   });
 

@@ -187,13 +187,13 @@ describe('the picture of the line', () => {
     ['spaces only', '  ', [6, 5, 4, 3, 2, 1]],
     ['nothing that is there', 'xyz', []],
   ])('finds %s', async (_, search, expected) => {
-    expect(await shown((view) => view.find(search))).toEqual(expected);
+    expect(await shown((view) => view.setSearch(search))).toEqual(expected);
   });
 
   it('finds within one kind', async () => {
     const both = (view: LineView): void => {
       view.setFilter('out');
-      view.find('position');
+      view.setSearch('position');
     };
     expect(await shown(both)).toEqual([3]);
   });
