@@ -1,5 +1,4 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 
@@ -75,7 +74,7 @@ test.each([3, 8])('no digit of a program with %i servos is cut off on any phone'
   await app.showFigures();
   await app.field('DT').waitFor();
   await expectWhole(app, 'the large figures');
-  await app.button(en.strip.close).click();
+  await app.page.locator('.strip-close').click();
   await app.page.setViewportSize({ width: 400, height: 844 });
   await app.goTo('Bench');
   await app.page.locator('.bench-table').waitFor();

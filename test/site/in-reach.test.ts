@@ -102,7 +102,7 @@ test.each([
     await page.keyboard.press('Escape');
     await app.showFigures();
     await see('large figures');
-    await app.button(en.strip.close).click();
+    await app.page.locator('.strip-close').click();
     await page.keyboard.press('Control+k');
     await dialog.waitFor();
     await see('commands');

@@ -112,7 +112,7 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   };
   await app.showFigures();
   await isIn(app.page.locator('.memories label').last());
-  await app.button(en.strip.close).click();
+  await app.page.locator('.strip-close').click();
   await app.goTo('Memories');
   await app.button('Copy to…: M1').click();
   await isIn(app.button('Copy M1 to M5…'));

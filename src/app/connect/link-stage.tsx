@@ -54,7 +54,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
       </div>
       <p class="stage-lead">
         {waiting.step !== null && <span>{words.stages.noAnswer(seconds)}</span>}{' '}
-        <span>{left === null ? waiting.said.advice : messages.value.disturbed.reading(left)}</span>
+        <span>{left === null ? waiting.said.advice : messages.value.disturbed(left)}</span>
       </p>
       {waiting.step !== null && <Steps session={session} waiting={waiting} />}
       <div class="buttons">

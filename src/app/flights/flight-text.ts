@@ -32,7 +32,7 @@ export function heldText(program: TimerProgram): string {
 /** A day as the heading of a group: “Sun 22 Nov 2026”. */
 export function dayHeading(when: When): string {
   const day = { weekday: 'short', day: 'numeric', month: 'short', year: 'numeric', timeZone: 'UTC' } as const;
-  return formatDate(messages.value.locale, day, onClock(when).getTime());
+  return formatDate(day, onClock(when).getTime());
 }
 
 /** A time of day, with its offset where this device has another one: “06:30 UTC+08:00”. */

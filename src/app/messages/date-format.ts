@@ -7,11 +7,11 @@ const formatters = new Map<string, Intl.DateTimeFormat>();
  * A time in words, by the present time zone of the device: “23 Nov 2026, 10:08”. It breaks only after a comma: half a
  * date at the end of a line reads as another one.
  */
-export function formatDate(locale: string, options: Intl.DateTimeFormatOptions, time: number): string {
+export function formatDate(options: Intl.DateTimeFormatOptions, time: number): string {
   askCalendar();
   // A formatter keeps the time zone in which it was made, and a device may travel.
-  const key = [locale, new Date().getTimezoneOffset(), JSON.stringify(options)].join();
-  const made = formatters.get(key) ?? new Intl.DateTimeFormat(locale, options);
+  const key = [new Date().getTimezoneOffset(), JSON.stringify(options)].join();
+  const made = formatters.get(key) ?? new Intl.DateTimeFormat('en-GB', options);
   formatters.set(key, made);
   return made.format(time).replace(/(?<!,) /g, '\u00a0');
 }

@@ -24,6 +24,8 @@ const crowded: Said = {
 
 const lookFirst = 'The page reads it. Look at what it holds before you write.';
 
+const lookAgain = 'Nothing was written. Look at what a write would change now.';
+
 const back = 'Your changes are back.';
 
 const moved: Said = {
@@ -41,17 +43,19 @@ export const byteOrder = {
   exchange: 'Swap them and read again',
 };
 
+const notAllowed = 'The browser does not allow serial ports here.';
+
 /** Why there is no connection. */
 export const connection: Record<ConnectionErrorCode, Said> = {
   unsupported: unsupportedHere,
-  insecure: { title: 'The browser does not let this page use serial ports.', advice: restWorks },
+  insecure: { title: notAllowed, advice: restWorks },
   policy: { title: 'The server of this page forbids serial ports.', advice: restWorks },
   'nothing-chosen': {
     title: 'No adapter was chosen.',
     advice: 'Press Connect and choose the adapter. If it is not in the list, the steps below help.',
   },
   'not-allowed': {
-    title: 'The browser does not allow serial ports here.',
+    title: notAllowed,
     advice: 'Allow serial ports for this page in the settings of the browser, then press Connect again.',
   },
   busy: {
@@ -97,14 +101,8 @@ export const timer: Record<TimerErrorCode, Said> = {
       'This page could not go back to the one that was current. Connect again and make the right memory fly next before you fly.',
   },
   'other-timer': { title: 'This is not the timer that answered before.', advice: lookFirst },
-  stale: {
-    title: 'The timer does not hold what was shown.',
-    advice: 'Nothing was written. Look at what a write would change now.',
-  },
-  changed: {
-    title: 'The timer does not hold what was read before.',
-    advice: 'Something else changed it, or this is another timer. Look at the marked fields before you write again.',
-  },
+  stale: { title: 'The timer does not hold what was shown.', advice: lookAgain },
+  changed: moved,
   'stood-still': {
     title: 'This page stood still during the job.',
     advice: 'Nothing more was sent: another timer may be there by now. Read again.',
@@ -114,11 +112,8 @@ export const timer: Record<TimerErrorCode, Said> = {
     advice:
       'Its answers take more than 3 seconds, so this page cannot tell which belongs to which question. Nothing more was sent. Try another adapter, or a cable in place of Bluetooth.',
   },
-  undecided: { title: byteOrder.title, advice: `${write.refused} ${byteOrder.advice}` },
-  serious: {
-    title: 'The checks have found something serious.',
-    advice: 'Nothing was written. Look at the checks before you write again.',
-  },
+  undecided: byteOrder,
+  serious: { title: 'The checks have found something serious.', advice: lookAgain },
   busy: {
     title: 'Something on this page or computer uses the adapter.',
     advice: 'Nothing was sent. Disconnect and connect again. What you typed is kept.',

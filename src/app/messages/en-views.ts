@@ -21,14 +21,13 @@ export const views = {
 
 /** The strip above every view: the timer, its memory, DT, motor stop, and what is known. */
 export const strip = {
-  close: 'Close the large figures',
   panel: 'Large figures',
   /** Positions that were tried while the servos follow: they are in the timer. */
   tried: (count: number) => `${count} tried`,
-  /** In place of a figure. */
-  notValid: 'not valid',
   notCertain: 'not certain',
   asRead: 'last read',
+  /** In place of a figure. */
+  notValid: 'not valid',
   /** For a program of the library. */
   ofSetting: (changes: number) => (changes === 0 ? 'saved' : `${changes} not saved`),
   /** For a program that was made here and is in no timer. */

@@ -67,7 +67,6 @@ export const en = {
   start,
   newProgram,
   program: {
-    title: 'Program',
     tableCaption: 'Time and servo positions of each function',
     slot: 'Function',
     time: 'Time',
@@ -78,8 +77,6 @@ export const en = {
     motorStop: 'Motor stop',
     /** Where there is little room. */
     motor: 'Motor',
-    /** The time of the start, from which all others count. */
-    origin: '0',
     idleThrottle: 'Idle throttle',
     throttle: 'Idle',
     idleThrottleUnit: 'unit unknown',
@@ -92,8 +89,6 @@ export const en = {
     undoAll: 'Undo all',
     read: 'Read again',
     connectAndWrite: 'Connect and write…',
-    /** The same where there is little room: what the button does first. */
-    connectFirst: 'Connect…',
     /** @param count of the values that differ. */
     write: (count: number) => (count === 0 ? 'Write…' : `Write ${plural(count, 'change', 'changes')}…`),
     picture: 'Picture',
@@ -102,7 +97,7 @@ export const en = {
     blocked: (field: string, why: string) => `Nothing can be written yet. ${field}: ${why}`,
     findings: 'Checks',
     noFindings: 'Nothing unusual.',
-    absolute: 'Times are shown from launch. The manuals do not say clearly whether they are intervals.',
+    absolute: 'Shown from launch. It is not known whether this timer counts from launch or from the function before.',
     severity: { error: 'Cannot be written', serious: 'Serious', warning: 'Unusual' },
     reading: 'Reading the timer',
     selecting: 'Changing the memory',
@@ -137,8 +132,6 @@ export const en = {
   removedFromLibrary,
   erase,
   framed,
-  dateTime: { dateStyle: 'medium', timeStyle: 'short' } as const,
-  locale: 'en-GB',
   edits,
   bench,
   overview,
@@ -152,13 +145,8 @@ export const en = {
   timeline,
   preview,
   /** While a job goes on over a bad line. */
-  disturbed: {
-    /** In place of other advice. */
-    reading: (seconds: number) =>
-      `The line is disturbed. Hold the infrared head closer and shade it from the sun. The reading ends in ${seconds}\u00a0s at the latest.`,
-    /** Beside the progress of any job. */
-    job: (seconds: number) => `The line is disturbed. This ends in ${seconds}\u00a0s at the latest.`,
-  },
+  disturbed: (seconds: number) =>
+    `The line is disturbed: hold the infrared head closer, out of the sun. This ends in ${seconds}\u00a0s at the latest.`,
   cancel: 'Cancel',
   close: 'Close',
   copy: 'Copy',

@@ -203,24 +203,21 @@ export function readable(bytes: Uint8Array): string {
 
 /** A day and a time of day, in the form of this language. */
 export function dateText(time: number): string {
-  const { locale, dateTime } = messages.value;
-  return formatDate(locale, dateTime, time);
+  return formatDate({ dateStyle: 'medium', timeStyle: 'short' }, time);
 }
 
 /** For today the hour and minute, for any other day the day alone: “12 Nov”, “12 Nov 2025”. */
 export function dayText(time: number): string {
-  const { locale } = messages.value;
   const day = new Date(time);
   const now = new Date();
   if (isToday(day)) return clockText(time);
   const year = day.getFullYear() === now.getFullYear() ? {} : ({ year: 'numeric' } as const);
-  return formatDate(locale, { day: 'numeric', month: 'short', ...year }, time);
+  return formatDate({ day: 'numeric', month: 'short', ...year }, time);
 }
 
 /** For today the hour and minute, for any other day also the day. */
 export function clockText(time: number): string {
-  const { locale, dateTime } = messages.value;
-  return isToday(new Date(time)) ? formatDate(locale, { timeStyle: dateTime.timeStyle }, time) : dateText(time);
+  return isToday(new Date(time)) ? formatDate({ timeStyle: 'short' }, time) : dateText(time);
 }
 
 /** A value inside a sentence: “3:00”, “10.0 s”, “65”, or that it is not known. */

@@ -168,7 +168,7 @@ function rowsOf(program: TimerProgram, was: (field: ProgramField) => string): Sh
       key: String(slot),
       kind,
       label: slotLabel(identity, slot),
-      time: slot === 0 ? words.origin : formatTime(time),
+      time: slot === 0 ? '0' : formatTime(time),
       after: after === null ? '' : formatInterval(after),
       positions: positions.map((row) => String(row[slot] ?? '')),
       was: {

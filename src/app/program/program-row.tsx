@@ -67,7 +67,7 @@ export function ProgramRow(props: ProgramRowProps) {
         </th>
         {isStart ? (
           <td class="time origin">
-            {ownsTime && <ReservedTime editor={editor} />} {messages.value.program.origin}
+            {ownsTime && <ReservedTime editor={editor} />} {'0'}
           </td>
         ) : (
           <td {...cellProps(row, TIME_COLUMN, 'time')}>

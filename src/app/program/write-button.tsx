@@ -27,7 +27,7 @@ export function WriteButton({ session, write, brief }: WriteButtonProps) {
   const isOff = session.link.state.value.status === 'off';
   // Where no port can be opened, a simulated timer still comes back.
   const canConnect = session.link.unavailable === null || session.timer.simulated !== undefined;
-  const { program } = messages.value;
+  const { program, header } = messages.value;
   const press = async (): Promise<void> => {
     const cause = editor.blocked.value ? firstInTheWay(editor) : null;
     if (cause) return lookAt(fieldKey(cause.field));
@@ -47,7 +47,7 @@ export function WriteButton({ session, write, brief }: WriteButtonProps) {
       disabled={!isConnected && !(isOff && canConnect)}
       onClick={() => void press()}
     >
-      {isOff ? (brief ? program.connectFirst : program.connectAndWrite) : program.write(count)}
+      {isOff ? (brief ? `${header.connect}…` : program.connectAndWrite) : program.write(count)}
     </button>
   );
 }

@@ -33,7 +33,7 @@ export interface FiguresPanelProps {
 
 /** The key figures, large enough for a thumb. On a phone also everything that has no room in the strip. */
 export function FiguresPanel({ id, session, memories, preferences, saveSetting, rest, onClose }: FiguresPanelProps) {
-  const { strip, look } = messages.value;
+  const { strip, look, close } = messages.value;
   const identity = session.editor.identity.value;
   // While another memory is being selected, typing would change the one that is left.
   const leavesMemory = session.runner.job.value?.kind === 'select';
@@ -67,7 +67,7 @@ export function FiguresPanel({ id, session, memories, preferences, saveSetting, 
       )}
       {rest?.actions}
       <button type="button" class="strip-close" onClick={onClose}>
-        {strip.close}
+        {close}
       </button>
     </section>
   );

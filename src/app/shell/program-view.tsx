@@ -33,7 +33,7 @@ export interface ProgramViewProps extends Omit<CommandBarProps, 'onShift' | 'pic
 export function ProgramView(props: ProgramViewProps) {
   const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, sharing } = props;
   const { onPrint, onExplain } = props;
-  const { program, header, about } = messages.value;
+  const { program, header, about, views: words } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
   const pointed = useSignal<ProgramField | null>(null);
@@ -85,7 +85,7 @@ export function ProgramView(props: ProgramViewProps) {
   return (
     <div class={`program ${isNarrow && picture.value ? 'shows-picture' : ''} ${isPast ? 'of-the-past' : ''}`}>
       <h1 class="visually-hidden">
-        {about(program.title)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
+        {about(words.names.program)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
       </h1>
       <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
         {looking === null ? (

@@ -26,7 +26,7 @@ export function ProgressLine({ label, progress, onStop }: ProgressLineProps) {
     <div class="row gap-4 progress-line">
       <span role="status">{label}</span>
       <progress aria-label={label} {...share} />
-      {left !== null && <span class="hint">{messages.value.disturbed.job(left)}</span>}
+      {left !== null && <span class="hint">{messages.value.disturbed(left)}</span>}
       {onStop && (
         <button type="button" class="quiet" onClick={onStop}>
           {messages.value.header.stop}

@@ -62,7 +62,7 @@ export function TimesTable({ program, caption }: Pick<SlotTableProps, 'program' 
   const rows = program.times.map((time, slot) => ({
     slot,
     unit: slot === 0 || time < MINUTE ? null : times.units.min,
-    cells: [slot === 0 ? words.origin : formatTime(time)],
+    cells: [slot === 0 ? '0' : formatTime(time)],
   }));
   return <SlotTable program={program} caption={caption} headings={[heading]} rows={rows} />;
 }
