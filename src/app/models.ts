@@ -91,7 +91,7 @@ export function createModels({
   keeping.onReturn(() => {
     void session.keptWork.bringBack();
     session.knowledge.keepAgain();
-    session.backups.keepAgain();
+    void session.backups.keepAgain();
     void session.link.remember();
     void session.library.keepAgain();
   });

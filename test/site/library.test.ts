@@ -55,7 +55,7 @@ it('a pilot keeps a setting, finds it after a reload, changes and deletes it, an
   await app.page.getByRole('searchbox').fill('');
   await page.getByRole('button', { name: 'Delete' }).click();
   await page.waitFor({ state: 'hidden' });
-  await app.says(en.removedFromLibrary.title(0, 1, 0));
+  await app.says(en.removed(en.counted({ settings: 1 })));
   await app.page.getByRole('banner').getByRole('button', { name: 'Undo' }).click();
   await app.page.getByRole('link', { name: /fly-off, calm/ }).click();
   const note = page.getByRole('textbox', { name: 'Note' });
@@ -67,7 +67,7 @@ it('a pilot keeps a setting, finds it after a reload, changes and deletes it, an
   await expect.poll(() => note.inputValue()).toBe('opens well, in wind too');
   const { hash } = new URL(app.page.url());
   await page.getByRole('button', { name: 'Delete' }).click();
-  await app.says(en.removedFromLibrary.title(0, 1, 0));
+  await app.says(en.removed(en.counted({ settings: 1 })));
   // At once: for ten seconds it could still be put back.
   await app.reload();
   await open(app, hash);

@@ -113,10 +113,7 @@ export class Follow {
       if (!(await this.#session.reader.read()) || isOff()) return;
       const before = editor.baseline.value;
       if (!before) return;
-      const kept = await backups.add(before, 'write', simulated.value).then(
-        () => true,
-        () => false,
-      );
+      const kept = await backups.add(before, 'write', simulated.value);
       if (isOff()) return;
       if (kept) this.#begin(before);
       else this.#unkept.value = before;

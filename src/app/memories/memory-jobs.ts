@@ -197,9 +197,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     const programs = await this.#roundTrip.read(connection, options);
     const savedAt = Date.now();
     for (const program of programs) {
-      await backups.add(program, 'memories', simulated.value, savedAt).catch(() => {
-        this.#kept = false;
-      });
+      if (!(await backups.add(program, 'memories', simulated.value, savedAt))) this.#kept = false;
     }
     return programs.length;
   }

@@ -1,16 +1,5 @@
 import { apart } from './apart.js';
-import { whole } from './dotted.js';
 import { plural } from './plural.js';
-
-/** “2 models, 1 program”: only kinds that there are. */
-const counted = ({ models, settings, flights }: { models: number; settings: number; flights: number }): string =>
-  [
-    models > 0 && whole(plural(models, 'model', 'models')),
-    settings > 0 && whole(plural(settings, 'program', 'programs')),
-    flights > 0 && whole(plural(flights, 'flight', 'flights')),
-  ]
-    .filter(Boolean)
-    .join(', ');
 
 /** “Sidus library 2026-11-25.sidus.json”, whose date does not break. A long name must be able to. */
 const fileName = (name: string): string => `“${apart(name.length > 40 ? name : name.replaceAll('-', '-\u2060'))}”`;
@@ -38,7 +27,6 @@ const placed = ({ kind, number, name, slot, field }: Place): string =>
 
 /** The library as files: export, import, and the reminder to export. */
 export const filesMessages = {
-  counted,
   export: {
     all: 'Export all…',
     one: 'Export…',

@@ -1,4 +1,12 @@
+import { whole } from './dotted.js';
 import { plural } from './plural.js';
+
+const KINDS = {
+  models: ['model', 'models'],
+  settings: ['program', 'programs'],
+  flights: ['flight', 'flights'],
+  backups: ['backup', 'backups'],
+} as const;
 
 /** For when the browser does not store, or give back, what it should. */
 export const keeping = {
@@ -15,31 +23,21 @@ export const keeping = {
 export const aside = {
   title: (count: number) =>
     count === 1
-      ? '1 record could not be read and was set aside.'
-      : `${count} records could not be read and were set aside.`,
-  kept: 'What was set aside is not used and not deleted.',
+      ? '1 record could not be read. It is set aside, not deleted.'
+      : `${count} records could not be read. They are set aside, not deleted.`,
   write: 'It includes the note of an interrupted write: read the timer before you fly.',
   save: 'Save to a file',
 };
 
-/** Backups that were deleted a moment ago. */
-export const removed = {
-  title: (count: number) => (count === 1 ? '1 backup deleted.' : `${count} backups deleted.`),
-  undo: 'Undo',
-};
+/** “2 models, 1 program”: only kinds that there are. */
+export const counted = (count: Partial<Record<keyof typeof KINDS, number>>): string =>
+  Object.entries(KINDS)
+    .map(([kind, names]): [number, readonly [string, string]] => [count[kind as keyof typeof KINDS] ?? 0, names])
+    .flatMap(([number, names]) => (number > 0 ? whole(plural(number, ...names)) : []))
+    .join(', ');
 
-/** Models, settings and flights that were deleted a moment ago. */
-export const removedFromLibrary = {
-  title: (models: number, settings: number, flights: number) =>
-    `${[
-      models > 0 && plural(models, 'model', 'models'),
-      settings > 0 && plural(settings, 'setting', 'settings'),
-      flights > 0 && plural(flights, 'flight', 'flights'),
-    ]
-      .filter(Boolean)
-      .join(', ')} deleted.`,
-  undo: 'Undo',
-};
+/** What was deleted a moment ago. */
+export const removed = (what: string): string => `Deleted: ${what}.`;
 
 /** Deletes everything that this device keeps. */
 export const erase = {
@@ -55,7 +53,6 @@ export const erase = {
 
 /** For a page that is shown inside another page. */
 export const framed = {
-  title: 'Sidus Timer works only in its own tab.',
-  why: 'Here it is inside another page, which could cover what you see of your timer.',
+  title: 'Sidus Timer works only in its own tab: another page could cover what you see of your timer.',
   open: 'Open Sidus Timer in its own tab',
 };

@@ -2,7 +2,7 @@ import { bench } from './en-bench.js';
 import { findings, unreadable } from './en-checks.js';
 import { edits } from './en-edits.js';
 import { help } from './en-help.js';
-import { aside, erase, framed, keeping, removed, removedFromLibrary } from './en-keeping.js';
+import { aside, counted, erase, framed, keeping, removed } from './en-keeping.js';
 import { knowledge } from './en-knowledge.js';
 import { line } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
@@ -128,8 +128,8 @@ export const en = {
   backups,
   keeping,
   aside,
+  counted,
   removed,
-  removedFromLibrary,
   erase,
   framed,
   edits,

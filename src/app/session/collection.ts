@@ -2,7 +2,7 @@ import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { Change } from '../storage/index.js';
 
 /** How long something removed can be put back, in milliseconds. */
-export const UNDO_WAIT = 10_000;
+const UNDO_WAIT = 10_000;
 
 /** The latest time that a record can have. */
 const LAST = 8.64e15;
@@ -15,22 +15,20 @@ export function changeTime(before: { readonly changedAt: number } | undefined): 
   return Math.min(LAST, Math.max(Date.now(), (before?.changedAt ?? 0) + 1));
 }
 
-/** What a list needs of the library. */
-export interface CollectionParts<T> {
+/** What a list needs of the storage. */
+export interface CollectionParts<T extends { readonly key: string }> {
   readonly inOrder: (a: T, b: T) => number;
   /** Reads all of its records from the storage. */
   readonly read: () => Promise<readonly T[]>;
-  /** Changes it, by {@link Collection.begin} and {@link Collection.ended}. @returns whether the storage has it all. */
-  readonly change: (change: Change<T>) => Promise<boolean>;
-  /** Something was removed, and is to be deleted a while later. */
-  readonly onRemove: () => void;
+  /** Changes the list, by its `begin` and `ended`, and the storage. @returns whether the storage has it all. */
+  readonly change: (change: Change<T>, list: Collection<T>) => Promise<boolean>;
 }
 
 /**
- * One list of the library, in memory as in the storage. A change is on the screen at once. What the browser does not
- * keep stays as long as the page is open, see `unsaved`.
+ * One list of what the page keeps, in memory as in the storage. A change is on the screen at once. What the browser
+ * does not keep stays as long as the page is open, see `unsaved`.
  */
-export class Collection<T extends { readonly key: string; readonly changedAt: number }> {
+export class Collection<T extends { readonly key: string }> {
   readonly #list = signal<readonly T[]>([]);
   readonly #loaded = signal(false);
   readonly #failed = signal(false);
@@ -54,6 +52,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   #loading: Promise<boolean> | null = null;
   /** What has changed since the storage was asked, by key; null for deleted. */
   readonly #since = new Map<string, T | null>();
+  #deleting: ReturnType<typeof setTimeout> | undefined;
 
   constructor(parts: CollectionParts<T>) {
     this.#parts = parts;
@@ -77,7 +76,12 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
    * @returns whether the storage has all of them.
    */
   async save(...records: readonly T[]): Promise<boolean> {
-    return await this.#parts.change({ put: records });
+    return await this.#parts.change({ put: records }, this);
+  }
+
+  /** Deletes some for good. */
+  async delete(...keys: readonly string[]): Promise<void> {
+    if (keys.length > 0) await this.#parts.change({ gone: keys }, this);
   }
 
   /** Removes some from the list, to be deleted for good a while later, unless somebody puts them back. */
@@ -85,14 +89,27 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     const gone = new Set(keys);
     this.#removed.value = [...this.#removed.peek(), ...this.#list.peek().filter(({ key }) => gone.has(key))];
     this.#show(this.#list.peek());
-    this.#parts.onRemove();
+    clearTimeout(this.#deleting);
+    this.#deleting = setTimeout(() => this.flush(), UNDO_WAIT);
   }
 
   /** Puts removed records back, if they are not deleted yet. */
   undoRemove(): void {
+    clearTimeout(this.#deleting);
     const back = this.#removed.peek();
     this.#removed.value = [];
     this.#show([...this.#list.peek(), ...back]);
+  }
+
+  /** Deletes for good what was removed: ten seconds are over, or the pilot leaves the page. */
+  flush(): void {
+    clearTimeout(this.#deleting);
+    void this.delete(...this.#removed.peek().map(({ key }) => key));
+  }
+
+  /** The storage works again: saves what it did not save. */
+  async keepAgain(): Promise<void> {
+    if (this.#waiting.length > 0) await this.save(...this.#waiting);
   }
 
   /** The list changes now, before the storage does. */
@@ -121,7 +138,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   }
 
   /** What the browser has not saved. */
-  get waiting(): readonly T[] {
+  get #waiting(): readonly T[] {
     return this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
   }
 
@@ -131,7 +148,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     const kept = await this.#parts.read().catch(() => null);
     batch(() => {
       if (kept) {
-        const records = new Map([...kept, ...this.waiting].map((record) => [record.key, record]));
+        const records = new Map([...kept, ...this.#waiting].map((record) => [record.key, record]));
         for (const [key, record] of this.#since) {
           if (record) records.set(key, record);
           else records.delete(key);

@@ -74,10 +74,7 @@ export class InterruptedJobs {
    */
   async begin(before: TimerProgram, goal: TimerProgram, simulated: boolean): Promise<boolean> {
     this.#reading.value = null;
-    const backup = this.#backups.add(before, 'write', simulated).then(
-      () => true,
-      () => false,
-    );
+    const backup = this.#backups.add(before, 'write', simulated);
     const kept = await Promise.all([backup, this.#knowledge.begin(before, goal)]);
     return kept.every(Boolean);
   }

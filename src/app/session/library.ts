@@ -1,7 +1,7 @@
 import { batch, computed, type ReadonlySignal } from '@preact/signals';
 import type { Flight, Model, Setting } from '../../program/index.js';
 import type { Change, FlightRecord, LibraryChange, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
-import { Collection, changeTime, UNDO_WAIT } from './collection.js';
+import { Collection, changeTime } from './collection.js';
 import { withPlainNames } from './plain-names.js';
 
 /** How many records at most are changed in one step of the storage. */
@@ -38,28 +38,23 @@ export class Library {
   /** Whether the storage failed to give models or settings: missing ones may be there. */
   readonly unread: ReadonlySignal<boolean>;
   readonly #storage: LibraryStorage;
-  #deleting: ReturnType<typeof setTimeout> | undefined;
 
   constructor(storage: LibraryStorage) {
     this.#storage = storage;
-    const onRemove = (): void => this.#deleteLater();
     this.models = new Collection({
       inOrder: (a, b) => byName(a.model.name, b.model.name) || byKey(a, b),
       read: () => storage.models.all(),
       change: (models) => this.change({ models }),
-      onRemove,
     });
     this.settings = new Collection({
       inOrder: (a, b) => b.setting.at - a.setting.at || byKey(a, b),
       read: () => storage.settings.all(),
       change: (settings) => this.change({ settings }),
-      onRemove,
     });
     this.flights = new Collection({
       inOrder: (a, b) => b.flight.at - a.flight.at || byKey(a, b),
       read: () => storage.flights.all(),
       change: (flights) => this.change({ flights }),
-      onRemove,
     });
     this.kept = computed(() =>
       [this.models, this.settings, this.flights].every(({ unsaved }) => unsaved.value.size === 0),
@@ -115,16 +110,15 @@ export class Library {
     if (model) await this.keepModel({ ...model, servos });
   }
 
-  /** Removes a model with its settings; see {@link Collection.remove}. */
+  /** Removes a model with its settings; see {@link Collection.remove}. What it holds is deleted before it. */
   removeModel(id: string): void {
     const settings = this.settings.list.peek().filter(({ setting }) => setting.model === id);
-    this.models.remove(id);
     if (settings.length > 0) this.settings.remove(...settings.map(({ key }) => key));
+    this.models.remove(id);
   }
 
   /** Puts back what was removed from the three lists, if it is not deleted yet. */
   undoRemove(): void {
-    clearTimeout(this.#deleting);
     for (const each of [this.models, this.settings, this.flights]) each.undoRemove();
   }
 
@@ -145,26 +139,16 @@ export class Library {
     return record;
   }
 
-  /** Deletes for good what was removed: ten seconds are over, or the pilot leaves the page. */
+  /** Deletes for good what was removed; see {@link Collection.flush}. */
   flush(): void {
-    clearTimeout(this.#deleting);
-    const gone = ({ removed }: { removed: ReadonlySignal<readonly { readonly key: string }[]> }) => ({
-      gone: removed.peek().map(({ key }) => key),
-    });
-    void this.change({ flights: gone(this.flights), settings: gone(this.settings), models: gone(this.models) });
+    for (const each of [this.flights, this.settings, this.models]) each.flush();
   }
 
   /** The storage works again: reads what it did not give, and saves what it did not save. */
   async keepAgain(): Promise<void> {
-    const asked = [this.models, this.settings, this.flights].filter(({ loaded }) => loaded.peek());
-    await Promise.all(asked.map((each) => each.load()));
-    const [models, settings, flights] = [this.models.waiting, this.settings.waiting, this.flights.waiting] as const;
-    await this.change({ models: { put: models }, settings: { put: settings }, flights: { put: flights } });
-  }
-
-  #deleteLater(): void {
-    clearTimeout(this.#deleting);
-    this.#deleting = setTimeout(() => this.flush(), UNDO_WAIT);
+    const lists = [this.models, this.settings, this.flights];
+    await Promise.all(lists.map(async (each) => each.loaded.peek() && (await each.load())));
+    for (const each of lists) await each.keepAgain();
   }
 }
 

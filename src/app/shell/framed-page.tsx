@@ -12,7 +12,6 @@ export function FramedPage({ address }: { address: string }) {
   return (
     <main class="framed">
       <h1>{framed.title}</h1>
-      <p>{framed.why}</p>
       <p>
         <a href={address} target="_blank" rel="noopener noreferrer">
           {framed.open}

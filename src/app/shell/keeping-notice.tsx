@@ -1,3 +1,4 @@
+import type { ReadonlySignal } from '@preact/signals';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
 import { messages } from '../messages/index.js';
@@ -51,7 +52,7 @@ export function AsideNotice({ aside }: { readonly aside: SetAside }) {
   return (
     <div class="notice bad">
       <p>
-        <strong>{words.title(aside.list.value.length)}</strong> {words.kept} {aside.hasWrite && words.write}
+        <strong>{words.title(aside.list.value.length)}</strong> {aside.hasWrite && words.write}
       </p>
       <button type="button" onClick={() => saveFile('sidus-set-aside.json', aside.asText())}>
         {words.save}
@@ -63,31 +64,31 @@ export function AsideNotice({ aside }: { readonly aside: SetAside }) {
   );
 }
 
-/** Offers to put back backups that were just deleted. */
-export function RemovedNotice({ backups }: { readonly backups: Backups }) {
-  const { removed: words } = messages.value;
-  const { length } = backups.removed.value;
-  return length > 0 && <UndoNotice title={words.title(length)} undo={words.undo} onUndo={() => backups.undoRemove()} />;
+interface RemovedNoticeProps {
+  readonly library: Library;
+  readonly backups: Backups;
 }
 
-/** Offers to put back models, settings and flights that were just deleted. */
-export function LibraryRemovedNotice({ library }: { readonly library: Library }) {
-  const { removedFromLibrary: words } = messages.value;
-  const [models, settings, flights] = [library.models, library.settings, library.flights].map(
-    ({ removed }) => removed.value.length,
-  ) as [number, number, number];
-  if (models + settings + flights === 0) return null;
-  const title = words.title(models, settings, flights);
-  return <UndoNotice title={title} undo={words.undo} onUndo={() => library.undoRemove()} />;
+/** Offers to put back what was just deleted. */
+export function RemovedNotice({ library, backups }: RemovedNoticeProps) {
+  const { counted } = messages.value;
+  const { models, settings, flights } = library;
+  const count = (list: { readonly removed: ReadonlySignal<readonly unknown[]> }): number => list.removed.value.length;
+  const what = { models: count(models), settings: count(settings), flights: count(flights), backups: count(backups) };
+  const undo = (): void => {
+    library.undoRemove();
+    backups.undoRemove();
+  };
+  return counted(what) !== '' && <UndoNotice what={counted(what)} onUndo={undo} />;
 }
 
 interface UndoNoticeProps {
-  readonly title: string;
-  readonly undo: string;
+  readonly what: string;
   readonly onUndo: () => void;
 }
 
-function UndoNotice({ title, undo, onUndo }: UndoNoticeProps) {
+function UndoNotice({ what, onUndo }: UndoNoticeProps) {
+  const { removed, undo } = messages.value;
   const button = useRef<HTMLButtonElement>(null);
   useLayoutEffect(
     () => () => {
@@ -99,7 +100,7 @@ function UndoNotice({ title, undo, onUndo }: UndoNoticeProps) {
   return (
     <div class="notice">
       <p>
-        <strong>{title}</strong>
+        <strong>{removed(what)}</strong>
       </p>
       <button ref={button} type="button" onClick={onUndo}>
         {undo}

@@ -9,7 +9,7 @@ import type { Notice } from '../session/notices.js';
 import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
 import { NoticeText } from '../ui/notice-text.js';
-import { AsideNotice, KeepingNotice, LibraryRemovedNotice, RemovedNotice } from './keeping-notice.js';
+import { AsideNotice, KeepingNotice, RemovedNotice } from './keeping-notice.js';
 import { UpdateNotice } from './update-notice.js';
 import type { UpdateOffer } from './update-offer.js';
 
@@ -46,8 +46,7 @@ export function NoticeBar({ session, keeping, aside, update, platform, ...rest }
       <KeepingNotice keeping={keeping} library={session.library} onExport={onExport} />
       {fileNotice}
       <AsideNotice aside={aside} />
-      <RemovedNotice backups={session.backups} />
-      <LibraryRemovedNotice library={session.library} />
+      <RemovedNotice library={session.library} backups={session.backups} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>

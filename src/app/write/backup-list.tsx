@@ -103,7 +103,12 @@ function Row({ session, of, backup, isFirst, following, onLoad, onCompare, onRes
         >
           {comparingMessages.compare.open}
         </button>
-        <button type="button" class="quiet" aria-label={named(remove)} onClick={() => session.backups.remove([backup])}>
+        <button
+          type="button"
+          class="quiet"
+          aria-label={named(remove)}
+          onClick={() => session.backups.remove(backup.key)}
+        >
           {remove}
         </button>
       </div>

@@ -192,15 +192,8 @@ describe('the backups of a model', () => {
 
   it('say from when that is while the timer is not connected, and can be loaded without it', async () => {
     const bench = await page(false);
-    bench.store.backups.records.set('k', {
-      key: 'k',
-      savedAt: Date.now(),
-      reason: 'write',
-      program: TRIMMED,
-      simulated: false,
-      model: 'lancer',
-    });
-    await bench.session.backups.load();
+    const backup = { key: 'k', savedAt: Date.now(), reason: 'write', program: TRIMMED, simulated: false } as const;
+    await bench.session.backups.save({ ...backup, model: 'lancer' });
     bench.models.views.show('library', 'lancer');
     await idle(0);
     expect(document.querySelector('.backup')?.textContent).toContain(modelBackups.differs(3, ''));

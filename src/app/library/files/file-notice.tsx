@@ -29,8 +29,8 @@ export function FileNotice({ files }: { readonly files: LibraryFiles }) {
 }
 
 function wordText(said: FileWord): string {
-  const { export: out, import: into, counted } = filesMessages;
-  const { parts, notKept } = messages.value;
+  const { export: out, import: into } = filesMessages;
+  const { counted, parts, notKept } = messages.value;
   switch (said.kind) {
     case 'busy':
       return parts.coming;

@@ -105,7 +105,8 @@ interface PlanProps extends ImportDialogProps {
 }
 
 function Plan({ files, onTaken, step }: PlanProps) {
-  const { import: words, counted } = filesMessages;
+  const { import: words } = filesMessages;
+  const { counted } = messages.value;
   const groups = step.groups.value;
   const way = step.way.value;
   const total = groups.reduce((sum, group) => sum + takenOf(group, way).length, 0);
@@ -160,7 +161,8 @@ function Plan({ files, onTaken, step }: PlanProps) {
 
 /** What a file holds for one model. */
 function GroupRow({ group }: { readonly group: Group }) {
-  const { import: words, counted } = filesMessages;
+  const { import: words } = filesMessages;
+  const { counted } = messages.value;
   const of = (standing: Entry['standing']): readonly Entry[] =>
     group.entries.filter((entry) => entry.standing === standing);
   const lines = [

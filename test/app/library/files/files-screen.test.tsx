@@ -89,7 +89,7 @@ describe('an import', () => {
     await press('Import 3');
     expect(kept(app)).toEqual(ALL);
     expect(screen.queryByRole('dialog')).toBeNull();
-    expect(notice(/^Imported from “lancer/).textContent).toContain(filesMessages.counted(ONE_OF_EACH));
+    expect(notice(/^Imported from “lancer/).textContent).toContain(en.counted(ONE_OF_EACH));
     await press(filesMessages.import.undo);
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
     notice(words.undone);
@@ -502,7 +502,7 @@ describe('an export', () => {
     expect(saved[0]?.name).toMatch(/^Sidus library \d{4}-\d\d-\d\d\.sidus\.json$/);
     const { library: read } = parseLibraryFile(await (saved[0]?.text() ?? ''));
     expect(read).toEqual(ALL);
-    const said = filesMessages.export.downloaded(saved[0]?.name ?? '', filesMessages.counted(ONE_OF_EACH));
+    const said = filesMessages.export.downloaded(saved[0]?.name ?? '', en.counted(ONE_OF_EACH));
     expect(document.querySelector('.notices')?.textContent).toContain(said);
   });
 
@@ -530,7 +530,7 @@ describe('an export', () => {
     const saved = downloads();
     await press('Export all…');
     const { partly, without } = filesMessages.export;
-    const holds = filesMessages.counted({ models: 0, settings: 6, flights: 0 });
+    const holds = en.counted({ models: 0, settings: 6, flights: 0 });
     expect(document.querySelector('.notices')?.textContent).toContain(partly(saved[0]?.name ?? '', holds, ['flights']));
     const read = parseLibraryFile(await (saved[0]?.text() ?? ''));
     expect([read.library.settings.length, read.writtenBy.endsWith(without('flights'))]).toEqual([6, true]);
