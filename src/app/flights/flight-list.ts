@@ -1,5 +1,5 @@
 import type { Flight } from '../../program/index.js';
-import { foldedText, searchFor } from '../messages/search.js';
+import { foldedOf, searchFor } from '../messages/search.js';
 import { askCalendar } from '../messages/today.js';
 import type { FlightRecord } from '../storage/index.js';
 import type { FlightFilter } from './flight-filter.js';
@@ -130,14 +130,6 @@ export function offsetText({ utcOffset }: Partial<When>): string {
   return `UTC${utcOffset < 0 ? '−' : '+'}${two(Math.floor(size / 60))}:${two(size % 60)}`;
 }
 
-/** Worked out once for each record: a changed record is a new object. */
-const texts = new WeakMap<FlightRecord, string>();
-
-function textOf(record: FlightRecord): string {
-  const known = texts.get(record);
-  if (known !== undefined) return known;
-  const { place, modelName, settingName, round, note } = record.flight;
-  const text = foldedText([place, modelName, settingName, round, note].join('\n'));
-  texts.set(record, text);
-  return text;
-}
+const textOf = foldedOf<FlightRecord>(({ flight: { place, modelName, settingName, round, note } }) => [
+  ...[place, modelName, settingName, round, note],
+]);

@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
-import { foldedText, searchFor } from '../messages/search.js';
+import { foldedOf, foldedText, searchFor } from '../messages/search.js';
 import type { Library } from '../session/library.js';
 import type { ModelRecord, SettingRecord } from '../storage/index.js';
 
@@ -22,7 +22,7 @@ export class Browse {
   readonly latest: ReadonlySignal<readonly SettingRecord[]>;
   /** The models that are shown. */
   readonly models: ReadonlySignal<readonly ModelRecord[]>;
-  readonly #texts = new WeakMap<SettingRecord, string>();
+  readonly #textOf = foldedOf<SettingRecord>(({ setting: { name, note, tags } }) => [name, note, ...tags]);
 
   constructor({ models, settings }: Pick<Library, 'models' | 'settings'>) {
     this.byModel = computed(() => {
@@ -57,14 +57,5 @@ export class Browse {
 
   showArchive(shown: boolean): void {
     this.#archive.value = shown;
-  }
-
-  #textOf(record: SettingRecord): string {
-    const known = this.#texts.get(record);
-    if (known !== undefined) return known;
-    const { name, note, tags } = record.setting;
-    const text = foldedText([name, note, ...tags].join('\n'));
-    this.#texts.set(record, text);
-    return text;
   }
 }

@@ -1,13 +1,6 @@
 import { whole } from './dotted.js';
 import { plural } from './plural.js';
 
-const KINDS = {
-  models: ['model', 'models'],
-  settings: ['program', 'programs'],
-  flights: ['flight', 'flights'],
-  backups: ['backup', 'backups'],
-} as const;
-
 /** For when the browser does not store, or give back, what it should. */
 export const keeping = {
   title: 'This browser does not keep everything.',
@@ -29,11 +22,18 @@ export const aside = {
   save: 'Save to a file',
 };
 
+/** How many there are of each kind of records. */
+type Counts = Partial<Readonly<Record<'models' | 'settings' | 'flights' | 'backups', number>>>;
+
 /** “2 models, 1 program”: only kinds that there are. */
-export const counted = (count: Partial<Record<keyof typeof KINDS, number>>): string =>
-  Object.entries(KINDS)
-    .map(([kind, names]): [number, readonly [string, string]] => [count[kind as keyof typeof KINDS] ?? 0, names])
-    .flatMap(([number, names]) => (number > 0 ? whole(plural(number, ...names)) : []))
+export const counted = ({ models = 0, settings = 0, flights = 0, backups = 0 }: Counts): string =>
+  [
+    models > 0 && whole(plural(models, 'model', 'models')),
+    settings > 0 && whole(plural(settings, 'program', 'programs')),
+    flights > 0 && whole(plural(flights, 'flight', 'flights')),
+    backups > 0 && whole(plural(backups, 'backup', 'backups')),
+  ]
+    .filter(Boolean)
     .join(', ');
 
 /** What was deleted a moment ago. */

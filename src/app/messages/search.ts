@@ -19,3 +19,13 @@ export function searchFor(search: string): (text: string) => boolean {
   const words = foldedText(search).trim().split(/\s+/);
   return (text) => words.every((word) => text.includes(word));
 }
+
+/** Worked out once for each record: a changed record is a new object. */
+export function foldedOf<T extends object>(textsOf: (record: T) => readonly string[]): (record: T) => string {
+  const known = new WeakMap<T, string>();
+  return (record) => {
+    const text = known.get(record) ?? foldedText(textsOf(record).join('\n'));
+    known.set(record, text);
+    return text;
+  };
+}
