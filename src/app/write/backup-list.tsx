@@ -68,8 +68,7 @@ interface RowProps extends BackupListProps {
 
 function Row({ session, of, backup, isFirst, following, onLoad, onCompare, onRestore }: RowProps) {
   const { backups: words, header, knowledge, open, delete: remove, of: label, notFitting } = messages.value;
-  const { backups } = session;
-  const { program, savedAt, reason, simulated } = backup;
+  const { key, program, savedAt, reason, simulated } = backup;
   const record = of ?? session.library.models.get(backup.model ?? null) ?? null;
   const memory = memoryOf(record?.model ?? null, program.memory);
   const title = of ? memory : knowledge.memoryOf(memory, apart(record?.model.name ?? timerName(program.identity)));
@@ -104,7 +103,7 @@ function Row({ session, of, backup, isFirst, following, onLoad, onCompare, onRes
         >
           {comparingMessages.compare.open}
         </button>
-        <button type="button" class="quiet" aria-label={named(remove)} onClick={() => backups.remove(backup.key)}>
+        <button type="button" class="quiet" aria-label={named(remove)} onClick={() => session.backups.remove(key)}>
           {remove}
         </button>
       </div>
