@@ -8,7 +8,6 @@ import { connectionHtml } from './tools/connection-page.js';
 import { root } from './tools/pack.js';
 import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
-import { draw, importsBetween, levels, pictures } from './tools/rooms.js';
 import { deadClasses, dearSelectors, flaws, flawsOfPage, strayClasses, strayThresholds } from './tools/styles.js';
 
 const texts = [
@@ -113,12 +112,6 @@ describe('the docs', () => {
     const prose = readFileSync(join(root, file), 'utf8').replace(/```.*?```/gs, '');
     expect(prose.split('\n').filter((line) => line.length > 120 && !line.startsWith('|'))).toEqual([]);
   });
-
-  it('draw the rooms as they are: node test/tools/rooms.js draws them anew', () => {
-    for (const [file, picture] of Object.entries(pictures)) {
-      expect(readFileSync(join(root, file), 'utf8'), `${file} is old`).toBe(picture());
-    }
-  });
 });
 
 describe('comments', () => {
@@ -132,40 +125,6 @@ describe('comments', () => {
       `// https://${'a'.repeat(120)}`,
     ];
     expect(longComments(lines.join('\n'))).toEqual([2, 3]);
-  });
-});
-
-describe('the picture of the rooms', () => {
-  it('finds the imports of a room', () => {
-    expect(importsBetween('src').get('program')).toEqual(new Map([['protocol', expect.any(Number)]]));
-  });
-
-  it('leads an arrow over several rows beside the rooms between', () => {
-    const graph = new Map([
-      ['top', new Map(Object.entries({ left: 1, right: 1, bottom: 1 }))],
-      ['left', new Map([['under', 1]])],
-      ['right', new Map([['under', 1]])],
-      ['under', new Map()],
-      ['bottom', new Map()],
-    ]);
-    const picture = draw(graph, 'a picture');
-    const between = /<path d="[^"]*C[^"]* (\d+) (\d+)V(\d+)"\/>/.exec(picture)?.slice(1).map(Number);
-    const [x = 0, from = 0, to = 0] = between ?? [];
-    expect(to).toBeGreaterThan(from);
-    const boxes = [...picture.matchAll(/<rect x="(\d+)" y="(\d+)" width="(\d+)"/g)].map((box) =>
-      box.slice(1).map(Number),
-    );
-    const inRow = boxes.filter(([, y]) => y === from);
-    expect(inRow).toHaveLength(2);
-    for (const [left = 0, , width = 0] of inRow) expect(x < left || x > left + width).toBe(true);
-  });
-
-  it('refuses imports that go round', () => {
-    const round = new Map([
-      ['a', new Map([['b', 1]])],
-      ['b', new Map([['a', 1]])],
-    ]);
-    expect(() => levels(round)).toThrow('imports go round: a -> b -> a');
   });
 });
 
