@@ -13,7 +13,7 @@ test('where colours are forced on the page, what is chosen and ticked can be see
   expect(others).not.toContain(chosen);
   const ink = await app.page.evaluate(() => getComputedStyle(document.body).color);
   expect(
-    new Set(await strokes(app.page.locator('.servo-line.front path'))),
+    new Set(await strokes(app.page.locator('.servo-line.front'))),
     'the lines have the colour of the text',
   ).toEqual(new Set([ink]));
   expect(await grounds(app.page.locator('.link-state.on'), '::before'), 'the dot of a timer is filled').toEqual([ink]);
@@ -22,10 +22,8 @@ test('where colours are forced on the page, what is chosen and ticked can be see
   expect(presets.filter((ground) => ground === chosen)).toHaveLength(1);
 
   const text = (found: Locator): Promise<string[]> =>
-    found.evaluateAll((all) => all.map((each) => getComputedStyle(each).color));
-  expect(new Set(await text(app.page.locator('.lane-buttons button'))), 'the names of all lanes').toEqual(
-    new Set([ink]),
-  );
+    found.evaluateAll((all) => all.map((each) => getComputedStyle(each).fill));
+  expect(new Set(await text(app.page.locator('.lane-names text'))), 'the names of all lanes').toEqual(new Set([ink]));
   const lines = (found: Locator): Promise<string[]> =>
     found.evaluateAll((all) => all.map((each) => getComputedStyle(each).outlineStyle));
   await app.type('Function 2, S1', '7');

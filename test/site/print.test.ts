@@ -35,10 +35,11 @@ const SETTINGS = [
 
 /** The positions in the timelines whose first figure is struck through by their own line. */
 function struckThrough(app: AppPage): Promise<string[]> {
-  return app.page.locator('.leaf .lane-position').evaluateAll((all) =>
+  return app.page.locator('.leaf .positions text').evaluateAll((all) =>
     all.flatMap((each) => {
       const text = each as SVGTextElement;
-      const line = text.parentElement?.querySelector<SVGPathElement>('.lane-line');
+      const lines = text.closest('svg')?.querySelectorAll<SVGPathElement>('.servo-line:not(.back)');
+      const line = lines?.[Number(text.getAttribute('data-lane'))];
       const size = Number.parseFloat(getComputedStyle(text).fontSize);
       const { x, y } = text.getStartPositionOfChar(0);
       const isStruck = [0, 0.36, 0.72].some((height) =>

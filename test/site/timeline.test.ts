@@ -105,7 +105,7 @@ describe('the mark of a function is moved', () => {
     await isMoved(seen);
   });
 
-  test('by finger, step by step when the finger is far from the mark', async () => {
+  test('by finger, finer when the finger is far from the mark', async () => {
     const { app, mark } = await opened(PHONE);
     const { x, y } = await middleOf(mark);
     const devTools = await app.page.context().newCDPSession(app.page);
@@ -113,7 +113,7 @@ describe('the mark of a function is moved', () => {
       devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
     await touch('touchStart', { x, y });
     for (let way = 1; way <= 16; way++) await touch('touchMove', { x: x + way, y: y + 220 });
-    await app.text(en.timeline.finest).waitFor();
+    await app.text(en.timeline.finer).waitFor();
     await touch('touchEnd');
     await stands(mark, 11.6);
   });

@@ -16,20 +16,14 @@ export const timeline = {
   picture: 'Servo positions over time',
   description: ({ servos, functions, dt, motorStop }: TimelineFacts) =>
     `${plural(servos, 'servo', 'servos')} and ${plural(functions, 'function', 'functions')} over time, DT at ${dt}${motorStop === null ? '' : `, motor stop at ${motorStop}`}. The table has all values.`,
-  keys: 'Left and right go from mark to mark, up and down from servo to servo. Plus and minus zoom, 0 shows all, Shift with an arrow moves the view.',
   keysToEdit:
-    'Left and right go from mark to mark, up and down from servo to servo. Plus and minus zoom, 0 shows all, Shift with an arrow moves the view. Enter goes to the handles: the arrows move them, Escape comes back.',
+    'Arrows go from mark to mark and from servo to servo, plus and minus zoom, 0 shows all. Enter goes to the handles: arrows move them, Escape comes back.',
   ask: 'Point or tap to read',
   /** While a handle is moved: the further away the pointer is, the finer. */
   finer: 'Finer',
-  finest: 'Step by step',
-  front: 'Selected servo',
-  stands: (servo: string, position: number | string) => `${servo} ${position}`.trim(),
   steps: (position: number) => plural(position, 'step', 'steps'),
   stepsUnit: 'steps',
-  unknownValue: '?',
   notKnown: 'Not known: the times fall',
-  zero: '0 s',
   tools: 'View',
   zoomIn: 'Zoom in',
   zoomOut: 'Zoom out',
@@ -37,5 +31,4 @@ export const timeline = {
   passedOver: (slot: string, next: string) => `${slot} is skipped: ${next} comes at the same time.`,
   goesBack: (next: string, slot: string) =>
     `${next} comes before ${slot}. It is not known what the timer does in the shaded part.`,
-  more: (count: number) => `And ${count} more.`,
 };

@@ -44,7 +44,7 @@ export function PrintPicker({ print }: { readonly print: Print }) {
         ))}
       </div>
       {listed.length === 0 && print.search.value.trim() !== '' && <p class="hint">{libraryMessages.search.nothing}</p>}
-      {found.length > listed.length && <p class="hint">{messages.value.timeline.more(found.length - listed.length)}</p>}
+      {found.length > listed.length && <p class="hint">{messages.value.more(found.length - listed.length)}</p>}
       {chosen.length > 1 && (
         <button type="button" class="quiet" onClick={() => order.clear()}>
           {words.clear}

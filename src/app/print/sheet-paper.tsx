@@ -2,12 +2,13 @@ import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { print } from '../messages/en-print.js';
 import { messages } from '../messages/index.js';
+import { onPaper } from '../timeline/geometry.js';
+import { Picture } from '../timeline/picture.js';
 import { TimelineNotes } from '../timeline/timeline-notes.js';
 import { QrCode } from '../ui/qr-code.js';
 import type { SheetPart } from './print.js';
 import type { Paper } from './print-order.js';
 import type { Sheet } from './sheet.js';
-import { SheetTimeline } from './sheet-timeline.js';
 import './sheet.css';
 
 interface SheetPaperProps {
@@ -46,9 +47,7 @@ export function SheetPaper({ sheet, paper, parts, printed }: SheetPaperProps) {
               {servoGroups(program.positions.length).map((group) => (
                 <div key={group[0] ?? 0}>
                   <SheetTable sheet={sheet} group={group} />
-                  {parts.has('timeline') && group.length > 0 && (
-                    <SheetTimeline program={program} servos={group} names={sheet.servos} />
-                  )}
+                  {parts.has('timeline') && group.length > 0 && <SheetTimeline sheet={sheet} group={group} />}
                 </div>
               ))}
               {parts.has('timeline') && <TimelineNotes program={program} />}
@@ -195,6 +194,24 @@ function SheetTable({ sheet, group }: SheetTableProps) {
         </p>
       </div>
     </>
+  );
+}
+
+/** The program over time. Each lane has its name, so no colour is needed. */
+function SheetTimeline({ sheet: { program, servos }, group }: SheetTableProps) {
+  const positions = group.map((servo) => program.positions[servo] ?? []);
+  const isNamed = group.some((servo) => servos[servo]);
+  const geometry = onPaper({ ...program, positions }, isNamed);
+  const { layout, measures } = geometry;
+  return (
+    <svg
+      class="picture"
+      viewBox={`0 0 ${layout.box.right + measures.right} ${measures.height}`}
+      role="img"
+      aria-label={messages.value.timeline.picture}
+    >
+      <Picture geometry={geometry} front={null} first={group[0] ?? 0} names={servos} />
+    </svg>
   );
 }
 

@@ -4,7 +4,6 @@ import { fieldKey, type ProgramField, type TimerProgram } from '../../program/in
 import { whenIdle } from '../browser/when-idle.js';
 import type { Session } from '../session/session.js';
 import { flightEnd, timeOf } from '../timeline/flight.js';
-import { Kept } from '../timeline/kept.js';
 import { FlightPreview } from '../timeline/preview/flight-preview.js';
 import type { Player } from '../timeline/preview/player.js';
 
@@ -53,13 +52,11 @@ export function PreviewPanel({ session, program, player, selected }: PreviewPane
   }, [catchUp, field, program]);
   const shown = drawn.value.identity === program.identity ? drawn.value : program;
   const named = servoUses.named.value;
-  return (
-    // Not drawn again for another cell: the player updates what changes then.
-    <Kept
-      on={[shown, player, named, servoUses, catchUp]}
-      draw={() => (
-        <FlightPreview {...{ player, named }} program={shown} onUse={catchUp} onName={(uses) => servoUses.say(uses)} />
-      )}
-    />
+  // Not drawn again for another cell: the player updates what changes then.
+  return useMemo(
+    () => (
+      <FlightPreview {...{ player, named }} program={shown} onUse={catchUp} onName={(uses) => servoUses.say(uses)} />
+    ),
+    [shown, player, named, servoUses, catchUp],
   );
 }

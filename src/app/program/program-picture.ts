@@ -6,5 +6,6 @@ import { TimelineModel } from '../timeline/view-model.js';
  */
 export class ProgramPicture {
   readonly timeline = new TimelineModel();
-  readonly player = new Player();
+  /** It shows the time about which the pilot asks on the timeline. */
+  readonly player = new Player(this.timeline.asked);
 }

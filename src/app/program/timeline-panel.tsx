@@ -6,8 +6,6 @@ import { dutyName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Standing } from '../session/standing.js';
 import type { Trials } from '../session/trials.js';
-import type { OnEdit } from '../timeline/drag.js';
-import type { Player } from '../timeline/preview/player.js';
 import { Timeline, type TimelineProps } from '../timeline/timeline.js';
 import { useLate } from '../ui/use-late.js';
 import { PreviewPanel } from './preview-panel.js';
@@ -22,13 +20,11 @@ interface TimelinePanelProps {
   /** The focused field elsewhere on the screen. */
   readonly selected: ReadonlySignal<ProgramField | null>;
   readonly onSelect: (field: ProgramField) => void;
-  /** The mouse is over a handle, or no longer over one. */
-  readonly onPoint: (field: ProgramField | null) => void;
 }
 
 /** The program on the screen over time, with what the timer holds behind it, and the flight preview. */
 export function TimelinePanel(props: TimelinePanelProps) {
-  const { session, trials, picture, selected: field, onSelect, onPoint } = props;
+  const { session, trials, picture, selected: field, onSelect } = props;
   const { editor, servoUses } = session;
   const { player } = picture;
   // The picture comes one frame late: it is drawn once, after the field that has changed or got the focus.
@@ -51,10 +47,10 @@ export function TimelinePanel(props: TimelinePanelProps) {
   if (!program) return null;
   return (
     <div class="timeline-panel">
-      <PlayedTimeline
-        {...{ program, player, selected, onSelect, onPoint, overlay, names }}
+      <Timeline
+        {...{ program, selected, onSelect, overlay, names }}
         model={picture.timeline}
-        onAsk={(time) => player.ask(time)}
+        cursor={player.cursor}
         now={() => editor.working.peek() ?? program}
         onEdit={(edit, phase) => {
           // A movement that comes back to its beginning is no step.
@@ -68,11 +64,6 @@ export function TimelinePanel(props: TimelinePanelProps) {
       <PreviewPanel {...{ session, program, player }} selected={field} />
     </div>
   );
-}
-
-/** Drawn at each frame of a flight, so that nothing around it is. */
-function PlayedTimeline({ player, ...props }: TimelineProps & { readonly player: Player; readonly onEdit: OnEdit }) {
-  return <Timeline {...props} cursor={player.cursor.value} />;
 }
 
 interface Behind {

@@ -36,13 +36,9 @@ export function ProgramView(props: ProgramViewProps) {
   const { program, header, about, views: words } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
-  const pointed = useSignal<ProgramField | null>(null);
-  const marked = useComputed(() => pointed.value ?? selected.value);
+  const marked = useComputed(() => programPicture.timeline.pointed.value ?? selected.value);
   const select = useCallback((field: ProgramField | null) => {
     selected.value = field;
-  }, []);
-  const point = useCallback((field: ProgramField | null) => {
-    pointed.value = field;
   }, []);
   // While another memory is being selected, typing would change the one that is left.
   const leaving = useComputed(() => session.runner.job.value?.kind === 'select').value;
@@ -72,7 +68,6 @@ export function ProgramView(props: ProgramViewProps) {
           picture={programPicture}
           selected={selected}
           onSelect={select}
-          onPoint={point}
         />
         <div class="program-foot">
           <ProgramExits {...{ session, sharing, onPrint }} />

@@ -1,7 +1,7 @@
 import { type ProgramField, slotKind, type TimerProgram } from '../../program/index.js';
 import { marksOf, motorStopOf, type Stage, stagesOf } from './flight.js';
 import { lanesOf, leastHeight } from './lanes.js';
-import { Layout, spread, type TimeView } from './layout.js';
+import { highestOf, Layout, spread, type TimeView, WHOLE } from './layout.js';
 import { type Scale, stretchedScale } from './scale.js';
 import { ticks } from './ticks.js';
 
@@ -9,6 +9,9 @@ import { ticks } from './ticks.js';
 export interface Measures {
   readonly left: number;
   readonly right: number;
+  /** The middle of the marks' numbers, and the radius of the circles around them where there is room. */
+  readonly flag: number;
+  readonly radius: number;
   /** The top of the first lane and the bottom of the last one. */
   readonly top: number;
   readonly bottom: number;
@@ -20,27 +23,47 @@ export interface Measures {
 }
 
 /** Pixels: the marks stand above the lanes, the motor's bar and the times below them. */
-const LEFT = 44;
-const RIGHT = 16;
-const TOP = 36;
+const SCREEN = { left: 44, right: 16, flag: 16, radius: 12, top: 36 };
+const PAPER = { right: 10, flag: 9, radius: 8, top: 21 };
 const MOTOR = 18;
 const TIMES = 30;
 
-/** The least height of the picture, in pixels. */
+/** The least height of the picture on the screen, in pixels. */
 export function leastHeightOf(program: TimerProgram): number {
-  return TOP + leastHeight(program.identity.servos) + belowOf(program);
+  return SCREEN.top + leastHeight(program.identity.servos) + belowOf(program);
 }
 
 /** @param room the height that there is, in pixels. */
 export function measuresOf(program: TimerProgram, room: number): Measures {
   const height = Math.max(room, leastHeightOf(program));
   const bottom = height - belowOf(program);
-  return { left: LEFT, right: RIGHT, top: TOP, bottom, motor: bottom + MOTOR / 2 + 1, axis: height - 10, height };
+  return { ...SCREEN, bottom, motor: bottom + MOTOR / 2 + 1, axis: height - 10, height };
 }
 
 /** The height of the motor's bar and the times. */
 function belowOf(program: TimerProgram): number {
   return (motorStopOf(program) === null ? 0 : MOTOR) + TIMES;
+}
+
+/** The width of A5 between its margins, in pixels. On larger paper the picture is larger. */
+const PAPER_WIDTH = 484;
+/** The height of a lane on paper in pixels: the one for a single lane, and the least among many. */
+const PAPER_LANE = { most: 49, least: 26, lessForEach: 4 };
+/** The room beside the lanes for the names of the servos, and for what they move. In pixels. */
+const PAPER_NAMES = { none: 26, some: 74 };
+
+/** A program on paper: all lanes are equal. @param isNamed whether it says what a servo moves. */
+export function onPaper(program: TimerProgram, isNamed: boolean): Geometry {
+  const { length: servos } = program.positions;
+  const left = isNamed ? PAPER_NAMES.some : PAPER_NAMES.none;
+  const each = Math.max(PAPER_LANE.least, PAPER_LANE.most - PAPER_LANE.lessForEach * servos);
+  const bottom = PAPER.top + each * servos;
+  const height = bottom + (motorStopOf(program) === null ? 15 : 26);
+  const measures = { ...PAPER, left, bottom, motor: bottom + 7, axis: height - 2, height };
+  const plot = PAPER_WIDTH - left - PAPER.right;
+  const scale = scaleOf(program, null, plot);
+  const layout = layoutOf({ scale, view: WHOLE, plot, measures, servos, front: null, highest: highestOf([program]) });
+  return { program, layout, measures, ...marksIn(program, layout, measures, null) };
 }
 
 /** The least distance of two marks on the stretched axis, and the width of the run-out, in pixels. */
@@ -70,11 +93,10 @@ export interface Flag {
   readonly passedOver: boolean;
 }
 
-/** The radius of the circle around a number, in pixels; where it is narrow, a smaller one. */
-const RADIUS = 12;
+/** The radius of the circle around a number where it is narrow, in pixels. */
 const SMALLEST_RADIUS = 8;
 
-function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout): Flag[] {
+function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout, most: number): Flag[] {
   const { left, right } = layout.box;
   const flags = stages.slice(1).map(({ slot, from, passing }) => ({
     slot,
@@ -83,14 +105,14 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
     passedOver: passing === 'passed',
   }));
   const inView = flags.filter(({ at }) => layout.shows(at));
-  const room = (right - left + 2 * RADIUS) / Math.max(1, inView.length);
+  const room = (right - left + 2 * most) / Math.max(1, inView.length);
   if (room >= 2 * SMALLEST_RADIUS) {
-    const radius = Math.min(RADIUS, room / 2 - 0.5);
+    const radius = Math.min(most, room / 2 - 0.5);
     const places = spread(
       inView.map(({ at }) => at),
       2 * radius + 3,
       // DT is wider, and closer to the edge of the picture than the first one.
-      left - 2 * RADIUS,
+      left - 2 * most,
       right,
     );
     let next = 0;
@@ -103,10 +125,10 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
   const dt = inView.find(({ isDt }) => isDt)?.at ?? Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
   return flags.map((flag) => {
-    const free = Math.abs(flag.at - last) > 3 * RADIUS && Math.abs(dt - flag.at) > 3 * RADIUS;
+    const free = Math.abs(flag.at - last) > 3 * most && Math.abs(dt - flag.at) > 3 * most;
     const labelled = flag.isDt || (free && layout.shows(flag.at));
     if (labelled && !flag.isDt) last = flag.at;
-    return { ...flag, x: flag.at, radius: RADIUS, labelled, roomy: flag.isDt };
+    return { ...flag, x: flag.at, radius: most, labelled, roomy: flag.isDt };
   });
 }
 
@@ -133,8 +155,8 @@ export interface GeometryOptions {
   readonly plot: number;
   readonly measures: Measures;
   readonly servos: number;
-  /** The selected servo, whose lane is tall. */
-  readonly front: number;
+  /** The selected servo, whose lane is tall; null when all lanes are equal. */
+  readonly front: number | null;
   /** The position at the top of each lane. */
   readonly highest: number;
 }
@@ -149,7 +171,7 @@ export function layoutOf({ scale, view, plot, measures, servos, front, highest }
 const TICK_GAP = 52;
 
 /** @param chosen a time that goes before all others but DT. */
-export function marksIn(program: TimerProgram, layout: Layout, chosen: number | null): Marks {
+export function marksIn(program: TimerProgram, layout: Layout, { radius }: Measures, chosen: number | null): Marks {
   const { scale, view, width } = layout;
   const stages = stagesOf(program);
   const dt = stages.at(-1)?.from ?? 0;
@@ -157,7 +179,7 @@ export function marksIn(program: TimerProgram, layout: Layout, chosen: number | 
   const room = { from: view.start, to: view.start + view.span, gap: (TICK_GAP / width) * view.span };
   return {
     stages,
-    flags: flagsOf(program, stages, layout),
+    flags: flagsOf(program, stages, layout, radius),
     ticks: ticks(scale, [dt], wished, room),
     motorStop: motorStopOf(program),
   };
@@ -173,7 +195,7 @@ export interface HandlePlace {
 /** The places of all handles: the marks, the end of the motor run, and the steps of the selected servo. */
 export function handlePlaces(geometry: Geometry, front: number): HandlePlace[] {
   const { program, flags, stages, layout, measures, motorStop } = geometry;
-  const places = flags.map(({ slot, x }): HandlePlace => ({ field: { kind: 'time', slot }, x, y: FLAG }));
+  const places = flags.map(({ slot, x }): HandlePlace => ({ field: { kind: 'time', slot }, x, y: measures.flag }));
   if (motorStop !== null) {
     places.push({ field: { kind: 'time', slot: 0 }, x: layout.x(motorStop), y: measures.motor });
   }
@@ -184,6 +206,3 @@ export function handlePlaces(geometry: Geometry, front: number): HandlePlace[] {
   }
   return places;
 }
-
-/** The height of the marks' numbers. */
-export const FLAG = 16;

@@ -9,6 +9,9 @@ export interface TimeView {
   readonly span: number;
 }
 
+/** All of it. */
+export const WHOLE: TimeView = { start: 0, span: 1 };
+
 /** The area of the plot inside the picture, in pixels. */
 export interface Box {
   readonly left: number;
@@ -94,10 +97,7 @@ export interface LinePaths {
   readonly back: string;
 }
 
-/**
- * The line of one servo. Programs with the same stages give lines with the same parts,
- * so that one can change into another.
- */
+/** The line of one servo. */
 export function lineOf(
   { positions }: TimerProgram,
   stages: readonly Stage[],
@@ -118,25 +118,6 @@ export function lineOf(
     if (until !== null) line += `V${height(slot + 1)}`;
   }
   return { line, back };
-}
-
-/** Half the width of the tip above a line that lies higher than its lane, in pixels. */
-const TIP = 4;
-
-/** A tip above each part of a servo's line that would lie higher than its lane, as the data of a path. */
-export function tipsOf({ positions }: TimerProgram, stages: readonly Stage[], servo: number, layout: Layout): string {
-  const { from: edge, top } = layout.lanes[servo] ?? { from: layout.box.top, top: layout.box.top };
-  const { left, right } = layout.box;
-  return stages
-    .filter(({ slot }) => (positions[servo]?.[slot] ?? 0) > layout.highest)
-    .map(({ from, until }) => [layout.x(from), until === null ? right : layout.x(until)] as const)
-    .filter(([from, until]) => Math.max(from, until) >= left && Math.min(from, until) <= right)
-    .map(([from, until]) => {
-      // In the middle of what is in view of it.
-      const middle = rounded((Math.max(left, Math.min(from, until)) + Math.min(right, Math.max(from, until))) / 2);
-      return `M${middle - TIP} ${top}L${middle} ${edge}L${middle + TIP} ${top}Z`;
-    })
-    .join('');
 }
 
 /**

@@ -1,3 +1,4 @@
+import type { ReadonlySignal } from '@preact/signals';
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { formatFigure, formatTime } from '../editing/units.js';
 import { fieldName, figureOf, messages, slotLabel } from '../messages/index.js';
@@ -8,7 +9,7 @@ import './readout.css';
 interface MomentProps {
   readonly program: TimerProgram;
   readonly model: TimelineModel;
-  readonly cursor: number | null;
+  readonly cursor: ReadonlySignal<number | null> | undefined;
   readonly selected: ProgramField | null;
 }
 
@@ -19,8 +20,8 @@ interface MomentProps {
 export function Moment({ program, model, cursor, selected }: MomentProps) {
   const { timeline, times } = messages.value;
   const field = model.moving.value?.edit.field;
-  const time = model.asked.value ?? cursor;
-  if (field) return <ValueFigure program={program} field={field} fineness={model.fineness.value} />;
+  const time = model.asked.value ?? cursor?.value ?? null;
+  if (field) return <ValueFigure program={program} field={field} finer={model.finer.value} />;
   if (time !== null) {
     const { text, unit } = formatFigure(time, 1);
     return <Figure text={text} unit={times.units[unit]} what={reachedText(program, time)} />;
@@ -32,35 +33,34 @@ export function Moment({ program, model, cursor, selected }: MomentProps) {
 interface ValueFigureProps {
   readonly program: TimerProgram;
   readonly field: ProgramField;
-  /** How finely it moves while it is held: 0 as far as the pointer, 1 as finely as possible. */
-  readonly fineness?: number;
+  /** Whether it is held, and moves less than the pointer. */
+  readonly finer?: boolean;
 }
 
-function ValueFigure({ program, field, fineness = 0 }: ValueFigureProps) {
+function ValueFigure({ program, field, finer = false }: ValueFigureProps) {
   const { timeline, times } = messages.value;
-  const value = valueAt(program, field) ?? 0;
-  const { text, unit } = figureOf(program.identity, field, value);
+  const { text, unit } = figureOf(program.identity, field, valueAt(program, field) ?? 0);
   const shownUnit = unit ? times.units[unit] : field.kind === 'position' ? timeline.stepsUnit : '';
-  const more = fineness === 0 ? '' : fineness < 1 ? timeline.finer : timeline.finest;
-  const label = fieldName(program.identity, field);
-  return <Figure text={text} unit={shownUnit} what={label} more={more} />;
+  return (
+    <Figure text={text} unit={shownUnit} what={fieldName(program.identity, field)} more={finer && timeline.finer} />
+  );
 }
 
 interface FigureProps {
   readonly text: string;
   readonly unit: string;
   readonly what: string;
-  readonly more?: string;
+  readonly more?: string | false;
 }
 
-function Figure({ text, unit, what, more = '' }: FigureProps) {
+function Figure({ text, unit, what, more = false }: FigureProps) {
   return (
     <p class="timeline-readout">
       <strong>
         {text} <small>{unit}</small>
       </strong>{' '}
       <span>{what}</span>
-      {more !== '' && <em>{more}</em>}
+      {more && <em>{more}</em>}
     </p>
   );
 }
@@ -101,8 +101,8 @@ export function descriptionOf(program: TimerProgram): string {
 
 /** For screen readers: a time, what it has reached, and the positions of all servos. */
 function momentText(program: TimerProgram, time: number): string {
-  const { seconds, servoName, timeline } = messages.value;
+  const { seconds, servoName } = messages.value;
   const { slot, certain } = reachedAt(program, time);
-  const servos = program.positions.map((row, servo) => timeline.stands(servoName(servo), row[slot] ?? 0));
+  const servos = program.positions.map((row, servo) => `${servoName(servo)} ${row[slot] ?? 0}`);
   return [seconds(formatTime(time)), reachedText(program, time), ...(certain ? servos : [])].join(', ');
 }

@@ -23,7 +23,7 @@ export function TimelineNotes({ program }: { program: TimerProgram }) {
       {notes.slice(0, MOST_NOTES).map((note) => (
         <li key={note}>{note}</li>
       ))}
-      {notes.length > MOST_NOTES && <li>{timeline.more(notes.length - MOST_NOTES)}</li>}
+      {notes.length > MOST_NOTES && <li>{messages.value.more(notes.length - MOST_NOTES)}</li>}
     </ul>
   );
 }

@@ -6,16 +6,15 @@ import type { OnEdit } from './drag.js';
 import { timeOf } from './flight.js';
 import { type Geometry, layoutOf, leastHeightOf, marksIn, measuresOf, scaleOf } from './geometry.js';
 import { Handles } from './handles.js';
-import { useGlides, useSize, useStable } from './hooks.js';
 import { HandleKeys, pictureKey } from './key-control.js';
-import { LaneButtons } from './lane-buttons.js';
-import { Crosshair, Picture } from './layers.js';
 import { highestOf } from './layout.js';
+import { Crosshair, Picture } from './picture.js';
 import type { Target } from './pointer/gesture.js';
 import { PointerControl } from './pointer/pointer-control.js';
 import { descriptionOf, Moment, Spoken } from './readout.js';
 import { TimelineNotes } from './timeline-notes.js';
 import { Tools } from './tools.js';
+import { useSize } from './use-size.js';
 import { TimelineModel } from './view-model.js';
 import './timeline.css';
 
@@ -40,7 +39,7 @@ export interface TimelineProps {
    * A time of the flight in hundredths of a second, marked by a line.
    * The time that a pointer asks about takes its place.
    */
-  readonly cursor?: number | null | undefined;
+  readonly cursor?: ReadonlySignal<number | null> | undefined;
   readonly selected?: ProgramField | null | undefined;
   /**
    * A handle has moved. While it is held the calls are not final. The last call gives the value at which it was
@@ -49,33 +48,21 @@ export interface TimelineProps {
   readonly onEdit?: OnEdit | undefined;
   /** A handle has got the focus. */
   readonly onSelect?: ((field: ProgramField) => void) | undefined;
-  /** The mouse is over something that it could take; null when it has left it. */
-  readonly onPoint?: ((field: ProgramField | null) => void) | undefined;
   /** Its name, where there are several. */
   readonly title?: string | undefined;
   /** The pilot's names for what each servo moves: “tailplane”. */
   readonly names?: readonly string[] | undefined;
   /** What the pilot looks at, when that outlasts this picture. */
   readonly model?: TimelineModel | undefined;
-  /** The pointer or a key asks about a time of the flight; null when it no longer does. */
-  readonly onAsk?: ((time: number | null) => void) | undefined;
 }
 
 /** The least width of a plot, in pixels, however little room there is. */
 const LEAST_WIDTH = 120;
 
 /** The program over time: a lane for each servo, marks for functions, motor stop and DT. To read and to edit. */
-export function Timeline({ program, overlay = null, cursor = null, selected = null, names, ...calls }: TimelineProps) {
+export function Timeline({ program, overlay = null, cursor, selected = null, names, onEdit, ...calls }: TimelineProps) {
   const { timeline } = messages.value;
-  // During a flight this is drawn at each frame, so only changed parts are made again.
-  const onEdit = useStable(calls.onEdit);
-  const onSelect = useStable(calls.onSelect);
-  const onPoint = useStable(calls.onPoint);
-  const onAsk = useStable(calls.onAsk);
-  const latest = useRef(program);
-  latest.current = program;
-  const { now: asOfNow = () => latest.current } = calls;
-  const now = useStable(asOfNow);
+  const { now = () => program } = calls;
   const selectedKey = selected && fieldKey(selected);
   const id = useId();
   const model = useMemo(() => calls.model ?? new TimelineModel(), [calls.model]);
@@ -86,23 +73,16 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
 
   const { servos } = program.identity;
   const behind = overlay?.program ?? null;
-  const measures = useMemo(() => measuresOf(program, size.height), [program.identity, size.height]);
+  const measures = measuresOf(program, size.height);
   const plot = Math.max(LEAST_WIDTH, size.width - measures.left - measures.right);
   const held = model.moving.value?.scale;
   const view = model.view.value;
   const front = Math.min(model.front.value, servos - 1);
   const highest = highestOf(behind ? [program, behind] : [program]);
   const chosen = selected?.kind === 'time' ? (program.times[selected.slot] ?? null) : null;
-  // A moved handle changes little; everything else stays as it is.
-  const times = program.times.join();
-  const scale = useMemo(() => held ?? scaleOf(program, behind, plot), [held, times, behind, plot]);
-  const layout = useMemo(
-    () => layoutOf({ scale, view, plot, measures, servos, front, highest }),
-    [scale, view, plot, measures, servos, front, highest],
-  );
-  const marks = useMemo(() => marksIn(program, layout, chosen), [program.identity, times, layout, chosen]);
-  const geometry = useMemo(() => ({ program, layout, measures, ...marks }), [program, marks]);
-  const glides = useGlides(geometry, [view, plot, measures], held !== undefined);
+  const scale = held ?? scaleOf(program, behind, plot);
+  const layout = layoutOf({ scale, view, plot, measures, servos, front, highest });
+  const geometry = { program, layout, measures, ...marksIn(program, layout, measures, chosen) };
   const anchor = (): number | undefined => {
     const time = model.asked.peek() ?? (selected && timeOf(program, selected));
     return time === null ? undefined : layout.scale.place(time);
@@ -130,18 +110,12 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
       model.leave();
     };
   }, []);
-  useTold(model.pointed, onPoint);
-  useTold(model.asked, onAsk);
   useEffect(() => {
     if (!selected || selected.kind === 'idleThrottle' || model.moving.peek()) return;
     if (selected.kind === 'position') model.bringToFront(selected.servo);
     model.reveal(scale.place(timeOf(program, selected)));
   }, [selectedKey]);
 
-  // While a mark is moved the description stays: nobody can listen to it at each frame.
-  const told = useRef(program);
-  if (!held) told.current = program;
-  const description = useMemo(() => descriptionOf(told.current), [told.current, timeline]);
   const { height } = measures;
   const width = plot + measures.left + measures.right;
   const least = `max(var(--picture), ${leastHeightOf(program)}px)`;
@@ -172,7 +146,7 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
           tabindex={0}
           aria-label={timeline.picture}
           aria-describedby={`${id}-about`}
-          class={`${model.moving.value ? 'moving' : ''} ${glides ? 'glides' : ''}`}
+          class="picture"
           onPointerDown={pointer.down}
           onPointerMove={pointer.hover}
           onPointerLeave={pointer.leave}
@@ -185,14 +159,13 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
             model.setEntered(next !== svg.current && (svg.current?.contains(next) ?? false));
           }}
         >
-          <Picture {...{ geometry, front, selected, names }} overlay={behind} clip={`${id}-plot`} />
+          <Picture {...{ geometry, front, selected, names }} overlay={behind} />
           <MomentLine geometry={geometry} model={model} cursor={cursor} />
-          <Handles {...{ geometry, model, keys, front, selected, now, onEdit, onSelect }} />
+          {onEdit && <Handles {...{ geometry, model, keys, front, selected, now, onEdit }} onSelect={calls.onSelect} />}
         </svg>
-        <LaneButtons {...{ layout, front, model, names }} />
       </div>
       <p class="visually-hidden" id={`${id}-about`}>
-        {description} {onEdit ? timeline.keysToEdit : timeline.keys}
+        {descriptionOf(program)} {timeline.keysToEdit}
       </p>
       <Spoken program={program} model={model} />
       <TimelineNotes program={program} />
@@ -201,9 +174,14 @@ export function Timeline({ program, overlay = null, cursor = null, selected = nu
   );
 }
 
-function MomentLine(props: { geometry: Geometry; model: TimelineModel; cursor: number | null }) {
-  const { geometry, model, cursor } = props;
-  return <Crosshair geometry={geometry} time={model.asked.value ?? cursor} />;
+interface MomentLineProps extends Pick<TimelineProps, 'cursor'> {
+  readonly geometry: Geometry;
+  readonly model: TimelineModel;
+}
+
+/** Drawn at each frame of a flight, so that nothing around it is. */
+function MomentLine({ geometry, model, cursor }: MomentLineProps) {
+  return <Crosshair geometry={geometry} time={model.asked.value ?? cursor?.value ?? null} />;
 }
 
 /** The name of the second program, beside a piece of its line. */
@@ -216,16 +194,4 @@ function Behind({ name }: { name: string }) {
       {name}
     </p>
   );
-}
-
-/** Reports the value of a signal, and null once the picture goes away. */
-function useTold<T>(source: ReadonlySignal<T | null>, told: ((value: T | null) => void) | undefined): void {
-  useEffect(() => {
-    if (!told) return;
-    const stop = source.subscribe(told);
-    return () => {
-      stop();
-      told(null);
-    };
-  }, [told]);
 }

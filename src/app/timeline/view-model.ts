@@ -1,10 +1,9 @@
-import { type ReadonlySignal, signal } from '@preact/signals';
+import { signal } from '@preact/signals';
 import type { ProgramField } from '../../program/index.js';
 import type { DragEdit } from './drag.js';
-import type { TimeView } from './layout.js';
+import { type TimeView, WHOLE } from './layout.js';
 import type { Scale } from './scale.js';
 
-const ALL: TimeView = { start: 0, span: 1 };
 /** The deepest zoom, as a multiple of the whole. */
 const DEEPEST = 60;
 
@@ -20,100 +19,92 @@ export type SpokenPlace = { readonly time: number } | { readonly servo: number }
 
 /** What a pilot looks at in a timeline, and the handle that is held. It belongs to the screen, not to the program. */
 export class TimelineModel {
-  readonly #asked = signal<number | null>(null);
-  readonly #spoken = signal<SpokenPlace | null>(null);
-  readonly #front = signal(0);
-  readonly #moving = signal<Moving | null>(null);
-  readonly #fineness = signal(0);
-  readonly #pointed = signal<ProgramField | null>(null);
-  readonly #entered = signal(false);
-  readonly #wanted = signal<ProgramField | null>(null);
-  readonly #view = signal<TimeView>(ALL);
+  // Only this model writes them.
   /** The time that a pointer or a key asks about, in hundredths of a second. */
-  readonly asked: ReadonlySignal<number | null> = this.#asked;
+  readonly asked = signal<number | null>(null);
   /** What a key has asked about or selected, for screen readers. */
-  readonly spoken: ReadonlySignal<SpokenPlace | null> = this.#spoken;
+  readonly spoken = signal<SpokenPlace | null>(null);
   /** The selected servo, whose lane is tall and has handles. */
-  readonly front: ReadonlySignal<number> = this.#front;
-  readonly moving: ReadonlySignal<Moving | null> = this.#moving;
-  /** How finely the held handle moves: 0 as far as the pointer, 1 as finely as possible. */
-  readonly fineness: ReadonlySignal<number> = this.#fineness;
+  readonly front = signal(0);
+  readonly moving = signal<Moving | null>(null);
+  /** Whether the held handle moves less than the pointer. */
+  readonly finer = signal(false);
   /** The field under the mouse that it could take; null while a handle is held. */
-  readonly pointed: ReadonlySignal<ProgramField | null> = this.#pointed;
+  readonly pointed = signal<ProgramField | null>(null);
   /** Whether the keyboard focus is on a handle. */
-  readonly entered: ReadonlySignal<boolean> = this.#entered;
+  readonly entered = signal(false);
   /** The field whose handle gets the focus as soon as it is there. */
-  readonly wanted: ReadonlySignal<ProgramField | null> = this.#wanted;
+  readonly wanted = signal<ProgramField | null>(null);
   /** The part in view. */
-  readonly view: ReadonlySignal<TimeView> = this.#view;
+  readonly view = signal<TimeView>(WHOLE);
 
   get zoomed(): boolean {
-    return this.#view.value.span < 1;
+    return this.view.value.span < 1;
   }
 
   /** The picture goes away: nothing is asked about any more. The view stays for when it comes back. */
   leave(): void {
     this.askAloud(null);
     this.pointAt(null);
-    this.#entered.value = false;
-    this.#wanted.value = null;
+    this.entered.value = false;
+    this.wanted.value = null;
   }
 
   /** @param time in hundredths of a second; null for no time. */
   ask(time: number | null): void {
-    this.#asked.value = time;
+    this.asked.value = time;
   }
 
   /** Asks about a time, and tells screen readers. */
   askAloud(time: number | null): void {
-    this.#asked.value = time;
-    this.#spoken.value = time === null ? null : { time };
+    this.asked.value = time;
+    this.spoken.value = time === null ? null : { time };
   }
 
   bringToFront(servo: number): void {
-    this.#front.value = servo;
+    this.front.value = servo;
   }
 
   /** Selects a servo, and tells screen readers. */
   bringToFrontAloud(servo: number): void {
-    this.#front.value = servo;
-    this.#spoken.value = { servo };
+    this.front.value = servo;
+    this.spoken.value = { servo };
   }
 
   pointAt(field: ProgramField | null): void {
-    this.#pointed.value = field;
+    this.pointed.value = field;
   }
 
   /** Takes a handle. @param scale the present axis. */
   take(edit: DragEdit, scale: Scale): void {
     const { field } = edit;
-    this.#asked.value = null;
-    if (field.kind === 'position') this.#front.value = field.servo;
-    this.#wanted.value = field;
-    this.#fineness.value = 0;
-    this.#moving.value = { edit, scale };
+    this.asked.value = null;
+    if (field.kind === 'position') this.front.value = field.servo;
+    this.wanted.value = field;
+    this.finer.value = false;
+    this.moving.value = { edit, scale };
   }
 
-  /** Sets how finely the held handle moves. */
-  refine(fineness: number): void {
-    this.#fineness.value = fineness;
+  /** Whether the held handle moves less than the pointer. */
+  refine(finer: boolean): void {
+    this.finer.value = finer;
   }
 
   /** Releases the handle. The view may have left the picture with it, and comes back. */
   letGo(): void {
-    if (!this.#moving.peek()) return;
-    this.#moving.value = null;
+    if (!this.moving.peek()) return;
+    this.moving.value = null;
     this.settle();
   }
 
   /** The keyboard focus goes to the handles, or leaves them. */
   setEntered(entered: boolean): void {
-    this.#entered.value = entered;
+    this.entered.value = entered;
   }
 
   /** Wants the focus at the handle of a field; null once it is there. */
   want(field: ProgramField | null): void {
-    this.#wanted.value = field;
+    this.wanted.value = field;
   }
 
   /**
@@ -121,7 +112,7 @@ export class TimelineModel {
    * @param anchor the place of the scale that stays where it is, or comes into view. Default: the middle of the view.
    */
   zoom(factor: number, anchor?: number): void {
-    const { start, span } = this.#view.peek();
+    const { start, span } = this.view.peek();
     const fixed = anchor ?? start + span / 2;
     const share = fixed < start || fixed > start + span ? 0.5 : (fixed - start) / span;
     const next = Math.min(1, Math.max(1 / DEEPEST, span / factor));
@@ -134,8 +125,8 @@ export class TimelineModel {
    * @param past lets it pass the end of the picture.
    */
   pan(by: number, past = false): void {
-    const { start, span } = this.#view.peek();
-    if (past) this.#view.value = { start: Math.max(0, start + by * span), span };
+    const { start, span } = this.view.peek();
+    if (past) this.view.value = { start: Math.max(0, start + by * span), span };
     else this.#show(start + by * span, span);
   }
 
@@ -148,22 +139,22 @@ export class TimelineModel {
 
   /** Shows everything. */
   fit(): void {
-    this.#view.value = ALL;
+    this.view.value = WHOLE;
   }
 
   /** Brings a place of the scale into view. */
   reveal(place: number): void {
-    const { start, span } = this.#view.peek();
+    const { start, span } = this.view.peek();
     if (place < start || place > start + span) this.#show(place - span / 2, span);
   }
 
   /** Moves the view back inside the picture. */
   settle(): void {
-    const { start, span } = this.#view.peek();
+    const { start, span } = this.view.peek();
     this.#show(start, span);
   }
 
   #show(start: number, span: number): void {
-    this.#view.value = span >= 1 ? ALL : { start: Math.min(1 - span, Math.max(0, start)), span };
+    this.view.value = span >= 1 ? WHOLE : { start: Math.min(1 - span, Math.max(0, start)), span };
   }
 }

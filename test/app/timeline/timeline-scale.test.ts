@@ -385,7 +385,7 @@ describe('the marks above the lanes', () => {
       const scale = scaleOf(program, null, plot);
       const view = { start: 0, span: 1 };
       const layout = layoutOf({ scale, view, plot, measures, servos: 1, front: 0, highest: 130 });
-      const { flags } = marksIn(program, layout, null);
+      const { flags } = marksIn(program, layout, measures, null);
       for (const { x, radius, isDt, slot } of flags) {
         // DT stands in a box, which is wider than the circle of a function.
         const half = isDt ? radius + 2 : radius;

@@ -46,7 +46,7 @@ export class MoveHandle implements Gesture {
     const way = point[along] - this.#last;
     this.#last = point[along];
     const fineness = finenessAt(point[across] - this.#from[across]);
-    this.#model.refine(fineness);
+    this.#model.refine(fineness > 0);
     const before = this.#valueAt(layout, this.#at);
     this.#at += way;
     if (fineness > 0) {

@@ -1,23 +1,6 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { drawable, RUN_OUT } from '../scale.js';
 
-/** Drives the player's clock: the frames of the screen, or a test. */
-export interface Frames {
-  /**
-   * Calls back once, at the next frame, with a time in milliseconds that never runs backwards.
-   * @returns a function that cancels the call.
-   */
-  next(callback: (now: number) => void): () => void;
-}
-
-/** The frames of the screen. They stop while the page is hidden. */
-const screenFrames: Frames = {
-  next(callback) {
-    const id = requestAnimationFrame(callback);
-    return () => cancelAnimationFrame(id);
-  },
-};
-
 /** How many times faster than real time. */
 export const SPEEDS = [1, 5, 20] as const;
 export type Speed = (typeof SPEEDS)[number];
@@ -32,32 +15,30 @@ const UNITS = 0.1;
  * time that the pilot has selected, or asks about.
  */
 export class Player {
-  readonly #time = signal(0);
-  readonly #playing = signal(false);
-  readonly #speed = signal<Speed>(1);
+  // Only this player writes them.
+  /** Whole hundredths of a second from launch. */
+  readonly time = signal(0);
+  readonly playing = signal(false);
+  readonly speed = signal<Speed>(1);
   readonly #end = signal(RUN_OUT);
   /** Whether the flight was played or sought: it then stays at that time. */
   readonly #underWay = signal(false);
   readonly #inHand = signal(0);
-  readonly #asked = signal<number | null>(null);
-  /** Whole hundredths of a second from launch. */
-  readonly time: ReadonlySignal<number> = this.#time;
-  readonly playing: ReadonlySignal<boolean> = this.#playing;
-  readonly speed: ReadonlySignal<Speed> = this.#speed;
   /** The time to show, in hundredths of a second from launch. */
-  readonly shown: ReadonlySignal<number> = computed(
-    () =>
-      this.#asked.value ?? (this.#underWay.value ? this.#time.value : Math.min(this.#end.value, this.#inHand.value)),
-  );
+  readonly shown: ReadonlySignal<number>;
   /** The place of the flight, to mark on a timeline; null until it was played or sought. */
-  readonly cursor: ReadonlySignal<number | null> = computed(() => (this.#underWay.value ? this.#time.value : null));
-  readonly #frames: Frames;
+  readonly cursor: ReadonlySignal<number | null> = computed(() => (this.#underWay.value ? this.time.value : null));
   /** Not rounded, so that slow frames lose nothing. */
   #exact = 0;
-  #stop: (() => void) | null = null;
+  #frame = 0;
 
-  constructor(frames: Frames = screenFrames) {
-    this.#frames = frames;
+  /** @param asked a time that somebody asks about: it is shown as long as it is not null. */
+  constructor(asked?: ReadonlySignal<number | null>) {
+    this.shown = computed(() => {
+      const time = asked?.value ?? null;
+      if (time !== null) return drawable(time);
+      return this.#underWay.value ? this.time.value : Math.min(this.#end.value, this.#inHand.value);
+    });
   }
 
   /** Another program is shown. A time past its end becomes its end. */
@@ -70,35 +51,29 @@ export class Player {
   take(time: number): void {
     batch(() => {
       this.#inHand.value = drawable(time);
-      if (!this.#playing.peek()) this.#underWay.value = false;
+      if (!this.playing.peek()) this.#underWay.value = false;
     });
-  }
-
-  /** Shows a time while somebody asks about it; null ends that. */
-  ask(time: number | null): void {
-    this.#asked.value = time === null ? null : drawable(time);
   }
 
   /** Goes on playing. The first time it begins at the selected time; from the end it begins at launch again. */
   play(): void {
-    if (this.#playing.peek()) return;
+    if (this.playing.peek()) return;
     batch(() => {
       if (!this.#underWay.peek()) this.#begin();
       if (this.#exact >= this.#end.peek()) this.#goTo(0);
       this.#underWay.value = true;
-      this.#playing.value = true;
+      this.playing.value = true;
     });
     this.#await(null);
   }
 
   pause(): void {
-    this.#playing.value = false;
-    this.#stop?.();
-    this.#stop = null;
+    this.playing.value = false;
+    cancelAnimationFrame(this.#frame);
   }
 
   toggle(): void {
-    if (this.#playing.peek()) this.pause();
+    if (this.playing.peek()) this.pause();
     else this.play();
   }
 
@@ -111,7 +86,7 @@ export class Player {
   }
 
   setSpeed(speed: Speed): void {
-    this.#speed.value = speed;
+    this.speed.value = speed;
   }
 
   /** Begins at the selected time, unless that is after the last event. */
@@ -121,18 +96,18 @@ export class Player {
   }
 
   #await(before: number | null): void {
-    this.#stop = this.#frames.next((now) => {
-      this.#stop = null;
+    this.#frame = requestAnimationFrame((now) => {
+      this.#frame = 0;
       const passed = before === null ? 0 : Math.min(LONGEST_FRAME, now - before);
-      this.#goTo(Math.min(this.#end.peek(), this.#exact + passed * UNITS * this.#speed.peek()));
-      if (this.#exact >= this.#end.peek()) this.#playing.value = false;
+      this.#goTo(Math.min(this.#end.peek(), this.#exact + passed * UNITS * this.speed.peek()));
+      if (this.#exact >= this.#end.peek()) this.playing.value = false;
       // A listener of the time may have paused or restarted it.
-      if (this.#playing.peek() && !this.#stop) this.#await(now);
+      if (this.playing.peek() && this.#frame === 0) this.#await(now);
     });
   }
 
   #goTo(time: number): void {
     this.#exact = time;
-    this.#time.value = Math.floor(time);
+    this.time.value = Math.floor(time);
   }
 }

@@ -1,35 +1,12 @@
+import { signal } from '@preact/signals';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Frames, Player, SPEEDS } from '../../../../src/app/timeline/preview/player.js';
-
-/** Frames that come when they are told to. */
-class HandFrames implements Frames {
-  now = 1000;
-  #waiting = new Set<(now: number) => void>();
-
-  next(callback: (now: number) => void): () => void {
-    this.#waiting.add(callback);
-    return () => void this.#waiting.delete(callback);
-  }
-
-  get waiting(): number {
-    return this.#waiting.size;
-  }
-
-  /** So many frames, each some milliseconds after the one before. */
-  run(count: number, ms: number): void {
-    for (let i = 0; i < count; i++) {
-      this.now += ms;
-      const due = [...this.#waiting];
-      this.#waiting.clear();
-      for (const callback of due) callback(this.now);
-    }
-  }
-}
+import { Player, SPEEDS } from '../../../../src/app/timeline/preview/player.js';
+import { HandFrames } from './hand-frames.js';
 
 function bench(end = 18300) {
   const frames = new HandFrames();
-  const player = new Player(frames);
+  const player = new Player();
   player.setEnd(end);
   return { frames, player };
 }
@@ -180,11 +157,13 @@ describe('the time that is shown', () => {
   });
 
   it('is that of the pointer, as long as it points', () => {
-    const { player } = bench();
+    const asked = signal<number | null>(null);
+    const player = new Player(asked);
+    player.setEnd(18300);
     player.seek(400);
-    player.ask(120);
+    asked.value = 120;
     expect([player.shown.value, player.cursor.value]).toEqual([120, 400]);
-    player.ask(null);
+    asked.value = null;
     expect(player.shown.value).toBe(400);
   });
 

@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals';
 import { act, fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { en } from '../../../../src/app/messages/en.js';
@@ -6,6 +7,7 @@ import { Player } from '../../../../src/app/timeline/preview/player.js';
 import { guessedUses } from '../../../../src/app/timeline/preview/surfaces.js';
 import type { ServoUse } from '../../../../src/program/index.js';
 import { programOf } from '../../programs.js';
+import { HandFrames } from './hand-frames.js';
 
 const PROGRAM = programOf(
   'Q',
@@ -19,30 +21,15 @@ const PROGRAM = programOf(
 
 /** A preview, and the frames that play it. */
 function shown(props: Partial<FlightPreviewProps> = {}) {
-  let callback: ((now: number) => void) | null = null;
-  let now = 0;
-  const player = new Player({
-    next(next) {
-      callback = next;
-      return () => {
-        callback = null;
-      };
-    },
-  });
+  const frames = new HandFrames();
+  const asked = signal<number | null>(null);
+  const player = new Player(asked);
   const { unmount } = render(
     <FlightPreview program={PROGRAM} player={player} named={null} onName={() => {}} {...props} />,
   );
   /** So many frames of 100 ms. */
-  const run = (count: number) =>
-    act(() => {
-      for (let i = 0; i < count; i++) {
-        now += 100;
-        const due = callback;
-        callback = null;
-        due?.(now);
-      }
-    });
-  return { player, run, unmount };
+  const run = (count: number) => act(() => frames.run(count, 100));
+  return { player, asked, run, unmount };
 }
 
 const press = (name: string | RegExp) => act(() => void fireEvent.click(screen.getByRole('button', { name })));
@@ -175,14 +162,16 @@ describe('the flight preview', () => {
   });
 
   it('shows the selected cell, and moves without the pilot only when it is played', async () => {
-    const { player } = shown();
+    const { player, asked } = shown();
     await act(() => player.take(600));
     expect([clock(), happened().textContent, happened().getAttribute('role')]).toEqual([
       '6.00 s',
       'Function 3 at 6.00 s',
       null,
     ]);
-    await act(() => player.ask(200));
+    await act(() => {
+      asked.value = 200;
+    });
     expect(clock()).toBe('2.00 s');
   });
 

@@ -1,0 +1,369 @@
+import { useId } from 'preact/hooks';
+import type { ProgramField, TimerProgram } from '../../program/index.js';
+import { figureText, messages } from '../messages/index.js';
+import { marksOf, motorStopOf, reachedAt, type Stage, stagesOf } from './flight.js';
+import type { Flag, Geometry } from './geometry.js';
+import { type Layout, lineOf } from './layout.js';
+import { rounded } from './scale.js';
+import { servoClass } from './servo-class.js';
+import { shortTime } from './ticks.js';
+import './picture.css';
+
+interface PictureProps {
+  readonly geometry: Geometry;
+  /** The selected servo, whose lane is tall; null on paper, where the positions stand beside the lines instead. */
+  readonly front: number | null;
+  /** The servo of the first lane. Default: the first of all. */
+  readonly first?: number;
+  /** The pilot's names for what each servo moves. */
+  readonly names?: readonly string[] | undefined;
+  readonly selected?: ProgramField | null;
+  /** The program behind it. */
+  readonly overlay?: TimerProgram | null;
+}
+
+/** The drawing of a program over time, on the screen and on paper. What can be dragged lies over it. */
+export function Picture({ geometry, front, first = 0, names, selected = null, overlay = null }: PictureProps) {
+  const { program, layout, measures, motorStop } = geometry;
+  const { left, right } = layout.box;
+  const clip = useId();
+  const chosen = selected && selected.kind !== 'idleThrottle' ? selected.slot : null;
+  const time = selected?.kind === 'time' ? (program.times[selected.slot] ?? null) : null;
+  return (
+    <>
+      <clipPath id={clip}>
+        <rect x={left - 2} y={0} width={right - left + 4} height={measures.height} />
+      </clipPath>
+      <Edges layout={layout} />
+      {front !== null && <Levels layout={layout} front={front} />}
+      <g clip-path={`url(#${clip})`}>
+        {/* Dashes would show through the thin line of an equal motor stop, as if it differed. */}
+        {overlay && <Overlay program={overlay} layout={layout} hasStop={motorStopOf(overlay) !== motorStop} />}
+        <MotorRun {...geometry} />
+        <Unknown {...geometry} />
+        <Marks {...geometry} chosen={chosen} />
+        <Lines {...geometry} front={front} first={first} />
+      </g>
+      {front === null && <Positions {...geometry} />}
+      <TimeAxis {...geometry} chosen={time} />
+      <LaneNames {...{ layout, front, first, names }} />
+      {geometry.flags
+        .filter(({ at }) => layout.shows(at))
+        .map((flag) => (
+          <FlagFigure key={flag.slot} flag={flag} y={measures.flag} isChosen={flag.slot === chosen} />
+        ))}
+    </>
+  );
+}
+
+/** Where one lane ends and the next begins. */
+export function Edges({ layout }: { readonly layout: Layout }) {
+  const edges = layout.lanes.slice(0, -1).map(({ until }) => Math.round(until) + 0.5);
+  return <path class="level" d={edges.map((y) => `M0 ${y}H${layout.box.right}`).join('')} />;
+}
+
+/** The positions with a line across the selected lane: the ends and the middle. */
+function levels(highest: number): number[] {
+  return highest > 130 ? [0, 65, 130, highest] : [0, 65, highest];
+}
+
+/** A handle on the left edge does not touch the position that stands beside it, in pixels. */
+const LEVEL_GAP = 12;
+
+/** In the selected lane the positions at the left edge with their lines. */
+function Levels({ layout, front }: { readonly layout: Layout; readonly front: number }) {
+  const { left, right } = layout.box;
+  return (
+    <g>
+      {levels(layout.highest).map((position) => {
+        const y = Math.round(layout.y(front, position)) + 0.5;
+        return (
+          <g key={position}>
+            <path class="level" d={`M${left} ${y}H${right}`} />
+            <text class="level" x={left - LEVEL_GAP} y={y} dy="0.35em">
+              {position}
+            </text>
+          </g>
+        );
+      })}
+    </g>
+  );
+}
+
+interface LinesProps {
+  readonly program: TimerProgram;
+  readonly stages: readonly Stage[];
+  readonly layout: Layout;
+  readonly front?: number | null;
+  readonly first?: number;
+}
+
+/** The lines of the servos, each in its lane. */
+export function Lines({ program, stages, layout, front = null, first = 0 }: LinesProps) {
+  return (
+    <>
+      {program.positions.flatMap((_, lane) => {
+        const { line, back } = lineOf(program, stages, lane, layout);
+        const classes = `servo-line ${servoClass(first + lane)}`;
+        return [
+          <path key={lane} class={lane === front ? `${classes} front` : classes} d={line} />,
+          back !== '' && <path key={`${lane} back`} class={`${classes} back`} d={back} />,
+        ];
+      })}
+    </>
+  );
+}
+
+/** Pixels on paper: the room for a position before the next movement, above its line, and in the margin. */
+const POSITION = { width: 17, height: 13, margin: 10 };
+
+/** The positions of the servos, each beside its line after a movement, where there is room. */
+function Positions({ program, stages, layout }: Geometry) {
+  return (
+    <g class="positions">
+      {program.positions.map((row, lane) =>
+        stages.map(({ slot, from, passing }) => {
+          const position = row[slot] ?? 0;
+          if (passing !== 'held' || (slot > 0 && position === row[slot - 1])) return null;
+          const moves = stages.find((later) => later.slot > slot && row[later.slot] !== position);
+          const x = layout.x(from);
+          const until = moves ? layout.x(moves.from) : layout.box.right + POSITION.margin;
+          if (until - x < POSITION.width) return null;
+          const y = layout.y(lane, position);
+          const isAbove = y - (layout.lanes[lane]?.from ?? 0) > POSITION.height;
+          return (
+            <text key={`${lane} ${slot}`} data-lane={lane} x={x + 3} y={y} dy={isAbove ? '-0.3em' : '1em'}>
+              {position}
+            </text>
+          );
+        }),
+      )}
+    </g>
+  );
+}
+
+interface OverlayProps {
+  readonly program: TimerProgram;
+  readonly layout: Layout;
+  /** Whether to draw its motor stop. */
+  readonly hasStop: boolean;
+}
+
+/** A second program behind the first, thin and dashed: its lines, its DT and its motor stop. */
+function Overlay({ program, layout, hasStop }: OverlayProps) {
+  const { top, bottom } = layout.box;
+  const stages = stagesOf(program);
+  const dt = stages.at(-1)?.from ?? 0;
+  const stop = hasStop ? motorStopOf(program) : null;
+  return (
+    <g class="overlay">
+      {program.positions.map((_, servo) => {
+        const { line, back } = lineOf(program, stages, servo, layout);
+        return <path key={servo} d={line + back} />;
+      })}
+      <path class="mark" d={`M${layout.x(dt)} ${top}V${bottom}`} />
+      {stop !== null && <path class="mark" d={`M${layout.x(stop)} ${top}V${bottom}`} />}
+    </g>
+  );
+}
+
+/** A lower lane has no room for a word beside its line, in pixels. */
+const WORD_ROOM = 40;
+/** On paper a longer name is drawn narrower, so that it stays beside its lane. */
+const NAME_FITS = 11;
+
+interface LaneNamesProps extends Required<Pick<PictureProps, 'front' | 'first'>> {
+  readonly layout: Layout;
+  readonly names: readonly string[] | undefined;
+}
+
+/** The name of each servo at the left edge of its lane, and what it moves: in the lane, or on paper beside it. */
+function LaneNames({ layout, front, first, names }: LaneNamesProps) {
+  const { servoName } = messages.value;
+  const { left } = layout.box;
+  const isPaper = front === null;
+  return (
+    <g class="lane-names">
+      {layout.lanes.map(({ from, until }, lane) => {
+        const name = names?.[first + lane];
+        const height = until - from;
+        // Between the position figures at the left edge of the selected lane.
+        const y = from + (lane === front ? height / 4 : height / 2);
+        const narrow = name && name.length > NAME_FITS && { textLength: left - 8, lengthAdjust: 'spacingAndGlyphs' };
+        return (
+          <g key={from}>
+            <text
+              class={servoClass(first + lane)}
+              x={isPaper ? 0 : 8}
+              y={y}
+              dy={isPaper && name ? '-0.15em' : '0.35em'}
+            >
+              {servoName(first + lane)}
+            </text>
+            {name && isPaper && (
+              <text x={0} y={y} dy="1em" {...narrow}>
+                {name}
+              </text>
+            )}
+            {name && !isPaper && height >= WORD_ROOM && (
+              <text x={left + 14} y={from + 14} dy="0.35em">
+                {name}
+              </text>
+            )}
+          </g>
+        );
+      })}
+    </g>
+  );
+}
+
+/** A time closer to an edge is not centred, in pixels: less than the run-out, so that DT is. */
+const EDGE_ROOM = 14;
+
+/** The times below the plot: DT in bold, those of the marks, and round ones where there is room. */
+function TimeAxis({ program, layout, measures, ticks, stages, chosen }: Geometry & { readonly chosen: number | null }) {
+  const dt = stages.at(-1)?.from;
+  const marks = new Set(marksOf(program));
+  const { left, right } = layout.box;
+  const top = Math.max(layout.box.bottom, measures.axis - 20);
+  return (
+    <g class="axis">
+      {ticks.map((time, i) => {
+        const x = layout.x(time);
+        const at = x < left + EDGE_ROOM ? 'first' : x > right - EDGE_ROOM ? 'last' : '';
+        const classes = `${marks.has(time) ? 'mark' : ''} ${time === dt ? 'dt' : ''} ${time === chosen ? 'selected' : ''}`;
+        return (
+          // Moved times keep their element: adding and removing elements makes the browser restyle the whole page.
+          <g key={time === dt ? 'dt' : i} class={classes} transform={`translate(${rounded(x)} 0)`}>
+            <path d={`M0 ${top}v5`} />
+            <text y={measures.axis} class={at}>
+              {time === 0 ? '0 s' : shortTime(time)}
+            </text>
+          </g>
+        );
+      })}
+    </g>
+  );
+}
+
+/** Where times fall: between a function and the one before it, which comes later. */
+function Unknown({ stages, layout }: Geometry) {
+  const { top, bottom } = layout.box;
+  return (
+    <g class="unknown">
+      {stages.map(({ slot, from, until, passing }) => {
+        if (passing !== 'back' || until === null) return null;
+        const x = layout.x(until);
+        return <rect key={slot} x={x} y={top} width={layout.x(from) - x} height={bottom - top} />;
+      })}
+    </g>
+  );
+}
+
+/** The vertical lines of the functions and DT, from their numbers down. */
+function Marks({ flags, layout, measures, chosen }: Geometry & { readonly chosen: number | null }) {
+  const { top, bottom } = layout.box;
+  return (
+    <g>
+      {flags.map(({ slot, isDt, at, x, radius, labelled, roomy }) => {
+        const lead = labelled ? `M${rounded(x)} ${measures.flag + radius}L${rounded(at)} ${top - 3}V${top}` : '';
+        const classes = `flag-line ${isDt ? 'dt' : ''} ${slot === chosen ? 'selected' : ''} ${roomy ? '' : 'many'}`;
+        return <path key={slot} class={classes} d={`${lead}M${rounded(at)} ${top}V${bottom}`} />;
+      })}
+    </g>
+  );
+}
+
+/** In a circle with a smaller radius the number is smaller, too. In pixels. */
+const LETTERS = 11;
+
+interface FlagFigureProps {
+  readonly flag: Flag;
+  readonly y: number;
+  /** Whether a value of this slot is selected: its time or a position. */
+  readonly isChosen: boolean;
+}
+
+/** The number of a mark, in a circle where there is room. */
+function FlagFigure({ flag, y, isChosen }: FlagFigureProps) {
+  const { slot, isDt, x, radius, labelled, roomy, passedOver } = flag;
+  const { dt } = messages.value.program;
+  const classes = `flag ${isDt ? 'dt' : ''} ${passedOver ? 'passed' : ''} ${isChosen ? 'chosen' : ''}`;
+  const wide = radius + 2;
+  return (
+    <g transform={`translate(${rounded(x)} ${y})`}>
+      {isDt && <rect class={classes} x={-wide} y={-radius} width={2 * wide} height={2 * radius} rx="6" />}
+      {!isDt && roomy && <circle class={classes} r={radius} />}
+      {labelled && (
+        <text class={classes} y="0.35em" font-size={radius < LETTERS ? radius * 1.2 : undefined}>
+          {isDt ? dt : slot}
+        </text>
+      )}
+    </g>
+  );
+}
+
+/** The width of the words for the motor stop beside it, and of its figure alone, in pixels. */
+const MOTOR_NAME = 150;
+const MOTOR_FIGURE = 66;
+
+/** The motor run: a band over all lanes and a bar below them. */
+function MotorRun({ program, motorStop, layout, measures }: Geometry) {
+  if (motorStop === null) return null;
+  const start = layout.x(0);
+  const { top, bottom, left, right } = layout.box;
+  const end = layout.x(motorStop);
+  const { motor } = measures;
+  // Before its end the words lie on the bar: rather the figure alone.
+  const isBrief = end > right - MOTOR_NAME;
+  const isBefore = end > right - MOTOR_FIGURE;
+  const isNamed = layout.shows(end) && (!isBefore || end > left + MOTOR_NAME);
+  return (
+    <g class="motor">
+      <rect class="run" x={start} y={top} width={Math.max(0, end - start)} height={bottom - top} />
+      <path class="motor-bar" d={`M${rounded(start)} ${motor}H${rounded(end)}`} />
+      <path class="motor-end" d={`M${rounded(end)} ${top}V${motor}`} />
+      {isNamed && (
+        <text class={isBefore ? 'before' : ''} x={isBefore ? end - 12 : end + 12} y={motor} dy="0.35em">
+          {(!isBrief || isBefore) && `${messages.value.program.motorStop} `}
+          {figureText(program.identity, { kind: 'time', slot: 0 }, motorStop)}
+        </text>
+      )}
+    </g>
+  );
+}
+
+/** The width of the position beside the line at one time, in pixels. */
+const VALUE_ROOM = 40;
+
+interface CrosshairProps {
+  readonly geometry: Geometry;
+  readonly time: number | null;
+}
+
+/** A line at one time of the flight, with a dot and the position on each servo's line. */
+export function Crosshair({ geometry, time }: CrosshairProps) {
+  const { layout, program } = geometry;
+  if (time === null || !layout.shows(layout.x(time))) return null;
+  const { top, bottom, right } = layout.box;
+  const x = layout.x(time);
+  const { slot, certain } = reachedAt(program, time);
+  const side = x > right - VALUE_ROOM ? 'before' : '';
+  return (
+    <g class="crosshair" transform={`translate(${x.toFixed(1)} 0)`}>
+      <path d={`M0 ${top - 4}V${bottom + 4}`} />
+      {program.positions.map((row, servo) => {
+        const y = layout.y(servo, row[slot] ?? 0);
+        const { from, until } = layout.lanes[servo] ?? { from: top, until: bottom };
+        return (
+          <g key={servo} class={servoClass(servo)}>
+            <circle cy={y} r={4} />
+            <text class={side} x={side ? -9 : 9} y={Math.min(until - 8, Math.max(from + 8, y - 10))} dy="0.35em">
+              {certain ? row[slot] : '?'}
+            </text>
+          </g>
+        );
+      })}
+    </g>
+  );
+}
