@@ -53,7 +53,6 @@ export function App({ models }: { readonly models: AppModels }) {
         <parts.program.Part
           {...{ session, write, memories, bench, follow, preferences, programPicture, saveSetting }}
           sharing={models.sharing}
-          onExplain={help.explainNow}
           onPrint={printProgram}
         />
       ) : (

@@ -1,7 +1,6 @@
 import { commandsOf } from './commands.js';
 import { FlightDialog } from './flights/flight-dialog.js';
 import { FlyingThis } from './flights/flying-this.js';
-import { WordsDialog } from './help/field-words.js';
 import { ImportDialog } from './library/files/import-dialog.js';
 import { addressPath } from './library/place.js';
 import { SaveDialog } from './library/save-dialog.js';
@@ -18,7 +17,7 @@ import { WriteDialog } from './write/write-dialog.js';
 
 /** The dialogs that can lie over every view. */
 export function Dialogs({ models }: { readonly models: AppModels }) {
-  const { session, views, sharing, write, memories, leaving, flights, erase, saveSetting, help } = models;
+  const { session, views, sharing, write, memories, leaving, flights, erase, saveSetting } = models;
   const after = (
     <>
       <FlyingThis session={session} log={flights} onFillIn={() => write.dismiss()} />
@@ -43,7 +42,6 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
         onLibrary={(model, key) => views.show('library', addressPath(model, key))}
       />
       <EraseDialog session={session} erase={erase} />
-      <WordsDialog session={session} help={help} onMore={() => views.show('help', 'words')} />
       <PageKeys views={views} />
       <Palette commands={() => commandsOf(models)} />
     </>

@@ -657,14 +657,6 @@ export const states = {
       await page.getByRole('textbox', { name: 'Function 4 time' }).waitFor();
     },
   },
-  legend: {
-    title: 'What the rows and columns mean',
-    reach: async (page) => {
-      await connect(page);
-      await press(page, 'What the values are');
-      await page.getByRole('dialog').waitFor();
-    },
-  },
   commands: {
     title: 'The list of commands',
     reach: async (page) => {

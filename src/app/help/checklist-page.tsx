@@ -52,7 +52,7 @@ export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
 
 /** What is known about the connected timer: the memory that flies next, and its DT. */
 function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
-  const { memoryName } = messages.value;
+  const { memoryName, knowledge, header } = messages.value;
   const { known } = words;
   const { editor, nextFlight, connection, simulated } = session;
   const held = editor.baseline.value;
@@ -63,7 +63,7 @@ function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
     const said = worst ? graveText(session, worst) : null;
     return <p class={`known-now ${said === null ? 'hint' : 'bad-text'}`}>{said ?? known.nothing}</p>;
   }
-  const memory = held.memory === null ? known.memory : memoryName(held.memory);
+  const memory = held.memory === null ? knowledge.thisMemory : memoryName(held.memory);
   if (standing.sure === 'not') {
     return (
       <p class="known-now bad-text" role="alert">
@@ -80,7 +80,8 @@ function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
   return (
     <p class="known-now">
       {isCertain ? known.now(memory, dt?.text ?? '', time) : known.once(memory, dt?.text ?? '', time)}{' '}
-      {changes > 0 && <span class="bad-text">{known.unwritten(changes)}</span>} {simulated.value && known.simulated}
+      {changes > 0 && <span class="bad-text">{known.unwritten(changes)}</span>}{' '}
+      {simulated.value && <span class="badge">{header.simulated}</span>}
     </p>
   );
 }

@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { computed } from '@preact/signals';
 import type { Session } from '../session/session.js';
 import { Checklist } from './checklist.js';
 
@@ -14,18 +14,8 @@ export function helpPageAt(path: string): HelpPage {
 /** What the help remembers while the pilot is elsewhere. */
 export class Help {
   readonly checklist: Checklist;
-  readonly #explaining = signal(false, { name: 'explaining' });
-  /** Whether the explanation of the program's columns and rows is open. */
-  readonly explaining: ReadonlySignal<boolean> = this.#explaining;
 
   constructor({ editor }: Pick<Session, 'editor'>) {
     this.checklist = new Checklist(computed(() => editor.identity.value?.timerClass ?? null));
   }
-
-  explain(open: boolean): void {
-    this.#explaining.value = open;
-  }
-
-  /** Always the same function, so that a table with it is not drawn again. */
-  readonly explainNow = (): void => this.explain(true);
 }

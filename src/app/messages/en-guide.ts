@@ -21,53 +21,38 @@ export const firstSteps = [
 
 /** The values of a program, with unit and range. */
 export const words = {
-  title: 'What the values are',
-  more: 'More about each',
-  fields: {
-    function: {
-      name: 'Function',
-      short:
-        'A step of the flight: at its time each servo goes to its position. To skip one, give it the positions of the function before.',
-      range: 'Usually start, nine functions and DT.',
-    },
-    time: {
-      name: 'Time',
-      short:
-        'When a function begins, counted from launch. Type 12.5 or 2:05. For F1B and F1E it is not known from where the timer counts.',
-      range:
-        'By the manuals. F1Q: 0.1 to 99.9\u00a0s. F1B: 0.01 to 9.99\u00a0s for functions 1 and 2, then 0.1 to 99.9\u00a0s. F1E: not known.',
-    },
-    after: {
-      name: 'After',
-      short: 'The time since the function before. All later functions move with it, DT does not.',
-      range: '',
-    },
-    position: {
-      name: 'Position',
-      short: 'Where a servo stands. The angle of a step depends on servo and linkage: try it on the bench.',
-      range: '0 to 130 steps.',
-    },
-    motorStop: {
-      name: 'Motor stop',
-      short: 'F1Q: when the motor stops, counted from launch. No servo moves with it.',
-      range: 'By the manual 0.1 to 99.9\u00a0s, in steps of 0.1\u00a0s.',
-    },
-    dt: {
-      name: 'DT',
-      short: 'The dethermaliser: when it brings the model down, counted from launch. Red when shorter than your limit.',
-      range: '1 to 720\u00a0s by the manual. More than 10:55\u00a0min cannot be sent.',
-    },
-    idleThrottle: {
-      name: 'Idle throttle',
-      short: 'F1Q: probably how fast the motor turns while the start switch is held.',
-      range: 'The page assumes 0 to 100. The unit is not known.',
-    },
-    memory: {
-      name: 'Memory',
-      short:
-        'A timer has several memories, each with one program. The selected one flies next. A look at another one selects it and goes back; if that is interrupted, the page says which one may fly next.',
-      range: 'Usually four, M1 to M4. Older timers have five.',
-    },
+  function: {
+    text: 'A step of the flight: at its time each servo goes to its position. To skip one, give it the positions of the function before.',
+    range: 'Usually start, nine functions and DT.',
+  },
+  time: {
+    text: 'When a function begins, counted from launch. Type 12.5 or 2:05. For F1B and F1E it is not known from where the timer counts.',
+    range:
+      'By the manuals. F1Q: 0.1 to 99.9\u00a0s. F1B: 0.01 to 9.99\u00a0s for functions 1 and 2, then 0.1 to 99.9\u00a0s. F1E: not known.',
+  },
+  after: {
+    text: 'The time since the function before. All later functions move with it, DT does not.',
+  },
+  position: {
+    name: 'Position',
+    text: 'Where a servo stands. The angle of a step depends on servo and linkage: try it on the bench.',
+    range: '0 to 130 steps.',
+  },
+  motorStop: {
+    text: 'F1Q: when the motor stops, counted from launch. No servo moves with it.',
+    range: 'By the manual 0.1 to 99.9\u00a0s, in steps of 0.1\u00a0s.',
+  },
+  dt: {
+    text: 'The dethermaliser: when it brings the model down, counted from launch. Red when shorter than your limit.',
+    range: '1 to 720\u00a0s by the manual. More than 10:55\u00a0min cannot be sent.',
+  },
+  idleThrottle: {
+    text: 'F1Q: probably how fast the motor turns while the start switch is held.',
+    range: 'The page assumes 0 to 100. The unit is not known.',
+  },
+  memory: {
+    text: 'A timer has several memories, each with one program. The selected one flies next. A look at another one selects it and goes back; if that is interrupted, the page says which one may fly next.',
+    range: 'Usually four, M1 to M4. Older timers have five.',
   },
 };
 
@@ -88,13 +73,10 @@ export const checklist = {
   known: {
     now: (memory: string, dt: string, time: string) => `${memory} flies next, ${whole(`DT ${dt}`)}, read ${time}.`,
     once: (memory: string, dt: string, time: string | null) =>
-      `${memory}, ${whole(`DT ${dt}`)}, as last read${time === null ? '' : ` ${time}`}.`,
+      `As last read${time === null ? '' : ` ${time}`}: ${memory}, ${whole(`DT ${dt}`)}.`,
     not: (memory: string) => `It is not known what ${memory} holds. Read it before you fly.`,
-    memory: 'This memory',
-    simulated: 'This is a simulated timer.',
     nothing: 'No timer has been read. Connect to see its memory and DT here.',
-    unwritten: (count: number) =>
-      count === 1 ? '1 change is not in the timer yet.' : `${count} changes are not in the timer yet.`,
+    unwritten: (count: number) => `${plural(count, 'change', 'changes')} not in the timer yet.`,
   },
   left: (count: number) => `${plural(count, 'item', 'items')} left`,
   done: 'All ticked. Good flight.',

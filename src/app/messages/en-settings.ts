@@ -3,8 +3,6 @@ export const theme = { title: 'Colours', names: { system: 'System', light: 'Ligh
 
 /** The settings of the page. */
 export const settings = {
-  title: 'Settings',
-  help: 'Help: checklist, trouble, values',
   look: 'Look',
   expert: 'Expert: show the line',
   expertHint:

@@ -25,7 +25,6 @@ interface ProgramTableProps extends Pick<ProgramRowProps, 'session' | 'bench' | 
   /** The tools of the rows, when something outside opens them, too. Default: its own. */
   readonly tools?: RowTools;
   /** Explains the values. */
-  readonly onExplain: () => void;
 }
 
 /** With more rows or columns, the table scrolls inside itself and keeps its headings in sight. */
@@ -33,7 +32,7 @@ const MOST_SLOTS = 12;
 const MOST_SERVOS = 4;
 
 /** Rows from start to DT; columns for time, interval and servos. It works like a spreadsheet. */
-export function ProgramTable({ session, bench, follow, marked, tools: given, onExplain }: ProgramTableProps) {
+export function ProgramTable({ session, bench, follow, marked, tools: given }: ProgramTableProps) {
   const { editor } = session;
   const { program, edits } = messages.value;
   const selection = useMemo(() => new Selection(), []);
@@ -129,7 +128,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
           >
             <caption class="visually-hidden">{program.tableCaption}</caption>
             <TableHead
-              {...{ servos, onExplain }}
+              servos={servos}
               onSwitch={() => {
                 intervals.value = !intervals.value;
               }}

@@ -7,12 +7,10 @@ interface TableHeadProps {
   readonly servos: readonly number[];
   /** Where there is room for only one of the two, shows the other one. */
   readonly onSwitch: () => void;
-  /** Explains the values. */
-  readonly onExplain: () => void;
 }
 
 /** The headings of the columns, with units. */
-export function TableHead({ servos, onSwitch, onExplain }: TableHeadProps) {
+export function TableHead({ servos, onSwitch }: TableHeadProps) {
   const { program, edits, servoName } = messages.value;
   const { table } = edits;
   return (
@@ -20,13 +18,9 @@ export function TableHead({ servos, onSwitch, onExplain }: TableHeadProps) {
       <tr>
         <th scope="col" aria-label={program.slot}>
           <span class="visually-hidden">{program.slot}</span>
-          <button
-            type="button"
-            class="head-help"
-            aria-label={table.explain}
-            title={table.explain}
-            onClick={onExplain}
-          />
+          <a class="head-help" href="#help/words" title={table.explain}>
+            <span class="visually-hidden">{table.explain}</span>
+          </a>
         </th>
         <TimeHead class="time" switchTo={table.showIntervals} onSwitch={onSwitch}>
           {program.time}

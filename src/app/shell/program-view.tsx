@@ -25,14 +25,12 @@ export interface ProgramViewProps extends Omit<CommandBarProps, 'onShift' | 'pic
   readonly programPicture: ProgramPicture;
   readonly sharing: Sharing;
   readonly onPrint: () => void;
-  /** Explains the values of the table. */
-  readonly onExplain: () => void;
 }
 
 /** The program on the screen: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramView(props: ProgramViewProps) {
   const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, sharing } = props;
-  const { onPrint, onExplain } = props;
+  const { onPrint } = props;
   const { program, header, about, views: words } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -87,7 +85,7 @@ export function ProgramView(props: ProgramViewProps) {
           <div class="of-memory" inert={leaving}>
             <SettingLine session={session} />
             {!isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
-            <ProgramTable {...{ session, bench, follow, marked, tools, onExplain }} />
+            <ProgramTable {...{ session, bench, follow, marked, tools }} />
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
           </div>
         ) : (

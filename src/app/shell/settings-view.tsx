@@ -28,16 +28,16 @@ export interface SettingsViewProps {
 /** What is set once: the look of the page, the adapters, what this device keeps. */
 export function SettingsView(props: SettingsViewProps) {
   const { session, preferences, theme, erase, views, installation, update } = props;
-  const { settings: words, erase: eraseWords, program } = messages.value;
+  const { settings: words, erase: eraseWords, program, views: viewWords } = messages.value;
   // A rail leads to the help, too.
   const areLinksBelow = useQuery(TABS_BELOW).value;
   return (
     <>
-      <h1>{words.title}</h1>
+      <h1>{viewWords.names.settings}</h1>
       {areLinksBelow && (
         <p>
           <a class="to-help-page" href="#help">
-            {words.help}
+            {viewWords.names.help}
           </a>
         </p>
       )}

@@ -2,7 +2,6 @@ import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { checklist, guide, troubles, words } from '../../../src/app/messages/en-guide.js';
-import { settings } from '../../../src/app/messages/en-settings.js';
 import { TABS_BELOW } from '../../../src/app/ui/use-query.js';
 import { idle, reloaded, run } from '../bench/bench.js';
 import { connected, drawn, goTo, inWindow, opened, press, type } from '../screen.js';
@@ -54,35 +53,25 @@ describe('the help', () => {
   });
 
   it('opens by the key ?, but not in a text field or while a dialog is open', async () => {
-    const { views } = await connected();
+    const { views, models } = await connected();
     const hit = (target: Element): void => {
       act(() => void fireEvent.keyDown(target, { key: '?' }));
     };
     hit(screen.getByRole('textbox', { name: 'DT time' }));
     expect(views.shown.value).toBe('program');
-    await press(en.edits.table.explain);
+    act(() => models.erase.open());
     hit(document.body);
     expect(views.shown.value).toBe('program');
-    await press('Close');
+    await press(en.cancel);
     hit(document.body);
     expect(views.shown.value).toBe('help');
   });
 
-  it('is shown in short over the table that it explains, and leads to the rest', async () => {
-    const { views } = await connected();
-    await press(en.edits.table.explain);
-    const dialog = within(screen.getByRole('dialog', { name: en.edits.table.explain }));
-    expect(dialog.getByText(words.fields.position.range)).toBeTruthy();
-    expect(dialog.getByText('Motor stop')).toBeTruthy();
-    fireEvent.click(dialog.getByRole('button', { name: words.more }));
-    await idle(0);
-    expect([views.shown.value, views.path.value, screen.queryByRole('dialog')]).toEqual(['help', 'words', null]);
-  });
-
-  it('says nothing about a motor on a class without one', async () => {
-    await connected({ identity: { timerClass: 'B' } });
-    await press(en.edits.table.explain);
-    expect(within(screen.getByRole('dialog')).queryByText('Motor stop')).toBeNull();
+  it('is where the ? of the table leads', async () => {
+    const { models } = await connected();
+    expect(screen.getByRole('link', { name: en.edits.table.explain }).getAttribute('href')).toBe('#help/words');
+    await look(models, 'words');
+    expect(screen.getByText(words.position.range)).toBeTruthy();
   });
 });
 
@@ -101,16 +90,14 @@ describe('what the checklist says of the timer', () => {
     expect(known()).toMatch(/^M1 flies next, DT\u00a03:00\u00a0min, read \d\d:\d\d\.$/);
     await run(session.timer.disconnect());
     await idle(0);
-    expect(known()).toMatch(/^M1, DT\u00a03:00\u00a0min, as last read \d\d:\d\d\.$/);
+    expect(known()).toMatch(/^As last read \d\d:\d\d: M1, DT\u00a03:00\u00a0min\.$/);
   });
 
   it('is what the timer holds, and how many changes are not in it yet', async () => {
     const { models } = await connected();
     await type('DT time', '6:00');
     await look(models, 'checklist');
-    expect(known()).toMatch(
-      /^M1 flies next, DT\u00a03:00\u00a0min, read \d\d:\d\d\. 1 change is not in the timer yet\.$/,
-    );
+    expect(known()).toMatch(/^M1 flies next, DT\u00a03:00\u00a0min, read \d\d:\d\d\. 1 change not in the timer yet\.$/);
   });
 
   it('never comes from a program that is in no timer', async () => {
@@ -158,5 +145,5 @@ it('the settings lead to the help where the links to the views have no room for 
   inWindow((query) => query === TABS_BELOW);
   await opened();
   await goTo('settings');
-  expect(links()).toEqual([settings.help]);
+  expect(links()).toEqual(['Help']);
 });

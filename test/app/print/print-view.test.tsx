@@ -71,15 +71,15 @@ describe('the print view', () => {
   });
 
   it('is opened by Ctrl+P where a sheet can be printed; elsewhere, and over a dialog, the browser prints', async () => {
-    const { views } = await connected();
+    const { views, models } = await connected();
     const hit = (): boolean => {
       const key = new KeyboardEvent('keydown', { key: 'p', ctrlKey: true, bubbles: true, cancelable: true });
       act(() => void document.body.dispatchEvent(key));
       return key.defaultPrevented;
     };
-    await press(en.edits.table.explain);
+    act(() => models.erase.open());
     expect([hit(), views.shown.value]).toEqual([false, 'program']);
-    await press('Close');
+    await press(en.cancel);
     expect([hit(), views.shown.value]).toEqual([true, 'print']);
     expect(sheets()).toHaveLength(1);
     expect([hit(), views.shown.value]).toEqual([false, 'print']);
