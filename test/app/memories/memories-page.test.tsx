@@ -53,18 +53,18 @@ describe('the memories', () => {
   it('have one time axis: the later DT lies further on, and motor runs of one length are as long', async () => {
     await read();
     /** Where the picture of a memory has its DT, or the end of its motor run or of a servo. */
-    const place = (line: 'dt' | 'motor' | 'line') => (memory: string) => {
-      const path = card(memory).querySelector(`.small-${line}`)?.getAttribute('d') ?? '';
-      return Number((line === 'dt' ? /^M([\d.]+)/ : /H([\d.]+)$/).exec(path)?.[1]);
+    const place = (line: 'flag-line' | 'motor-bar' | 'servo-line') => (memory: string) => {
+      const path = card(memory).querySelector(`.${line}`)?.getAttribute('d') ?? '';
+      return Number((line === 'flag-line' ? /^M([\d.]+)/ : /H([\d.]+)$/).exec(path)?.[1]);
     };
     // Motor stop 10.0 s in all; DT 3:00, 3:30 and 4:00 min.
-    const [motor, ...others] = ['M1', 'M2', 'M3'].map(place('motor'));
+    const [motor, ...others] = ['M1', 'M2', 'M3'].map(place('motor-bar'));
     expect(motor).toBeGreaterThan(0);
     expect(others).toEqual([motor, motor]);
-    const dt = ['M1', 'M2', 'M3'].map(place('dt'));
+    const dt = ['M1', 'M2', 'M3'].map(place('flag-line'));
     expect(dt).toEqual(dt.toSorted((a, b) => a - b));
     expect(new Set(dt).size).toBe(3);
-    const ends = ['M1', 'M2', 'M3'].map(place('line'));
+    const ends = ['M1', 'M2', 'M3'].map(place('servo-line'));
     expect(ends.map((end, at) => end - (dt[at] as number) > 20)).toEqual([true, true, true]);
   });
 
