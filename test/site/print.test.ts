@@ -63,7 +63,6 @@ test('sheets of several programs: each page names its model, and every row is on
   for (const setting of SETTINGS) {
     await app.page.evaluate((to) => void location.assign(to), LINK_MARK + encodeLink(setting));
     await app.button(share.received.keep).click();
-    await app.button(share.received.show).click();
   }
   await app.page.evaluate(() => location.assign('#print'));
   for (const { name } of SETTINGS) await app.page.getByRole('checkbox', { name: new RegExp(`${name}$`) }).check();

@@ -5,14 +5,12 @@ import { clockText, dutyName, messages } from '../messages/index.js';
 import { plainName } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
-import { SmallLanes } from '../timeline/small-lanes.js';
 import { BackSign } from '../ui/back-sign.js';
 import { Choice } from '../ui/choice.js';
-import { KeyFigures } from '../ui/key-figures.js';
-import { TimesTable } from '../ui/slot-table.js';
 import { obstacleText } from './obstacle-text.js';
 import { addressOf, addressPath, NO_MODEL } from './place.js';
 import type { Places } from './places.js';
+import { ProgramFacts } from './program-facts.js';
 import { asTags, tagsText } from './tags.js';
 import { TextField } from './text-field.js';
 import { timerText } from './timer-text.js';
@@ -34,7 +32,7 @@ interface SettingPageProps {
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
   const words = libraryMessages;
-  const { program: table, servoName, label, noModel } = messages.value;
+  const { servoName, label, noModel } = messages.value;
   const { library } = session;
   const way = back !== null && (
     <a class="library-back" href={addressOf(back)}>
@@ -76,18 +74,12 @@ export function SettingPage(props: SettingPageProps) {
         lines={2}
         onSave={(note) => change({ note })}
       />
-      <div class="setting-lanes">
-        <SmallLanes program={program} names={names} />
-      </div>
-      <KeyFigures program={program} />
-      <div class="buttons">
-        <OpenButton {...props} record={record} />
-        {places.settingButtons(record, model)}
-      </div>
-      {/* With many servos it scrolls, also by keyboard. */}
-      <section class="setting-table" tabindex={0} aria-label={table.tableCaption}>
-        <TimesTable program={program} caption={table.tableCaption} />
-      </section>
+      <ProgramFacts program={program} names={names}>
+        <div class="buttons">
+          <OpenButton {...props} record={record} />
+          {places.settingButtons(record, model)}
+        </div>
+      </ProgramFacts>
       {places.settingSections(record, model)}
       <TextField
         label={label.name}

@@ -18,8 +18,6 @@ export const share = {
     keep: 'Keep in the library',
     discard: 'Do not keep',
     unwritten: 'What you have typed is kept: Undo, or the start, brings it back.',
-    show: 'Show in the library',
-    kept: (name: string) => `“${name}” is in the library.`,
   },
   damaged: {
     title: 'This link cannot be read.',

@@ -1,23 +1,30 @@
 import { useSignal } from '@preact/signals';
-import { useEffect, useId, useMemo } from 'preact/hooks';
-import type { SharedSetting } from '../../../program/index.js';
+import { useEffect, useMemo } from 'preact/hooks';
+import {
+  decodeLink,
+  differences,
+  type Setting,
+  type SharedSetting,
+  sameKind,
+  type TimerProgram,
+} from '../../../program/index.js';
+import { CodecError } from '../../../protocol/index.js';
 import { apart } from '../../messages/apart.js';
 import { dotted } from '../../messages/dotted.js';
 import { filesMessages } from '../../messages/en-files.js';
 import { libraryMessages } from '../../messages/en-library.js';
 import { share } from '../../messages/en-share.js';
 import { dateText, messages } from '../../messages/index.js';
+import { emptyModel, newId } from '../../session/library.js';
+import { plainName, withPlainNames } from '../../session/plain-names.js';
 import type { Session } from '../../session/session.js';
-import { SmallLanes } from '../../timeline/small-lanes.js';
-import { KeyFigures } from '../../ui/key-figures.js';
+import type { ModelRecord } from '../../storage/index.js';
+import { Choice } from '../../ui/choice.js';
 import { Problem } from '../../ui/problem.js';
-import { TimesTable } from '../../ui/slot-table.js';
 import { obstacleText } from '../obstacle-text.js';
-import { NO_MODEL } from '../place.js';
+import { ProgramFacts } from '../program-facts.js';
 import { timerText } from '../timer-text.js';
-import { NEW_MODEL, Received } from './received.js';
 import type { Sharing } from './sharing.js';
-import './received-setting.css';
 
 interface ReceivedSettingProps {
   readonly session: Session;
@@ -27,171 +34,127 @@ interface ReceivedSettingProps {
   readonly onLibrary: (model: string | null, key: string) => void;
 }
 
-/** The setting in a link: to look at, keep, open, or ignore. */
+/** The setting in a link: to look at, keep, open, or ignore. It is not kept until the pilot says so. */
 export function ReceivedSetting(props: ReceivedSettingProps) {
   const { session, sharing, link } = props;
-  const received = useMemo(() => new Received(session, link), [session, link]);
+  const read = useMemo(() => sharedIn(link), [link]);
   useEffect(() => void session.library.load(), [session]);
-  const { shared, isNewer } = received;
+  if (!(read instanceof CodecError)) return <Shown {...props} shared={read} />;
   const { damaged } = share;
-  if (!shared) {
-    return (
-      <>
-        <div class="notice bad" role="alert">
-          <p>
-            <strong>{damaged.title}</strong> {isNewer ? filesMessages.refused.newer : damaged.bad}
-          </p>
-        </div>
-        <div class="buttons">
-          <button type="button" class="primary" onClick={() => sharing.close()}>
-            {messages.value.close}
-          </button>
-        </div>
-      </>
-    );
-  }
   return (
     <>
-      <Head shared={shared} isKept={received.kept.value !== null || received.known.value !== null} />
-      {/* Above the values: where it would go must be in sight with the button that keeps it. */}
-      {!received.kept.value && <Place session={session} received={received} shared={shared} />}
-      <Values shared={shared} />
-      <Ways {...props} received={received} shared={shared} />
-    </>
-  );
-}
-
-/** @param isKept whether the library has it: then not only this page shows it. */
-function Head({ shared, isKept }: { readonly shared: SharedSetting; readonly isKept: boolean }) {
-  const { received: words } = share;
-  const { program, name, modelName, at } = shared;
-  return (
-    <div class="stack gap-1">
-      <p class="received-name">
-        <strong>{name}</strong> {apart(modelName)}
-      </p>
-      <p class="hint">{dotted([timerText(program), dateText(at)])}</p>
-      {!isKept && <p class="hint">{words.lead}</p>}
-    </div>
-  );
-}
-
-type PlaceProps = Pick<ReceivedSettingProps, 'session'> & {
-  readonly received: Received;
-  readonly shared: SharedSetting;
-};
-
-/** Under which model it would be kept, or that it is kept already. */
-function Place({ session, received, shared }: PlaceProps) {
-  const { received: words } = share;
-  const id = useId();
-  const { library } = session;
-  const known = received.known.value;
-  return (
-    <>
-      {known && <p role="status">{words.known(nameOf(session, known.setting.model, known.setting.name))}</p>}
-      <div class="received-place">
-        <label for={id}>{words.modelChoice}</label>
-        <select
-          id={id}
-          value={received.place.value}
-          onChange={({ currentTarget }) => received.choosePlace(currentTarget.value)}
-        >
-          {shared.modelName && <option value={NEW_MODEL}>{words.newModel(shared.modelName)}</option>}
-          <option value={NO_MODEL}>{messages.value.noModel}</option>
-          {library.models.list.value
-            .filter(({ model }) => !model.archived)
-            .map(({ key, model }) => (
-              <option key={key} value={key}>
-                {model.name}
-              </option>
-            ))}
-        </select>
+      <div class="notice bad" role="alert">
+        <p>
+          <strong>{damaged.title}</strong> {read.code === 'newer-version' ? filesMessages.refused.newer : damaged.bad}
+        </p>
+      </div>
+      <div class="buttons">
+        <button type="button" class="primary" onClick={() => sharing.close()}>
+          {messages.value.close}
+        </button>
       </div>
     </>
   );
 }
 
-function Values({ shared }: { readonly shared: SharedSetting }) {
-  const { program: table, servoName } = messages.value;
-  const { program, note, tags } = shared;
-  return (
-    <>
-      <KeyFigures program={program} />
-      <div class="received-lanes">
-        <SmallLanes program={program} names={program.positions.map((_, servo) => servoName(servo))} />
-      </div>
-      {/* With many servos it scrolls, also by keyboard. */}
-      <section class="received-table" tabindex={0} aria-label={table.tableCaption}>
-        <TimesTable program={program} caption={table.tableCaption} />
-      </section>
-      {note !== '' && <p class="received-note">{note}</p>}
-      {tags.length > 0 && <p class="hint">{tags.join(', ')}</p>}
-    </>
-  );
-}
+/** Stands in place of a model's id: the setting goes under a new model. */
+const NEW_MODEL = 'new model';
 
-type WaysProps = ReceivedSettingProps & PlaceProps;
-
-/** What the pilot can do with it. */
-function Ways({ session, sharing, received, shared, onProgram, onLibrary }: WaysProps) {
+function Shown(props: ReceivedSettingProps & { readonly shared: SharedSetting }) {
+  const { session, sharing, shared, onProgram, onLibrary } = props;
   const { received: words } = share;
+  const { servoName, noModel, open: openWord } = messages.value;
+  const { library, opened, editor } = session;
+  const { modelName, program, note, tags } = shared;
+  const chosen = useSignal<string | null | undefined>(undefined);
   const failed = useSignal(false);
-  const { opened, library, editor } = session;
-  const obstacle = opened.obstacle(shared.program);
+  const models = library.models.list.value.filter(({ model }) => !model.archived);
+  const place = chosen.value === undefined ? placeFor(modelName, models) : chosen.value;
+  const known = library.settings.list.value.find(
+    ({ setting }) => setting.name === shared.name && isSame(setting.program, program),
+  )?.setting;
+  const obstacle = opened.obstacle(program);
   // Until then the models are not known, and one might be made twice.
   const isLoaded = library.models.loaded.value && library.settings.loaded.value;
-  const kept = received.kept.value;
   const open = async (): Promise<void> => {
-    const setting = received.setting();
-    failed.value = !setting || !(await session.opened.show(setting));
+    failed.value = !(await opened.show(settingOf(shared, null)));
     if (failed.peek()) return;
     sharing.close();
     onProgram();
   };
+  const keep = (): void => {
+    const model = place === NEW_MODEL ? emptyModel(newId(), modelName, program.identity.timerClass) : null;
+    if (model) void library.keepModel(model);
+    const setting = settingOf(shared, model?.id ?? place);
+    void library.keepSetting(setting);
+    sharing.close();
+    onLibrary(setting.model, setting.id);
+  };
   return (
     <>
+      <div class="stack gap-1">
+        <p>
+          <strong>{shared.name}</strong> {apart(modelName)}
+        </p>
+        <p class="hint">{dotted([timerText(program), dateText(shared.at)])}</p>
+        <p class="hint">
+          {known ? words.known(dotted([library.models.get(known.model)?.model.name, known.name])) : words.lead}
+        </p>
+      </div>
+      {/* Above the values: where it would go must be in sight with the button that keeps it. */}
+      <Choice
+        label={words.modelChoice}
+        choices={[...(modelName ? [NEW_MODEL] : []), null, ...models.map(({ key }) => key)]}
+        nameOf={(key) =>
+          key === NEW_MODEL ? words.newModel(modelName) : (library.models.get(key)?.model.name ?? noModel)
+        }
+        chosen={place}
+        onChoose={(key) => (chosen.value = key)}
+      />
+      <ProgramFacts program={program} names={program.positions.map((_, servo) => servoName(servo))} />
+      {note !== '' && <p class="facts-note">{note}</p>}
+      {tags.length > 0 && <p class="hint">{tags.join(', ')}</p>}
       {obstacle !== null && <p class="hint">{obstacleText(obstacle)}</p>}
       {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten}</p>}
       <Problem text={failed.value && libraryMessages.setting.notShown} />
-      <div class="buttons received-ways">
-        {kept && (
-          <p class={kept.isSaved ? 'received-kept' : 'received-kept bad-text'} role="status">
-            {kept.isSaved ? words.kept(shared.name) : messages.value.notKept}
-          </p>
-        )}
+      <div class="buttons">
         <button type="button" class="quiet" onClick={() => sharing.close()}>
-          {kept ? messages.value.close : words.discard}
+          {words.discard}
         </button>
         <button type="button" disabled={obstacle !== null} onClick={() => void open()}>
-          {messages.value.open}
+          {openWord}
         </button>
-        {kept ? (
-          <button
-            type="button"
-            class="primary"
-            onClick={() => {
-              sharing.close();
-              onLibrary(kept.setting.model, kept.setting.id);
-            }}
-          >
-            {words.show}
-          </button>
-        ) : (
-          <button
-            type="button"
-            class="primary"
-            disabled={received.keeping.value || !isLoaded}
-            onClick={() => void received.keep()}
-          >
-            {words.keep}
-          </button>
-        )}
+        <button type="button" class="primary" disabled={!isLoaded} onClick={keep}>
+          {words.keep}
+        </button>
       </div>
     </>
   );
 }
 
-function nameOf({ library }: Session, model: string | null, name: string): string {
-  return dotted([library.models.get(model)?.model.name, name]);
+/** Under the model of this name, if there is one and no other. */
+function placeFor(name: string, models: readonly ModelRecord[]): string | null {
+  const [only, ...more] = models.filter(({ model }) => model.name === name);
+  if (only && more.length === 0) return only.key;
+  return name === '' || only ? null : NEW_MODEL;
+}
+
+function isSame(a: TimerProgram, b: TimerProgram): boolean {
+  return sameKind(a.identity, b.identity) && differences(a, b).length === 0;
+}
+
+function settingOf({ modelName: _, ...values }: SharedSetting, model: string | null): Setting {
+  return { ...values, id: newId(), model, from: 'link', archived: false };
+}
+
+/** As it would be kept: it is shown in sentences, and compared with what is there. */
+function sharedIn(link: string): SharedSetting | CodecError {
+  try {
+    const shared = decodeLink(link);
+    const { name, note, tags, at, program } = withPlainNames(settingOf(shared, null));
+    return { name, note, tags, at, program, modelName: plainName(shared.modelName) };
+  } catch (cause) {
+    if (cause instanceof CodecError) return cause;
+    throw cause;
+  }
 }
