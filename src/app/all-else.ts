@@ -10,6 +10,7 @@ export { LibraryPage } from './library-page.js';
 export { LinePanel } from './line/line-panel.js';
 export { MemoriesPage } from './memories/memories-page.js';
 export { PrintView } from './print/print-view.js';
+export { ModelLine } from './recognition/model-line.js';
 export { BenchView } from './shell/bench-view.js';
 export { HelpView } from './shell/help-view.js';
 export { SettingsView } from './shell/settings-view.js';

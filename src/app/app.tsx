@@ -50,7 +50,7 @@ export function App({ models }: { readonly models: AppModels }) {
   const view: Record<View, () => preact.JSX.Element> = {
     program: () =>
       hasProgram ? (
-        <parts.program.Part
+        <parts.Program
           {...{ session, write, memories, bench, follow, preferences, programPicture, saveSetting }}
           sharing={models.sharing}
           onPrint={printProgram}
@@ -59,7 +59,7 @@ export function App({ models }: { readonly models: AppModels }) {
         <StartScreen {...{ session, installation, platform }} />
       ),
     memories: () => (
-      <parts.memories.Part
+      <parts.Memories
         {...{ session, memories, connect }}
         print={<PrintMemories session={session} onPrint={print} />}
         following={follow.on.value}
@@ -68,23 +68,23 @@ export function App({ models }: { readonly models: AppModels }) {
         onCompareBackup={({ key }) => compare(backupKey(key), null)}
       />
     ),
-    bench: () => <parts.bench.Part {...{ session, views, bench, follow, connect }} />,
+    bench: () => <parts.Bench {...{ session, views, bench, follow, connect }} />,
     library: () =>
       views.path.value === FLIGHTS ? (
-        <parts.flights.Part session={session} log={models.flights} />
+        <parts.Flights session={session} log={models.flights} />
       ) : views.path.value === COMPARE ? (
-        <parts.compare.Part
+        <parts.Compare
           {...{ session, pair: models.comparedPair }}
           following={follow.on.value}
           onBack={() => views.show('library')}
         />
       ) : (
-        <parts.library.Part models={models} />
+        <parts.Library models={models} />
       ),
-    print: () => <parts.print.Part session={session} order={models.printOrder} onPrint={() => window.print()} />,
-    help: () => <parts.help.Part {...{ session, help, platform }} path={views.path.value} />,
-    line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
-    settings: () => <parts.settings.Part {...{ session, preferences, theme, erase, views, installation, update }} />,
+    print: () => <parts.Print session={session} order={models.printOrder} onPrint={() => window.print()} />,
+    help: () => <parts.Help {...{ session, help, platform }} path={views.path.value} />,
+    line: () => <parts.Line session={session} view={line.view} form={line.form} />,
+    settings: () => <parts.Settings {...{ session, preferences, theme, erase, views, installation, update }} />,
   };
   return (
     <>
@@ -102,7 +102,8 @@ export function App({ models }: { readonly models: AppModels }) {
           update,
           platform,
         }}
-        fileNotice={parts.dialogs.hasFailed ? <NoDialogs /> : <parts.fileNotice.Part models={models} />}
+        recognized={<parts.Recognized recognition={session.recognition} />}
+        fileNotice={parts.allElse.hasFailed ? <NoDialogs /> : <parts.FileNotice models={models} />}
         onExport={() =>
           void parts
             .fetchFiles()
@@ -115,7 +116,7 @@ export function App({ models }: { readonly models: AppModels }) {
       <ViewFrame views={views} busy={session.runner.busy.value} whole={hasProgram && shown === 'program'}>
         {view[shown]()}
       </ViewFrame>
-      <parts.dialogs.Part models={models} />
+      <parts.Dialogs models={models} />
     </>
   );
 }

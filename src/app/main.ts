@@ -15,7 +15,6 @@ import './timeline/small-lanes.css';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { media } from './browser/doors.js';
 import { holdDroppedFiles } from './browser/dropped-files.js';
-import { holdPageKeys } from './browser/page-keys.js';
 import { tried } from './browser/services.js';
 import { earlyClicks } from './early-clicks.js';
 import { first } from './messages/en-first.js';
@@ -36,46 +35,36 @@ const isStart = window.top === window.self && ['', '#program'].includes(location
 if (!isStart) root.replaceChildren();
 root.hidden = false;
 holdDroppedFiles();
-holdPageKeys();
+let notice: HTMLElement | null = null;
 const doEarlyClick = earlyClicks(root);
 // Without a first picture there is nothing to wait for.
 if (isStart) afterPaint(open);
 else void open();
 
 async function open(): Promise<void> {
-  const endWatch = watchLoading();
+  const slow = setTimeout(offerReload, SLOW);
   try {
     const { openPage } = await import('./open-page.js');
     await nextTask();
     await openPage(root, theme);
+    notice?.remove();
     doEarlyClick();
   } catch (error) {
-    offerReload(first.failed, 'notice bad');
+    offerReload();
     throw error;
   } finally {
-    endWatch();
+    clearTimeout(slow);
   }
 }
 
-/** Says when loading takes long, until the returned function is called. */
-function watchLoading(): () => void {
-  const shown: HTMLElement[] = [];
-  const timer = setTimeout(() => shown.push(offerReload(first.slow, 'notice')), SLOW);
-  return () => {
-    clearTimeout(timer);
-    for (const notice of shown) notice.remove();
-  };
-}
-
-/** Shows `text` and a button to load the page again. At this moment the page has no other sentences or parts. */
-function offerReload(text: string, look: string): HTMLElement {
-  const notice = document.createElement('p');
+/** Says that something is missing, with a button to load the page again: it has no other sentences or parts yet. */
+function offerReload(): void {
+  notice ??= document.createElement('p');
   notice.role = 'alert';
-  notice.className = look;
+  notice.className = 'notice bad';
   const again = document.createElement('button');
   again.textContent = first.again;
   again.addEventListener('click', () => location.reload());
-  notice.append(text, ' ', again);
+  notice.replaceChildren(first.failed, ' ', again);
   document.body.prepend(notice);
-  return notice;
 }

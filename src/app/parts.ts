@@ -1,55 +1,39 @@
 import { fetchRule } from './session/recognition.js';
-import { modelLine } from './shell/header.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand } from './ui/on-demand.js';
 
-const allElse = () => import('./all-else.js');
+const programFile = onDemand(() => import('./shell/program-view.js'));
+/** Everything that neither the start nor the program view needs. */
+export const allElse = onDemand(() => import('./all-else.js'));
 
 /** The parts that the first picture does not need. */
-export const program = onDemand(async () => (await import('./shell/program-view.js')).ProgramView);
-export const memories = onDemand(async () => (await allElse()).MemoriesPage);
-export const bench = onDemand(async () => (await allElse()).BenchView);
-export const library = onDemand(async () => (await allElse()).LibraryPage);
-export const flights = onDemand(async () => (await allElse()).FlightsView);
-export const compare = onDemand(async () => (await allElse()).ComparePage);
-export const line = onDemand(async () => (await allElse()).LinePanel);
-export const settings = onDemand(async () => (await allElse()).SettingsView);
-export const print = onDemand(async () => (await allElse()).PrintView);
-export const help = onDemand(async () => (await allElse()).HelpView);
-export const fileNotice = onDemand(async () => (await allElse()).LibraryFileNotice, { silent: true, later: true });
-export const dialogs = onDemand(async () => (await allElse()).Dialogs, { silent: true, later: true });
+export const Program = programFile.part(({ ProgramView }) => ProgramView);
+export const Memories = allElse.part(({ MemoriesPage }) => MemoriesPage);
+export const Bench = allElse.part(({ BenchView }) => BenchView);
+export const Library = allElse.part(({ LibraryPage }) => LibraryPage);
+export const Flights = allElse.part(({ FlightsView }) => FlightsView);
+export const Compare = allElse.part(({ ComparePage }) => ComparePage);
+export const Line = allElse.part(({ LinePanel }) => LinePanel);
+export const Settings = allElse.part(({ SettingsView }) => SettingsView);
+export const Print = allElse.part(({ PrintView }) => PrintView);
+export const Help = allElse.part(({ HelpView }) => HelpView);
+export const Recognized = allElse.part(({ ModelLine }) => ModelLine, { silent: true });
+export const FileNotice = allElse.part(({ LibraryFileNotice }) => LibraryFileNotice, { silent: true });
+export const Dialogs = allElse.part(({ Dialogs: Part }) => Part, { silent: true });
 
 /** Loads what the simulated timers need. */
 export const fetchSimulated = () => import('./connect/simulated-timer.js');
 
 /** Loads what reads and writes the files of the library. */
-export const fetchFiles = allElse;
+export const fetchFiles = () => import('./all-else.js');
 
 /**
  * Loads all of them: after another tab has replaced this version, they are nowhere to be found. The present view comes
- * first and alone, then the program.
+ * first.
  */
 export async function fetchParts(): Promise<void> {
-  const parts = [
-    program,
-    dialogs,
-    figures,
-    modelLine,
-    memories,
-    bench,
-    line,
-    settings,
-    library,
-    print,
-    flights,
-    fileNotice,
-    help,
-    compare,
-  ];
-  await Promise.all(parts.filter(({ isAskedFor }) => isAskedFor).map((part) => part.fetch()));
-  for (const part of parts) await part.fetch();
-  // Most of them are in one file. Where that came late, the first of them have failed.
-  for (const part of parts) if (part.hasFailed) await part.fetch();
+  for (const file of allElse.isAskedFor ? [allElse, programFile] : [programFile, allElse]) await file.fetch();
+  await figures.fetch();
   // They are asked for again when they are needed, and then report what is wrong.
   await Promise.all([fetchSimulated(), fetchRule()]).catch(() => {});
 }

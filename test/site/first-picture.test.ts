@@ -84,29 +84,11 @@ describe('the start is part of the page as it is sent:', () => {
       .toBe(0);
   });
 
-  test('a key for the whole page is carried out once the page can', async () => {
-    const page = await newPage();
-    // The worker would answer in place of the test.
-    await page.addInitScript(() => Object.defineProperty(navigator, 'serviceWorker', { value: undefined }));
-    for (const [key, seen] of [
-      ['Control+k', page.getByRole('dialog', { name: 'Commands' })],
-      ['?', page.locator('.help-view')],
-    ] as const) {
-      const { asked, release } = await heldBack(page);
-      await page.goto(inject('site'));
-      await asked;
-      await page.keyboard.press(key);
-      await release();
-      await seen.waitFor();
-      await page.unroute(PAGE_SCRIPT);
-    }
-  });
-
   test('when the page cannot be loaded it says so, and a click loads it again', async () => {
     const page = await newPage({}, []);
     await page.route(PAGE_SCRIPT, (route) => route.abort());
     await page.goto(inject('site'));
-    await page.getByRole('alert').getByText('A part of the page could not be loaded.').waitFor();
+    await page.getByRole('alert').getByText(first.failed).waitFor();
     await page.unroute(PAGE_SCRIPT);
     await page.getByRole('button', { name: first.again }).click();
     await works(page);
@@ -122,7 +104,7 @@ describe('the start is part of the page as it is sent:', () => {
     await page.clock.fastForward(14_000);
     expect(await page.getByRole('alert').count()).toBe(0);
     await page.clock.fastForward(2000);
-    await page.getByRole('alert').getByText('The page is still loading.').waitFor();
+    await page.getByRole('alert').getByText(first.failed).waitFor();
     await page.getByRole('button', { name: first.again }).waitFor();
     await release();
     await works(page);

@@ -1,9 +1,9 @@
+import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
 import { LinkNotice } from '../connect/link-notice.js';
 import { NextFlightNotes } from '../memories/next-flight-line.js';
 import { messages } from '../messages/index.js';
 import type { JobKind, JobRunner } from '../session/job-runner.js';
-import { onDemand } from '../ui/on-demand.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
 import { UnfinishedBand } from '../write/unfinished-band.js';
@@ -12,12 +12,11 @@ import { NoticeBar, type NoticeBarProps } from './notice-bar.js';
 import { StatusStrip, type StatusStripProps } from './status-strip.js';
 import './header.css';
 
-/** The line about the model, loaded after the first picture. */
-export const modelLine = onDemand(async () => (await import('../recognition/model-line.js')).ModelLine, {
-  silent: true,
-});
-
-type HeaderProps = StatusStripProps & NoticeBarProps & { readonly write: WriteFlow };
+interface HeaderProps extends StatusStripProps, NoticeBarProps {
+  readonly write: WriteFlow;
+  /** The line about the model of the timer. */
+  readonly recognized: ComponentChildren;
+}
 
 /** Stays in sight in every view: the status, what is unfinished, what is in progress, and messages. */
 export function Header({
@@ -29,6 +28,7 @@ export function Header({
   saveSetting,
   staged,
   write,
+  recognized,
   ...notices
 }: HeaderProps) {
   const top = useRef<HTMLElement>(null);
@@ -36,7 +36,7 @@ export function Header({
   return (
     <header class="top" ref={top}>
       <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting, staged }} />
-      {session.recognition.tells.value && <modelLine.Part recognition={session.recognition} />}
+      {session.recognition.tells.value && recognized}
       <NextFlightNotes session={session} />
       <UnfinishedBand
         session={session}

@@ -1,5 +1,5 @@
 import { useEffect } from 'preact/hooks';
-import { takePageKey } from '../browser/page-keys.js';
+import { onPageKey } from '../browser/page-keys.js';
 import type { Views } from './views.js';
 
 /**
@@ -9,12 +9,12 @@ import type { Views } from './views.js';
 export function PageKeys({ views }: { readonly views: Views }) {
   useEffect(() => {
     const ends = [
-      takePageKey('help', () => {
+      onPageKey('help', () => {
         if (hasDialog()) return false;
         views.show('help');
         return true;
       }),
-      takePageKey('print', () => {
+      onPageKey('print', () => {
         const button = hasDialog() ? null : document.querySelector<HTMLElement>('[data-print]:not([disabled])');
         button?.click();
         return button !== null;

@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId } from 'preact/hooks';
-import { takePageKey } from '../browser/page-keys.js';
+import { onPageKey } from '../browser/page-keys.js';
 import { messages } from '../messages/index.js';
 import { foldedText, searchFor } from '../messages/search.js';
 import { Modal } from '../ui/modal.js';
@@ -24,7 +24,7 @@ export function Palette({ commands }: PaletteProps) {
   const open = useSignal(false);
   useEffect(
     () =>
-      takePageKey('commands', () => {
+      onPageKey('commands', () => {
         // Over another dialog it would hide the question of that one.
         if (!open.peek() && document.querySelector('dialog[open]') !== null) return false;
         open.value = !open.peek();

@@ -24,7 +24,8 @@ import { StripModel } from './strip-model.js';
 import './status-strip.css';
 
 /** The figures to edit, loaded after the first picture. */
-export const figures = onDemand(async () => (await import('./figures-panel.js')).FiguresPanel, { silent: true });
+export const figures = onDemand(() => import('./figures-panel.js'));
+const FiguresPanel = figures.part((file) => file.FiguresPanel);
 
 export interface StatusStripProps {
   readonly session: Session;
@@ -130,7 +131,7 @@ export function StatusStrip(props: StatusStripProps) {
         {!isFolded && actions}
       </div>
       {isOpen && (
-        <figures.Part
+        <FiguresPanel
           {...{ id: panel, session, memories, preferences, saveSetting }}
           rest={
             isTight

@@ -3,35 +3,34 @@ import type { ComponentType, FunctionComponent } from 'preact';
 import { useLayoutEffect } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 
-/** A part of the page that is loaded after the first picture. */
-export interface OnDemand<Props> {
-  /** Draws it, or says that it is coming. */
-  readonly Part: FunctionComponent<Props>;
+/** A file with parts of the page that is loaded after the first picture. */
+export interface OnDemand<File> {
+  /**
+   * A part in it. Draws it, or says that it is coming.
+   * @param options `silent`: nothing is shown while it is missing, and drawing does not load it, as for a closed
+   * dialog: visible parts come first.
+   */
+  part<Props extends object>(
+    pick: (file: File) => ComponentType<Props>,
+    options?: { readonly silent: boolean },
+  ): FunctionComponent<Props>;
   /** Whether it was asked for: it is being loaded, or is here. */
   readonly isAskedFor: boolean;
-  /** Whether it could not be loaded when it was last tried. For a silent part, which says nothing about that. */
+  /** Whether it could not be loaded when it was last tried. */
   readonly hasFailed: boolean;
   /** Loads it. Asked again, it loads nothing twice. */
   fetch(): Promise<void>;
 }
 
-/**
- * A part of the page that is not needed for the first picture.
- * @param load imports it.
- * @param options `silent`: nothing is shown while it is missing, as for a closed dialog. `later`: drawing does not load
- * it, because visible parts come first.
- */
-export function onDemand<Props extends object>(
-  load: () => Promise<ComponentType<Props>>,
-  { silent = false, later = false }: { readonly silent?: boolean; readonly later?: boolean } = {},
-): OnDemand<Props> {
-  const loaded = signal<{ readonly Component: ComponentType<Props> } | null>(null);
+/** @param load imports the file. */
+export function onDemand<File extends object>(load: () => Promise<File>): OnDemand<File> {
+  const loaded = signal<File | null>(null);
   const failed = signal(false);
   let coming: Promise<void> | null = null;
   const fetch = (): Promise<void> => {
     coming ??= load().then(
-      (Component) => {
-        loaded.value = { Component };
+      (file) => {
+        loaded.value = file;
         failed.value = false;
       },
       () => {
@@ -42,26 +41,29 @@ export function onDemand<Props extends object>(
     );
     return coming;
   };
-  const Part: FunctionComponent<Props> = (props) => {
-    const here = loaded.value;
-    // At once: an effect would wait for the next frame.
-    useLayoutEffect(() => void (here || later || fetch()), [here]);
-    if (here) return <here.Component {...props} />;
-    if (silent) return null;
-    const { parts } = messages.value;
-    return (
-      <div class="hint" role="status">
-        <p>{failed.value ? parts.failed : parts.coming}</p>
-        {failed.value && (
-          <button type="button" onClick={() => void fetch()}>
-            {parts.again}
-          </button>
-        )}
-      </div>
-    );
-  };
   return {
-    Part,
+    part: (pick, { silent } = { silent: false }) =>
+      function Part(props) {
+        const file = loaded.value;
+        // At once: an effect would wait for the next frame.
+        useLayoutEffect(() => void (file || silent || fetch()), [file]);
+        if (file) {
+          const Component = pick(file);
+          return <Component {...props} />;
+        }
+        if (silent) return null;
+        const { parts } = messages.value;
+        return (
+          <div class="hint" role="status">
+            <p>{failed.value ? parts.failed : parts.coming}</p>
+            {failed.value && (
+              <button type="button" onClick={() => void fetch()}>
+                {parts.again}
+              </button>
+            )}
+          </div>
+        );
+      },
     fetch,
     get isAskedFor() {
       return coming !== null;
