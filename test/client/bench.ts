@@ -49,17 +49,18 @@ export function memoriesOf(timer: VirtualTimer): TimerProgram[] {
   return timer.core.memories.map((_, memory) => memoryOf(timer, memory));
 }
 
-/** A copy of the program with other times and positions, given as `[slot, time]` and `[servo, slot, position]`. */
+/** A copy of the program with other values, each given as `[slot, time]` or `[servo, slot, position]`. */
 export function edited(
   program: TimerProgram,
-  changed: readonly [number, number][],
-  positions: readonly [number, number, number][] = [],
+  ...values: readonly (readonly [number, number] | readonly [number, number, number])[]
 ): TimerProgram {
   const times = [...program.times];
-  for (const [slot, time] of changed) times[slot] = time;
-  const rows = program.positions.map((row) => [...row]);
-  for (const [servo, slot, position] of positions) (rows[servo] as number[])[slot] = position;
-  return { ...program, times, positions: rows };
+  const positions = program.positions.map((row) => [...row]);
+  for (const [first, second, position] of values) {
+    if (position === undefined) times[first] = second;
+    else (positions[first] as number[])[second] = position;
+  }
+  return { ...program, times, positions };
 }
 
 /**

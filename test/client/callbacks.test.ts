@@ -10,11 +10,11 @@ type Job = (client: TimerClient, baseline: TimerProgram, onProgress: OnProgress)
 const JOBS: Readonly<Record<string, Job>> = {
   'a reading': (client, _, onProgress) => client.readProgram({ onProgress }),
   'a write': (client, baseline, onProgress) =>
-    client.writeProgram(edited(baseline, [[10, 30000]], [[1, 4, 99]]), { baseline, onProgress }),
+    client.writeProgram(edited(baseline, [10, 30000], [1, 4, 99]), { baseline, onProgress }),
   'a memory round trip': (client, _, onProgress) => client.readMemories({ onProgress }),
   'a write into several memories': (client, baseline, onProgress) =>
     client.writeMemories(
-      [1, 3].map((memory) => ({ ...edited(baseline, [[10, 30000]]), memory })),
+      [1, 3].map((memory) => ({ ...edited(baseline, [10, 30000]), memory })),
       { onProgress },
     ),
 };

@@ -33,7 +33,7 @@ describe('a timer that does not answer which memory is current', () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', () => null);
     const baseline = await run(client.readProgram());
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect([report.result, report.held?.memory]).toEqual(['verified', null]);
   });
 
@@ -53,7 +53,7 @@ describe('an answer that names another memory than the one that was read', () =>
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [1] : undefined));
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report.result).toBe('verified');
   });
 
@@ -61,7 +61,7 @@ describe('an answer that names another memory than the one that was read', () =>
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'GETMEMORY', () => [1]);
-    const writing = run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const writing = run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     await expect(writing).rejects.toMatchObject({
       code: 'other-memory',
       message: 'memory 1 is current, not 0',
@@ -74,7 +74,7 @@ describe('an answer that names another memory than the one that was read', () =>
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'GETMEMORY', () => []);
-    const writing = run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const writing = run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     await expect(writing).rejects.toMatchObject({ code: 'memory-unknown', details: { expected: 0, found: null } });
   });
 

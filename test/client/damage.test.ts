@@ -194,7 +194,7 @@ describe('the law of the write', () => {
           fromTimer: { fault: guard(build(back)) },
         });
         const baseline = contentOf(timer);
-        const goal = edited(baseline, [[2, 9000]], [[0, 1, 77]]);
+        const goal = edited(baseline, [2, 9000], [0, 1, 77]);
         const report = await run(client.writeProgram(goal, { baseline }).catch(() => null));
         if (report?.result === 'verified') expect(contentOf(timer)).toEqual(goal);
         quiet = true;

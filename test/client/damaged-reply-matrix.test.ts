@@ -9,7 +9,7 @@ import { type Bench, bench, contentOf, edited } from './bench.js';
 
 const SMALL = { functions: 2, memories: 2, servos: 1 };
 /** What the pilot changes: DT, and a position. */
-const goalOf = (program: TimerProgram): TimerProgram => edited(program, [[2, 9000]], [[0, 1, 77]]);
+const goalOf = (program: TimerProgram): TimerProgram => edited(program, [2, 9000], [0, 1, 77]);
 
 describe('a reply of which two bits are flipped, or two bytes changed, and the sum is right', () => {
   /**

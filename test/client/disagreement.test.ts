@@ -238,10 +238,7 @@ describe('times that fall, and rise with their bytes exchanged', () => {
 
   it('equal times do not count as falling', async () => {
     const { client, timer, run } = bench();
-    const equal = edited(contentOf(timer), [
-      [4, 0x0102],
-      [5, 0x0102],
-    ]).times.map((_, slot) => (slot < 2 ? slot : 0x0102));
+    const equal = edited(contentOf(timer), [4, 0x0102], [5, 0x0102]).times.map((_, slot) => (slot < 2 ? slot : 0x0102));
     timer.core.content.times = [...equal];
     await run(client.readProgram());
     expect([...client.quirksFound.keys()]).toEqual([]);

@@ -190,7 +190,7 @@ describe('reading several memories', () => {
 describe('writing several memories', () => {
   it('moves the servos to each function where that was asked for, and nowhere else', async () => {
     const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
-    const goals = [1, 2].map((memory) => edited(memoryOf(timer, memory), [], [[0, 3, 90 + memory]]));
+    const goals = [1, 2].map((memory) => edited(memoryOf(timer, memory), [0, 3, 90 + memory]));
     const still = await run(client.writeMemories(goals));
     expect(still.memories.map(({ report }) => report.result)).toEqual(['differs', 'differs']);
     expect(names(timer.core.answered)).not.toContain('MOVETOFUNC');
@@ -204,7 +204,7 @@ describe('writing several memories', () => {
     timer.core.memory = 1;
     const before = memoriesOf(timer);
     const copy = (memory: number): TimerProgram => ({ ...(before[1] as TimerProgram), memory });
-    const goals = [edited(copy(0), [[10, 30000]]), copy(3)];
+    const goals = [edited(copy(0), [10, 30000]), copy(3)];
     const backups: [TimerProgram, TimerProgram][] = [];
     const onMemory = async (read: TimerProgram, goal: TimerProgram): Promise<void> => {
       await Promise.resolve();
@@ -282,8 +282,8 @@ describe('writing several memories', () => {
         { code: 'out-of-range', field: 'memory' },
       ],
       [{ ...second, memory: null }, { code: 'memory-unknown' }],
-      [edited(second, [[1, 65536]]), { code: 'out-of-range', field: 'times[1]' }],
-      [edited(second, [], [[1, 2, 256]]), { code: 'out-of-range', field: 'positions[1][2]' }],
+      [edited(second, [1, 65536]), { code: 'out-of-range', field: 'times[1]' }],
+      [edited(second, [1, 2, 256]), { code: 'out-of-range', field: 'positions[1][2]' }],
       [
         { ...second, idleThrottle: 256 },
         { code: 'out-of-range', field: 'idleThrottle' },
@@ -300,7 +300,7 @@ describe('writing several memories', () => {
     const { client, timer, run } = bench();
     const [, first, second] = memoriesOf(timer).map(everyValueChanged) as [TimerProgram, TimerProgram, TimerProgram];
     // Past the last step: only where the timer holds the same.
-    const report = await run(client.writeMemories([first, edited(second, [], [[0, 0, 200]])]));
+    const report = await run(client.writeMemories([first, edited(second, [0, 0, 200])]));
     expect(report).toMatchObject({
       restored: true,
       memories: [{ memory: 1, report: { result: 'verified' } }],
@@ -325,7 +325,7 @@ describe('writing several memories', () => {
   it('goes on to the next memory when the timer rounds, and stops at one that was changed by something else', async () => {
     const { client, timer, run } = bench({ quirks: { timeStep: 10 } });
     const before = memoriesOf(timer);
-    const goals = before.slice(1, 3).map((program) => edited(program, [[1, 123]]));
+    const goals = before.slice(1, 3).map((program) => edited(program, [1, 123]));
     const rounded = await run(client.writeMemories(goals));
     expect(rounded.memories.map(({ report }) => report.result)).toEqual(['differs', 'differs']);
     expect(rounded.stopped).toBeNull();
@@ -334,7 +334,7 @@ describe('writing several memories', () => {
       if (name === 'SETTIMERS')
         timer.core.content.positions = [...everyValueChanged(contentOf(timer)).positions] as never;
     };
-    const changed = await run(client.writeMemories(before.slice(1, 3).map((program) => edited(program, [[2, 400]]))));
+    const changed = await run(client.writeMemories(before.slice(1, 3).map((program) => edited(program, [2, 400]))));
     expect(changed).toMatchObject({ restored: true, stopped: { code: 'changed' } });
     expect(changed.memories).toHaveLength(1);
   });
@@ -344,7 +344,7 @@ describe('writing several memories', () => {
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') timer.core.memory = 3;
     };
-    const report = await run(client.writeMemories([edited(memoryOf(timer, 0), [[10, 30000]])]));
+    const report = await run(client.writeMemories([edited(memoryOf(timer, 0), [10, 30000])]));
     expect(report).toMatchObject({
       restored: true,
       memories: [{ report: { result: 'unknown' } }],
@@ -372,7 +372,7 @@ describe('writing several memories', () => {
 describe('the progress of several memories', () => {
   it('covers the whole job: it never falls, comes to its end, and says the memory and the time', async () => {
     const { client, timer, run, clock } = bench();
-    const goals = memoriesOf(timer).map((program) => edited(program, [[10, 40000]]));
+    const goals = memoriesOf(timer).map((program) => edited(program, [10, 40000]));
     const jobs: ((onProgress: (progress: Progress) => void) => Promise<unknown>)[] = [
       (onProgress) => client.readMemories({ onProgress }),
       (onProgress) => client.writeMemories(goals, { onProgress }),
@@ -404,7 +404,7 @@ describe('the progress of several memories', () => {
     const onProgress = (progress: Progress): void => void told.push(progress);
     await run(client.readMemories({ memories, onProgress }));
     expect(told.at(-1)).toMatchObject({ stage: 'read', memory: current, fraction: 1 });
-    await run(client.writeMemories([edited(memoryOf(timer, current), [[10, 40000]])], { onProgress }));
+    await run(client.writeMemories([edited(memoryOf(timer, current), [10, 40000])], { onProgress }));
     expect(told.at(-1)).toMatchObject({ stage: 'verify', memory: current, fraction: 1 });
   });
 

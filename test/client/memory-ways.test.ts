@@ -52,7 +52,7 @@ describe('a way through several memories', () => {
     const { client, timer, run } = bench();
     const held = memoryOf(timer, 1);
     const report = await run(
-      client.writeMemories([edited(held, [[10, 30000]])], { baselines: [edited(held, [[10, 20000]])] }),
+      client.writeMemories([edited(held, [10, 30000])], { baselines: [edited(held, [10, 20000])] }),
     );
     expect(report.stopped).toMatchObject({
       code: 'stale',

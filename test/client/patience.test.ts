@@ -52,7 +52,7 @@ describe('giving up', () => {
     const { client, run, timer } = bench({ quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
     timer.core.answered.length = 0;
-    const report = await run(client.writeProgram(edited(baseline, [], [[1, 7, 99]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [1, 7, 99]), { baseline }));
     expect(report).toMatchObject({
       result: 'differs',
       // Nine repeats, and a fence after each of the ten.
@@ -102,7 +102,7 @@ describe('giving up', () => {
   it('after a write that was given up for damage, what the timer holds is read back', async () => {
     const { client, run, timer } = bench({ fromTimer: { fault: (byte) => [byte === 0x66 ? 0x67 : byte] } });
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     const report = await run(client.writeProgram(goal, { baseline }));
     // The timer holds it all the same.
     expect(report).toMatchObject({ result: 'verified', acknowledged: 0, stopped: null });
@@ -142,7 +142,7 @@ describe('giving up', () => {
       timer.core.memory = asked === 19 ? 1 : 0;
     };
     line.length = 0;
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report).toMatchObject({
       result: 'differs',
       held: baseline,
@@ -170,7 +170,7 @@ describe('the time that a job may take', () => {
     const time = async (moveServos: boolean): Promise<number> => {
       const { client, run, clock } = bench();
       const baseline = await run(client.readProgram());
-      const goal = edited(baseline, [], [[0, 3, 70]]);
+      const goal = edited(baseline, [0, 3, 70]);
       const begin = clock.now();
       const told: number[] = [];
       const onProgress = ({ endsBy }: { endsBy: number }): void => void told.push(endsBy);

@@ -29,7 +29,7 @@ describe('all quirks together', () => {
       const label = JSON.stringify(quirks);
 
       const first = await run(client.readProgram());
-      const blind = edited(first, [[4, 30000]], [[1, 2, 99]]);
+      const blind = edited(first, [4, 30000], [1, 2, 99]);
       const report = await run(client.writeProgram(blind, { baseline: first }).catch(() => null));
       if (report?.result === 'verified') {
         expect({ ...contentOf(timer), memory: first.memory }, label).toEqual(blind);
@@ -46,7 +46,7 @@ describe('all quirks together', () => {
       client.assume(choices);
       const baseline = await run(client.readProgram());
       expect({ ...baseline, memory: 0 }, label).toEqual(contentOf(timer));
-      const goal = edited(baseline, [[4, 20000]], [[2, 3, 98]]);
+      const goal = edited(baseline, [4, 20000], [2, 3, 98]);
       const moveServos = quirks.servoNeedsMove === true;
       expect((await run(client.writeProgram(goal, { baseline, moveServos }))).result, label).toBe('verified');
       expect({ ...contentOf(timer), memory: baseline.memory }, label).toEqual(goal);
@@ -89,7 +89,7 @@ describe('all quirks together', () => {
           client.assume({ bigEndianTimes, servoFirst, bareChecksumRequests, memoriesFromOne } as AssumedQuirks);
           const baseline = await run(client.readProgram().catch(() => null));
           if (!baseline) return;
-          const goal = edited(baseline, [[3, 20000]], [[1, 2, 98]]);
+          const goal = edited(baseline, [3, 20000], [1, 2, 98]);
           const report = await run(
             client.writeProgram(goal, { baseline, moveServos: servoNeedsMove === true }).catch(() => null),
           );

@@ -29,7 +29,7 @@ describe('a timer that differs from the usual one', () => {
     timer.core.memory = 3;
     const baseline = await run(client.readProgram());
     expect(baseline).toEqual(contentOf(timer));
-    const goal = edited(baseline, [[10, 30000]], [[1, 4, 9]]);
+    const goal = edited(baseline, [10, 30000], [1, 4, 9]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     await run(client.unlockMotor());
     expect(timer.core.motorLocked).toBe(false);
@@ -42,7 +42,7 @@ describe('a timer that differs from the usual one', () => {
   it('66 for 62 is not taken in a write by a client that has not seen it: it may be a late reply', async () => {
     const { client, timer, run } = bench({ quirks: { timersReplyAs66: true } });
     const baseline = contentOf(timer);
-    await expect(run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }))).rejects.toMatchObject({
+    await expect(run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }))).rejects.toMatchObject({
       code: 'no-answer',
       details: { request: 'GETTIMERS' },
     });
@@ -80,7 +80,7 @@ describe('a timer that differs from the usual one', () => {
     expect(clock.now() - begin).toBeLessThan(8000);
     expect(baseline).toEqual({ ...contentOf(timer), idleThrottle: null });
     expect([...client.quirksFound]).toEqual([['replies-alike', { GETLOWRPM: 0x76 }]]);
-    const goal = edited(baseline, [[10, 30000]], [[1, 4, 9]]);
+    const goal = edited(baseline, [10, 30000], [1, 4, 9]);
     expect(await run(client.writeProgram(goal, { baseline }))).toMatchObject({ result: 'verified', stopped: null });
     expect({ ...contentOf(timer), idleThrottle: null }).toEqual(goal);
   });
@@ -108,7 +108,7 @@ describe('a timer that differs from the usual one', () => {
     const { client, timer, run } = bench({ quirks: { lengthInSum: ['SETTIMERS', 'GETMEMORY'] }, baudRate: 9600 });
     const baseline = await run(client.readProgram());
     expect(baseline).toEqual({ ...contentOf(timer), memory: null });
-    const both = edited(baseline, [[10, 30000]], [[1, 4, 9]]);
+    const both = edited(baseline, [10, 30000], [1, 4, 9]);
     const report = await run(client.writeProgram(both, { baseline }));
     expect(report).toMatchObject({ result: 'verified', stopped: null });
     expect({ ...contentOf(timer), memory: null }).toEqual(both);
@@ -130,7 +130,7 @@ describe('a timer that differs from the usual one', () => {
     const baseline = await run(client.readProgram());
     expect(baseline.memory).toBeNull();
     expect(found(client)).toEqual(['memory-unknown']);
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     await run(client.selectMemory(2));
     expect(timer.core.memory).toBe(2);
@@ -197,7 +197,7 @@ describe('a timer that differs from the usual one', () => {
   it('rounded times: the report says which, and to what', async () => {
     const { client, run } = bench({ quirks: { timeStep: 10 } });
     const baseline = await run(client.readProgram());
-    const report = await run(client.writeProgram(edited(baseline, [[3, 255]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [3, 255]), { baseline }));
     expect(report.result).toBe('differs');
     expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 3, sent: 255, held: 250 });
   });
@@ -234,7 +234,7 @@ describe('an answer that makes no sense', () => {
     expect(client.quirksFound.get('memory-impossible')).toEqual({ index: 200 });
     expect([client.damageSeen, client.repeats]).toEqual([false, 0]);
     await expect(run(client.readMemories())).rejects.toMatchObject({ code: 'memory-unknown' });
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
   });
 
@@ -253,7 +253,7 @@ describe('an answer that makes no sense', () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'SETTIMERS', () => []);
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report).toMatchObject({ result: 'verified', acknowledged: 1, repeats: 0 });
     expect(client.damageSeen).toBe(false);
   });
@@ -262,7 +262,7 @@ describe('an answer that makes no sense', () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'SETSERVO', () => [1, 2, 3]);
-    const goal = edited(baseline, [], [[0, 3, 70]]);
+    const goal = edited(baseline, [0, 3, 70]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report).toMatchObject({ held: goal, acknowledged: 0, stopped: null, result: 'verified' });
     expect(found(client)).toEqual([]);
@@ -301,7 +301,7 @@ describe('an identity with bytes that nobody knows', () => {
     expect(names(timer.core.answered)).toEqual(['GETSWVER', 'GETSWVER']);
     expect(found(client)).toEqual(['identity-unusual']);
     const baseline = await run(client.readProgram());
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report.result).toBe('verified');
   });
 
@@ -317,7 +317,7 @@ describe('a timer that wants four zeros', () => {
   it('gets them in front of each request', async () => {
     const { client, timer, line, run } = bench({}, { quirks: { fourZeros: true } });
     const baseline = await run(client.readProgram());
-    await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(contentOf(timer).times[10]).toBe(30000);
     const sent = line.filter(({ direction }) => direction === 'out').map(({ bytes }) => bytes);
     expect(sent.map((bytes) => bytes.findIndex((byte) => byte !== 0))).toEqual(sent.map(() => 4));
@@ -332,20 +332,20 @@ describe('times with their high byte first', () => {
     const read = await run(client.readProgram());
     expect([found(client), client.byteOrderOpen, read.byteOrderOpen]).toEqual([['times-big-endian'], true, true]);
     expect((await run(client.readMemories())).programs.every(({ byteOrderOpen }) => byteOrderOpen)).toBe(true);
-    for (const wrong of [edited(read, [[10, 30000]]), edited(read, [[10, 30000]], [[0, 0, 1]])]) {
+    for (const wrong of [edited(read, [10, 30000]), edited(read, [10, 30000], [0, 0, 1])]) {
       await expect(run(client.writeProgram(wrong, { baseline: read }))).rejects.toMatchObject({
         code: 'undecided',
         details: { request: 'SETTIMERS' },
       });
     }
     // Positions do not depend on it.
-    const positions = edited(read, [], [[0, 0, 1]]);
+    const positions = edited(read, [0, 0, 1]);
     expect((await run(client.writeProgram(positions, { baseline: read }))).result).toBe('verified');
 
     client.assume({ bigEndianTimes: true });
     const baseline = await run(client.readProgram());
     expect(baseline).toEqual(contentOf(timer));
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     expect(contentOf(timer)).toEqual(goal);
   });
@@ -358,7 +358,7 @@ describe('times with their high byte first', () => {
     expect(found(client)).toEqual(['times-big-endian']);
     timer.core.content.times = Array<number>(11).fill(0x0101);
     const baseline = await run(client.readProgram());
-    await run(client.writeProgram(edited(baseline, [], [[0, 0, 1]]), { baseline, despite: ['dt-short'] }));
+    await run(client.writeProgram(edited(baseline, [0, 0, 1]), { baseline, despite: ['dt-short'] }));
     expect(found(client)).toEqual(['times-big-endian']);
     timer.core.content.times = Array.from({ length: 11 }, (_, slot) => 100 * Math.ceil(slot / 2));
     await run(client.readProgram());
@@ -371,7 +371,7 @@ describe('times with their high byte first', () => {
     const baseline = await run(client.readProgram());
     expect(found(client)).toEqual(['times-big-endian']);
     client.assume({ bigEndianTimes: false });
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     expect(goal).toMatchObject(contentOf(timer));
   });
@@ -387,7 +387,7 @@ describe('servo before function', () => {
   it('is found when reading back; the other cell is put back and reported', async () => {
     const { client, timer, run } = bench({ quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [], [[2, 1, 99]]);
+    const goal = edited(baseline, [2, 1, 99]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report.result).toBe('differs');
     expect(report.values).toEqual([
@@ -404,7 +404,7 @@ describe('servo before function', () => {
   it('is disproved in the same way: the other cell is put back in the usual order', async () => {
     const { client, timer, run } = bench({}, { quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [], [[2, 1, 99]]);
+    const goal = edited(baseline, [2, 1, 99]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report.values).toMatchObject([
       { field: { kind: 'position', servo: 2, slot: 1 }, status: 'differs', asked: true },
@@ -425,7 +425,7 @@ describe('servo before function', () => {
       const baseline = await run(client.readProgram());
       const stop = new AbortController();
       const moveServos = at === 'MOVETOFUNC';
-      const goal = moveServos ? edited(baseline, [], [[1, 5, 99]]) : edited(baseline, [[10, 30000]], [[1, 5, 99]]);
+      const goal = moveServos ? edited(baseline, [1, 5, 99]) : edited(baseline, [10, 30000], [1, 5, 99]);
       const answer = timer.core.answer.bind(timer.core);
       timer.core.answer = (frame, bare) => {
         if (frame.code === COMMANDS[at].request) happen(timer, stop);
@@ -439,7 +439,7 @@ describe('servo before function', () => {
   it('is suspected when a function number without a servo gets no answer, and nothing is reported as written', async () => {
     const { client, timer, run } = bench({ quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [], [[1, 3, 99]]);
+    const goal = edited(baseline, [1, 3, 99]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report).toMatchObject({ result: 'differs', stopped: { code: 'no-answer' } });
     expect(client.quirksFound.get('servo-unanswered')).toEqual({ servo: 1, slot: 3 });
@@ -457,7 +457,7 @@ describe('positions that are kept only where the servos stand', () => {
   it('are found unchanged, and nothing moves', async () => {
     const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
     const baseline = await run(client.readProgram());
-    const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 99]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [0, 1, 99]), { baseline }));
     expect(report.result).toBe('differs');
     expect(found(client)).toEqual(['positions-unchanged']);
     expect(client.quirksAssumed).toEqual({ positionsNeedMove: true });
@@ -468,14 +468,14 @@ describe('positions that are kept only where the servos stand', () => {
   it('are not suspected by a write of times only', async () => {
     const { client, run } = bench();
     const baseline = await run(client.readProgram());
-    await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect([found(client), client.quirksAssumed]).toEqual([[], {}]);
   });
 
   it('do not make servos move just because they are known', async () => {
     const { client, timer, run } = bench({}, { quirks: { positionsNeedMove: true } });
     const baseline = await run(client.readProgram());
-    const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 99]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [0, 1, 99]), { baseline }));
     expect([report.result, names(timer.core.answered).includes('MOVETOFUNC')]).toEqual(['verified', false]);
   });
 
@@ -492,14 +492,10 @@ describe('positions that are kept only where the servos stand', () => {
       timer.core.onAnswer = ({ name }) => {
         if (name === 'SETSERVO') timer.core.content.positions = structuredClone(kept);
       };
-      await run(client.writeProgram(edited(baseline, [], [[0, 1, 99]]), { baseline }));
+      await run(client.writeProgram(edited(baseline, [0, 1, 99]), { baseline }));
       timer.core.onAnswer = undefined;
       expect([found(client), client.quirksAssumed]).toEqual([['positions-unchanged'], { positionsNeedMove: true }]);
-      const goal = edited(
-        baseline,
-        [],
-        slots.map((slot, servo) => [servo, slot, 90 + servo]),
-      );
+      const goal = edited(baseline, ...slots.map((slot, servo) => [servo, slot, 90 + servo] as const));
       expect((await run(client.writeProgram(goal, { baseline, moveServos }))).result).toBe('verified');
       expect([found(client), client.quirksAssumed]).toEqual(
         dropped ? [[], {}] : [['positions-unchanged'], { positionsNeedMove: true }],
@@ -510,15 +506,7 @@ describe('positions that are kept only where the servos stand', () => {
   it('are written when the pilot has agreed that the servos move once to each function', async () => {
     const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
     const baseline = await run(client.readProgram());
-    const goal = edited(
-      baseline,
-      [],
-      [
-        [0, 1, 99],
-        [0, 4, 98],
-        [2, 1, 97],
-      ],
-    );
+    const goal = edited(baseline, [0, 1, 99], [0, 4, 98], [2, 1, 97]);
     timer.core.answered.length = 0;
     const report = await run(client.writeProgram(goal, { baseline, moveServos: true }));
     expect([report.result, report.acknowledged]).toEqual(['verified', 3]);
@@ -565,7 +553,7 @@ describe('what a version reply may say', () => {
   it('another letter: works as a timer of unknown class', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'X' } });
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     expect(contentOf(timer)).toEqual(goal);
   });

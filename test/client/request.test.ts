@@ -135,9 +135,9 @@ describe('what a client hands out', () => {
     };
     const baseline = await run(client.readProgram({ onProgress }));
     expect(ended().at(-1)).toBe(1);
-    await run(client.writeProgram(edited(baseline, [[10, 30_000]]), { baseline, onProgress }));
+    await run(client.writeProgram(edited(baseline, [10, 30_000]), { baseline, onProgress }));
     expect(ended().at(-1)).toBe(1);
-    await run(client.writeProgram(baseline, { baseline: edited(baseline, [[10, 30_000]]), onProgress }));
+    await run(client.writeProgram(baseline, { baseline: edited(baseline, [10, 30_000]), onProgress }));
     expect(ended().at(-1)).toBe(1);
     const same = await run(client.readProgram());
     await run(client.writeProgram(same, { baseline: same, onProgress }));

@@ -63,7 +63,7 @@ describe.each([900, 2000, 2900])('a timer that answers after %i ms', (latency) =
     late = true;
     const told: number[] = [];
     const onProgress = ({ endsBy }: { readonly endsBy: number }): void => void told.push(endsBy);
-    const goal = edited(baseline, [[10, 30000]], [[1, 4, 99]]);
+    const goal = edited(baseline, [10, 30000], [1, 4, 99]);
     const report = await run(client.writeProgram(goal, { baseline, onProgress }));
     expect(report).toMatchObject({ result: 'verified', stopped: null });
     expect(contentOf(timer)).toEqual(goal);

@@ -133,7 +133,7 @@ async function written({ at, ms, bytesFirst, swap = false }: Standstill) {
   const page = new StillPage(clock, [first, other], bytesFirst);
   const client = new TimerClient(page, { clock: page });
   const baseline = await clock.run(client.readProgram());
-  const goal: TimerProgram = edited(baseline, [[2, 9000]], [[0, 1, 77]]);
+  const goal: TimerProgram = edited(baseline, [2, 9000], [0, 1, 77]);
   page.requests = 0;
   page.stopAt = at;
   page.stopFor = ms;
@@ -217,7 +217,7 @@ describe('a computer that sleeps, and whose clock for programs sleeps, too', () 
     const times: number[] = [];
     const client = new TimerClient(port, { clock: sleepy, onLine: ({ time }) => void times.push(time) });
     const baseline = await clock.run(client.readProgram());
-    const goal = edited(baseline, [[2, 9000]], [[0, 1, 77]]);
+    const goal = edited(baseline, [2, 9000], [0, 1, 77]);
     requests = 0;
     const writing = client.writeProgram(goal, { baseline }).catch((error: unknown) => error);
     const result = (await clock.run(writing)) as Partial<WriteReport> & { code?: string };

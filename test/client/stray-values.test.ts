@@ -23,7 +23,7 @@ describe('a position that changed without being asked', () => {
     async (_, s, slot, to) => {
       const { client, timer, run } = bench();
       const baseline = await run(client.readProgram());
-      const goal = edited(baseline, [], [[2, 1, 99]]);
+      const goal = edited(baseline, [2, 1, 99]);
       disturbOnce(timer, 'SETSERVO', () => void timer.core.content.positions[s]?.splice(slot, 1, to));
       const report = await run(client.writeProgram(goal, { baseline }));
       expect(report.result).toBe('verified');
@@ -38,7 +38,7 @@ describe('a position that changed without being asked', () => {
   it('does not count as exchanged where servo and function have the same number', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [], [[1, 1, 99]]);
+    const goal = edited(baseline, [1, 1, 99]);
     disturbOnce(timer, 'SETSERVO', () => void timer.core.content.positions[0]?.splice(5, 1, 99));
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report.result).toBe('verified');
@@ -51,7 +51,7 @@ describe('a time that changed without being asked', () => {
   it('is put back by one more SETTIMERS, also when only a position was to change', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [], [[2, 4, 99]]);
+    const goal = edited(baseline, [2, 4, 99]);
     disturbOnce(timer, 'SETSERVO', () => void timer.core.content.times.splice(7, 1, 4321));
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report.result).toBe('verified');
@@ -73,7 +73,7 @@ describe('an exception that is not an error of the line', () => {
     const baseline = await run(client.readProgram());
     const broken = { ...baseline, positions: baseline.positions.map((row) => [...row]) };
     // Such as a program that somebody takes away while it is written.
-    const goal = edited(broken, [[10, 30_000]]);
+    const goal = edited(broken, [10, 30_000]);
     let reads = 0;
     const times = new Proxy(goal.times, {
       get(target, name) {
@@ -92,7 +92,7 @@ describe('what is counted and noted for each write', () => {
     let isDeaf = false;
     const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (isDeaf ? [] : [byte]) } });
     const baseline = await run(client.readProgram());
-    const first = edited(baseline, [], [[0, 3, 40]]);
+    const first = edited(baseline, [0, 3, 40]);
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETSERVO') isDeaf = true;
       if (name === 'GETSWVER') isDeaf = false;
@@ -101,7 +101,7 @@ describe('what is counted and noted for each write', () => {
     timer.core.onAnswer = undefined;
     isDeaf = false;
     expect(disturbed.repeats).toBeGreaterThan(0);
-    const quiet = await run(client.writeProgram(edited(first, [], [[0, 3, 41]]), { baseline: first }));
+    const quiet = await run(client.writeProgram(edited(first, [0, 3, 41]), { baseline: first }));
     expect([quiet.result, quiet.repeats]).toEqual(['verified', 0]);
   });
 
@@ -109,7 +109,7 @@ describe('what is counted and noted for each write', () => {
     const { client, run } = bench({ identity: { timerClass: 'Q' }, quirks: { timeStep: 10 } });
     const baseline = await run(client.readProgram());
     // A position after it says nothing of times.
-    await run(client.writeProgram(edited(baseline, [[0, 1005]], [[0, 3, 70]]), { baseline }));
+    await run(client.writeProgram(edited(baseline, [0, 1005], [0, 3, 70]), { baseline }));
     expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 0, sent: 1005, held: 1000 });
   });
 
@@ -117,7 +117,7 @@ describe('what is counted and noted for each write', () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30_000]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30_000]), { baseline }));
     expect(report.result).toBe('unknown');
     expect(report.stopped).toBeInstanceOf(TimerError);
   });

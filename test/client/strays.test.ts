@@ -102,7 +102,7 @@ describe('a frame that nobody asked for', () => {
       for (let at = 0; ; at++) {
         const { client, run, port, timer } = setUp();
         const baseline = await run(client.readProgram());
-        const goal = edited(baseline, [[10, 30000]], [[1, 4, 99]]);
+        const goal = edited(baseline, [10, 30000], [1, 4, 99]);
         let count = 0;
         port.stray = (_, __, moment) => (moment === 'before' && count++ === at ? OTHERS[name] : undefined);
         const report = await run(client.writeProgram(goal, { baseline }));

@@ -9,7 +9,7 @@ import { everyValueChanged } from './matrix.js';
 
 const SMALL = { functions: 2, memories: 2, servos: 1 };
 /** What the pilot changes: DT, and a position. */
-const goalOf = (program: TimerProgram): TimerProgram => edited(program, [[2, 9000]], [[0, 1, 77]]);
+const goalOf = (program: TimerProgram): TimerProgram => edited(program, [2, 9000], [0, 1, 77]);
 /** GETSWVER, GETMEMORY, GETTIMERS, GETSERVOPOS, GETMEMORY, GETSWVER: then come the two SETs. */
 const FRESH = 6;
 const SETS = 2;

@@ -15,9 +15,9 @@ const noThrottle = { ...GOAL, idleThrottle: null };
 describe('whether a memory holds what was expected', () => {
   it.each<[string, TimerProgram, TimerProgram, boolean]>([
     ['all of it', GOAL, GOAL, true],
-    ['another time', GOAL, edited(GOAL, [[1, 9001]]), false],
+    ['another time', GOAL, edited(GOAL, [1, 9001]), false],
     ['an idle throttle that was not known', noThrottle, GOAL, true],
-    ['an idle throttle that was not known, and another position', noThrottle, edited(GOAL, [], [[0, 0, 9]]), false],
+    ['an idle throttle that was not known, and another position', noThrottle, edited(GOAL, [0, 0, 9]), false],
     ['an idle throttle that is not known any more', GOAL, noThrottle, false],
   ])('%s', (_, believed, held, isIt) => {
     expect(isHeld(believed, held)).toBe(isIt);
@@ -25,10 +25,10 @@ describe('whether a memory holds what was expected', () => {
 });
 
 describe('values that nobody asked to change', () => {
-  const asked = differences(GOAL, edited(GOAL, [[1, 8000]]));
+  const asked = differences(GOAL, edited(GOAL, [1, 8000]));
 
   it('are those that are not as wanted, except the ones that were asked for', () => {
-    const held = edited(GOAL, [[1, 7000]], [[0, 1, 12]]);
+    const held = edited(GOAL, [1, 7000], [0, 1, 12]);
     expect(unasked(held, GOAL, asked).map(({ field }) => field)).toEqual([{ kind: 'position', servo: 0, slot: 1 }]);
   });
 
@@ -47,11 +47,11 @@ describe('the verdict', () => {
 
   it.each<[string, TimerProgram | null, string, string[]]>([
     ['verified when all that was asked for is held', GOAL, 'verified', ['verified', 'verified']],
-    ['that it differs when one value does', edited(GOAL, [[1, 1]]), 'differs', ['differs', 'verified']],
+    ['that it differs when one value does', edited(GOAL, [1, 1]), 'differs', ['differs', 'verified']],
     ['unknown when one value was not read', noThrottle, 'unknown', ['verified', 'unknown']],
     [
       'that it differs when one value does and one was not read',
-      edited(noThrottle, [[1, 1]]),
+      edited(noThrottle, [1, 1]),
       'differs',
       ['differs', 'unknown'],
     ],

@@ -18,14 +18,7 @@ describe('write program', () => {
   it('sends one SETTIMERS and one SETSERVO for each position, reads back, and says verified', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
-    const goal = edited(
-      baseline,
-      [[10, 30000]],
-      [
-        [0, 3, 70],
-        [2, 10, 0],
-      ],
-    );
+    const goal = edited(baseline, [10, 30000], [0, 3, 70], [2, 10, 0]);
     timer.core.answered.length = 0;
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(sets(timer.core.answered)).toEqual([
@@ -67,12 +60,12 @@ describe('write program', () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     timer.core.answered.length = 0;
-    const bad = edited(baseline, [[1, 40]], [[0, 0, 131]]);
+    const bad = edited(baseline, [1, 40], [0, 0, 131]);
     await expect(run(client.writeProgram(bad, { baseline }))).rejects.toMatchObject({
       code: 'out-of-range',
       field: 'position',
     });
-    const late = edited(baseline, [[10, 65536]]);
+    const late = edited(baseline, [10, 65536]);
     await expect(run(client.writeProgram(late, { baseline }))).rejects.toMatchObject({
       code: 'out-of-range',
       field: 'times[10]',
@@ -85,7 +78,7 @@ describe('write program', () => {
     const baseline = await run(client.readProgram());
     timer.core.answered.length = 0;
     // 180 was meant in seconds.
-    const short = edited(baseline, [[10, 180]]);
+    const short = edited(baseline, [10, 180]);
     const refused = { code: 'serious', details: { findings: [{ severity: 'serious', code: 'dt-short' }] } };
     await expect(run(client.writeProgram(short, { baseline }))).rejects.toMatchObject(refused);
     await expect(run(client.writeProgram(short, { baseline, despite: ['time-falls'] }))).rejects.toMatchObject(refused);
@@ -101,7 +94,7 @@ describe('write program', () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     timer.core.memory = 2;
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     await expect(run(client.writeProgram(goal, { baseline }))).rejects.toMatchObject({
       code: 'other-memory',
       details: { expected: 0, found: 2 },
@@ -117,7 +110,7 @@ describe('write program', () => {
     const { client, timer, run } = bench();
     const { memory: _, ...rest } = await run(client.readProgram());
     const baseline = rest as TimerProgram;
-    await expect(run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }))).rejects.toMatchObject({
+    await expect(run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }))).rejects.toMatchObject({
       code: 'other-memory',
       details: { expected: null, found: 0 },
     });
@@ -131,7 +124,7 @@ describe('write program', () => {
     timer.core.onAnswer = ({ name }) => {
       if (name === 'GETSERVOPOS') timer.core.memory = 2;
     };
-    await expect(run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }))).rejects.toMatchObject({
+    await expect(run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }))).rejects.toMatchObject({
       code: 'other-memory',
       details: { expected: 0, found: 2 },
     });
@@ -144,7 +137,7 @@ describe('write program', () => {
   it('puts nothing back when another memory was selected during the write', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') timer.core.memory = 1;
     };
@@ -168,7 +161,7 @@ describe('write program', () => {
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') timer.core.content.times = timer.core.content.times.map((time) => time - (time % 10));
     };
-    const report = await run(client.writeProgram(edited(baseline, [[1, 123]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [1, 123]), { baseline }));
     expect(report).toMatchObject({ result: 'differs', acknowledged: 1 });
     expect(report.values).toEqual([
       { field: { kind: 'time', slot: 1 }, wanted: 123, held: 120, status: 'differs', asked: true },
@@ -184,7 +177,7 @@ describe('write program', () => {
       once = false;
       (timer.core.content.positions[1] as number[])[5] = 99;
     };
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     const stages: string[] = [];
     const onProgress = ({ stage }: { stage: string }): void => void (stages.at(-1) !== stage && stages.push(stage));
     const report = await run(client.writeProgram(goal, { baseline, onProgress }));
@@ -208,7 +201,7 @@ describe('write program', () => {
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') timer.core.content.positions = structuredClone(foreign);
     };
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report).toMatchObject({ result: 'differs', acknowledged: 1, stopped: { code: 'changed' } });
     expect(report.values.filter(({ asked }) => !asked)).toHaveLength(33);
     expect(timer.core.content.positions).toEqual(foreign);
@@ -223,7 +216,7 @@ describe('write program', () => {
     const baseline = await run(client.readProgram());
     change(timer.core);
     const held = structuredClone(contentOf(timer));
-    const goal = { ...edited(baseline, [[10, 30000]], [[2, 4, 99]]), idleThrottle: 40 };
+    const goal = { ...edited(baseline, [10, 30000], [2, 4, 99]), idleThrottle: 40 };
     await expect(run(client.writeProgram(goal, { baseline }))).rejects.toMatchObject({
       code: 'stale',
       details: { held },
@@ -239,7 +232,7 @@ describe('write program', () => {
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') (timer.core.content.positions[1] as number[])[5] = 7;
     };
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report).toMatchObject({ result: 'differs', stopped: null });
     expect(report.values).toContainEqual({
       field: { kind: 'position', servo: 1, slot: 5 },
@@ -254,14 +247,7 @@ describe('write program', () => {
   it('does not claim what a timer holds that fell asleep, and finishes when it is awake again', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
-    const goal = edited(
-      baseline,
-      [],
-      [
-        [0, 1, 70],
-        [1, 1, 71],
-      ],
-    );
+    const goal = edited(baseline, [0, 1, 70], [1, 1, 71]);
     timer.core.onAnswer = (request) => {
       if (request.name === 'SETSERVO') timer.core.sleep();
     };
@@ -286,7 +272,7 @@ describe('write program', () => {
       first = false;
       (timer.core.content.positions[2] as number[])[9] = 1;
     };
-    const goal = edited(baseline, [[10, 30000]]);
+    const goal = edited(baseline, [10, 30000]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report).toMatchObject({ result: 'unknown', held: null, stopped: { code: 'changed' } });
     expect(names(sets(timer.core.answered))).toEqual(['SETTIMERS']);
@@ -294,7 +280,7 @@ describe('write program', () => {
 
     timer.core.onAnswer = undefined;
     const held = await run(client.readProgram());
-    expect(held).toEqual(edited(goal, [], [[2, 9, 1]]));
+    expect(held).toEqual(edited(goal, [2, 9, 1]));
     expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
   });
 
@@ -307,7 +293,7 @@ describe('write program', () => {
       // The value of the SETSERVO that is still to come, where a timer puts it that takes the servo first.
       if (lose) (timer.core.content.positions[1] as number[])[2] = 99;
     };
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]], [[2, 1, 99]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30000], [2, 1, 99]), { baseline }));
     expect(report).toMatchObject({ result: 'unknown', stopped: { code: 'changed' } });
     expect(names(sets(timer.core.answered))).toEqual(['SETTIMERS']);
   });
@@ -321,7 +307,7 @@ describe('write program', () => {
       timer.core.onAnswer = ({ name }) => {
         lose = name.startsWith('SET') && lost++ % 2 === 0;
       };
-      const goal = edited(baseline, [[10, 30003]], [[0, 2, 70]]);
+      const goal = edited(baseline, [10, 30003], [0, 2, 70]);
       const report = await run(client.writeProgram(goal, { baseline }));
       expect(report, `a timer with ${JSON.stringify(quirks)}`).toMatchObject({ result: 'differs', stopped: null });
     }
@@ -335,7 +321,7 @@ describe('write program', () => {
     timer.core.onAnswer = ({ name }) => {
       lose = name === 'SETSERVO';
     };
-    const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 70]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [0, 1, 70]), { baseline }));
     expect(names(sets(timer.core.answered))).toEqual(Array(10).fill('SETSERVO'));
     expect(report).toMatchObject({ result: 'verified', acknowledged: 0, stopped: null });
     expect(client.quirksFound.size, 'function 1 is also a servo number, so silence shows nothing').toBe(0);
@@ -344,7 +330,7 @@ describe('write program', () => {
   it('stops within one reply when asked to, and says what is not known', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [[10, 30000]], [[0, 3, 70]]);
+    const goal = edited(baseline, [10, 30000], [0, 3, 70]);
     const stop = new AbortController();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && stop.abort();
     const report = await run(client.writeProgram(goal, { baseline, signal: stop.signal }));
@@ -360,7 +346,7 @@ describe('write program', () => {
     const baseline = await run(client.readProgram());
     const stop = new AbortController();
     timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && stop.abort();
-    const writing = client.writeProgram(edited(baseline, [[10, 30000]]), { baseline, signal: stop.signal });
+    const writing = client.writeProgram(edited(baseline, [10, 30000]), { baseline, signal: stop.signal });
     await expect(run(writing)).rejects.toMatchObject({ code: 'aborted' });
     expect(sets(timer.core.answered)).toEqual([]);
   });
@@ -369,7 +355,7 @@ describe('write program', () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.cut();
-    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report).toMatchObject({ result: 'unknown', stopped: { code: 'port-lost' } });
     expect(report.values.map(({ status }) => status)).toEqual(['unknown']);
   });
@@ -381,7 +367,7 @@ describe('write program', () => {
     const onProgress = ({ stage, done, total }: { stage: string; done: number; total: number }): void => {
       seen.push(`${stage} ${done}/${total}`);
     };
-    await run(client.writeProgram(edited(baseline, [[10, 30000]], [[0, 0, 1]]), { baseline, onProgress }));
+    await run(client.writeProgram(edited(baseline, [10, 30000], [0, 0, 1]), { baseline, onProgress }));
     expect(seen).toEqual([
       'read 0/540',
       'read 27/540',
@@ -427,7 +413,7 @@ describe('write program', () => {
     const positions = baseline.positions.flatMap((row, servo) =>
       row.map((p, slot): [number, number, number] => [servo, slot, p + 1]),
     );
-    const goal = edited(baseline, [[10, 30000]], positions);
+    const goal = edited(baseline, [10, 30000], ...positions);
     const begin = clock.now();
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     const requests = [...FRESH, 'SETTIMERS', ...positions.map(() => 'SETSERVO'), ...VERIFY];

@@ -112,14 +112,7 @@ describe('the requests that turn one program into another', () => {
   it('are one SETTIMERS, a SETSERVO for each position, a SETLOWRPM', () => {
     const from = usual('Q');
     const to = {
-      ...edited(
-        from,
-        [
-          [0, 900],
-          [10, 6000],
-        ],
-        [[2, 10, 1]],
-      ),
+      ...edited(from, [0, 900], [10, 6000], [2, 10, 1]),
       idleThrottle: 5,
     };
     expect(changeRequests(from, to)).toEqual([
@@ -238,71 +231,50 @@ describe('the check', () => {
     ['no rule of steps on E', 'E', [[3, 251]], []],
   ];
   for (const [name, timerClass, times, expected] of cases) {
-    it(name, () => expect(found(edited(usual(timerClass), times))).toEqual(expected));
+    it(name, () => expect(found(edited(usual(timerClass), ...times))).toEqual(expected));
   }
 
   it('says when equal times have the same positions, so that no position is lost', () => {
-    const program = edited(
-      usual('B'),
-      [[5, 350]],
-      [
-        [0, 5, 55],
-        [1, 5, 55],
-        [2, 5, 55],
-      ],
-    );
+    const program = edited(usual('B'), [5, 350], [0, 5, 55], [1, 5, 55], [2, 5, 55]);
     expect(found(program)).toEqual(['warning time-repeats time:5']);
   });
 
   it('says that positions are never reached when equal times differ in only one servo', () => {
-    const program = edited(
-      usual('B'),
-      [[5, 350]],
-      [
-        [0, 5, 55],
-        [1, 5, 55],
-      ],
-    );
+    const program = edited(usual('B'), [5, 350], [0, 5, 55], [1, 5, 55]);
     expect(found(program)).toEqual(['warning position-never-reached time:5']);
   });
 
   it('refuses a position past the last step, but keeps one that was read', () => {
-    const read = edited(usual('B'), [], [[1, 4, 200]]);
+    const read = edited(usual('B'), [1, 4, 200]);
     expect(found(read)).toEqual(['error position-out-of-range position:1:4']);
     expect(found(read, read)).toEqual(['warning position-as-read position:1:4']);
-    expect(found(edited(read, [], [[1, 4, 201]]), read)).toEqual(['error position-out-of-range position:1:4']);
+    expect(found(edited(read, [1, 4, 201]), read)).toEqual(['error position-out-of-range position:1:4']);
     // No timer holds such a time.
-    const late = edited(usual('B'), [[10, 65536]]);
+    const late = edited(usual('B'), [10, 65536]);
     expect(found(late, late)).toEqual(['error time-out-of-range time:10']);
   });
 
   it('checks the order of the times beside a position that is out of range', () => {
-    expect(found(edited(usual('B'), [[5, 340]], [[1, 5, 131]]))).toEqual([
+    expect(found(edited(usual('B'), [5, 340], [1, 5, 131]))).toEqual([
       'error position-out-of-range position:1:5',
       'warning time-falls time:5',
     ]);
   });
 
   it.each<[TimerProgram, object]>([
-    [edited(usual('B'), [], [[1, 4, 200]]), { min: 0, max: 130 }],
-    [edited(usual('B'), [[10, 65536]]), { min: 0, max: 65535 }],
+    [edited(usual('B'), [1, 4, 200]), { min: 0, max: 130 }],
+    [edited(usual('B'), [10, 65536]), { min: 0, max: 65535 }],
     [
       { ...usual('Q'), idleThrottle: 256 },
       { min: 0, max: 255 },
     ],
-    [edited(usual('B'), [[5, 340]]), { previous: 350 }],
-    [edited(usual('B'), [[5, 350]]), { previous: 350 }],
-    [
-      edited(usual('Q'), [
-        [0, 18100],
-        [10, 18000],
-      ]),
-      { dt: 18000 },
-    ],
-    [edited(usual('Q'), [[0, 4010]]), { limit: 4000 }],
-    [edited(usual('B'), [[9, 10000]]), { min: 10, max: 9990 }],
-    [edited(usual('B'), [[3, 251]]), { step: 10 }],
-    [edited(usual('B'), [[10, 5900]]), { limit: 6000 }],
+    [edited(usual('B'), [5, 340]), { previous: 350 }],
+    [edited(usual('B'), [5, 350]), { previous: 350 }],
+    [edited(usual('Q'), [0, 18100], [10, 18000]), { dt: 18000 }],
+    [edited(usual('Q'), [0, 4010]), { limit: 4000 }],
+    [edited(usual('B'), [9, 10000]), { min: 10, max: 9990 }],
+    [edited(usual('B'), [3, 251]), { step: 10 }],
+    [edited(usual('B'), [10, 5900]), { limit: 6000 }],
     [{ ...usual('Q'), idleThrottle: 101 }, { limit: 100 }],
     [usual('X'), { timerClass: 'X' }],
   ])('gives the limits with each finding (%#)', (program, params) => {
@@ -310,7 +282,7 @@ describe('the check', () => {
   });
 
   it('gives the value and the limit for a position that was read', () => {
-    const read = edited(usual('B'), [], [[1, 4, 200]]);
+    const read = edited(usual('B'), [1, 4, 200]);
     expect(checkProgram(read, { baseline: read })[0]?.params).toEqual({ value: 200, max: 130 });
   });
 
@@ -330,12 +302,12 @@ describe('the check', () => {
   });
 
   it('warns of a class it does not know, and checks no rule of a class', () => {
-    expect(found(edited(usual('X'), [[3, 251]]))).toEqual(['warning class-unknown -']);
+    expect(found(edited(usual('X'), [3, 251]))).toEqual(['warning class-unknown -']);
   });
 
   it('takes another limit for a short DT', () => {
     expect(checkProgram(usual('B'), { shortDt: 20000 }).map(({ code }) => code)).toEqual(['dt-short']);
-    const inClimb = edited(usual('B'), [[10, 900]]);
+    const inClimb = edited(usual('B'), [10, 900]);
     const found = checkProgram(inClimb, { shortDt: 500 }).filter(({ severity }) => severity === 'serious');
     expect(found, 'whatever the pilot calls short').toMatchObject([{ code: 'dt-short' }]);
   });
