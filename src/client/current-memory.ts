@@ -99,7 +99,7 @@ async function judge(job: ClientJob, reply: ReplyOf<'GETMEMORY'>, agreed: boolea
   await exchange.requireIdentity(signal);
   if (memory < 0) {
     // A timer that counts from 1 has no memory 0.
-    quirks.drop('memories-from-one');
+    quirks.found.delete('memories-from-one');
     quirks.unassume('memoriesFromOne');
     return 0;
   }

@@ -55,8 +55,6 @@ export class Exchange {
   #lastSent = Number.NEGATIVE_INFINITY;
   #closed = false;
   #underWay: Promise<unknown> = Promise.resolve();
-  /** Whether the timer has answered, and nobody has given it up since. */
-  #awake = false;
   /**
    * For the request in progress: how many exchanges in a row got no answer, and how many of those got no byte at all.
    */
@@ -75,6 +73,8 @@ export class Exchange {
 
   /** What the timer said about itself: it gives the layout of all further messages. Null before that. */
   identity: Identity | null = null;
+  /** Whether the timer is there: it has answered, and has not fallen silent since. */
+  awake = false;
   readonly schedule: Schedule;
 
   constructor(wire: Wire, clock: Clock, timing: LearnedTiming) {
@@ -102,11 +102,6 @@ export class Exchange {
       strays: wire.strays - strays,
       repeats: this.schedule.repeats - repeats,
     });
-  }
-
-  /** Whether the timer is there: it has answered, and has not fallen silent since. */
-  get awake(): boolean {
-    return this.#awake;
   }
 
   /** Begins a job. From now on nothing is sent that could end later than such a job may take. */
@@ -146,7 +141,7 @@ export class Exchange {
       const reply = await this.ask(request, signal, policy);
       const text = JSON.stringify(reply);
       if (text === previous) return reply;
-      if (!twice && !this.damaged && !this.#wire.isFormNew(request.name)) return reply;
+      if (!twice && !this.damaged && !this.#wire.quirks.isMisprintNew(request.name)) return reply;
       previous = text;
     }
     throw this.unbelievable(`no two of ${READS} replies agreed`, request.name, seen());
@@ -189,7 +184,8 @@ export class Exchange {
         identity: reply.identity,
       });
     }
-    this.#wire.doubt();
+    // As after damage, a single reply is no longer believed.
+    this.#wire.damage++;
   }
 
   /**
@@ -290,21 +286,21 @@ export class Exchange {
       throw new TimerError('bad-reply', `the reply to ${name} cannot be right`, details, badReply);
     }
     if (alike >= ALIKE) {
-      wire.noteAlike(name);
+      wire.quirks.noteAlike(name);
       throw new TimerError('bad-reply', `each reply to ${name} was damaged in the same way`, {
         ...details,
         alike: true,
       });
     }
     const isGone = this.#isSilent(request, seen());
-    if (isGone) this.#awake = false;
+    if (isGone) this.awake = false;
     const isSentOnce = sent > 0 && !COMMANDS[name].repeatable;
     // When time ran out before the request was sent often enough, damage from any part of the job counts.
     const { damage } = isDecided ? seen() : this.#seen();
     if (!isGone && !isSentOnce && !isIgnored() && damage > 0) {
       throw new TimerError('unstable', `too much damage to get a reply to ${name}`, details);
     }
-    throw new TimerError('no-answer', `no reply to ${name}`, { ...details, answersOthers: this.#awake });
+    throw new TimerError('no-answer', `no reply to ${name}`, { ...details, answersOthers: this.awake });
   }
 
   /** Whether another attempt (fence and request) makes sense and ends in time. */
@@ -334,7 +330,7 @@ export class Exchange {
    * timer has to be there at once.
    */
   #isSilent({ name }: Request, { damage }: Disturbance): boolean {
-    const isPatient = COMMANDS[name].repeatable && (this.#awake || damage > 0);
+    const isPatient = COMMANDS[name].repeatable && (this.awake || damage > 0);
     return this.#silent >= (isPatient ? SILENT : SILENT_AT_FIRST);
   }
 
@@ -346,7 +342,7 @@ export class Exchange {
     this.#underWay = asking.catch(() => {});
     const outcome = await asking;
     const isAnswered = outcome.kind === 'answer';
-    if (isAnswered) this.#awake = true;
+    if (isAnswered) this.awake = true;
     this.#misses = isAnswered ? 0 : this.#misses + 1;
     this.#silent = outcome.kind === 'silent' ? this.#silent + 1 : 0;
     if (this.#silent === 1) this.#silentSince = this.#lastSent;

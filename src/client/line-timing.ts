@@ -11,26 +11,18 @@ const TOO_LATE = 2;
  */
 export class LearnedTiming implements LineTiming {
   readonly baudRate: number;
-  #margin: number;
-  #delay: number | null = null;
+  margin: number;
+  /**
+   * How long the slowest late reply took, in milliseconds beyond the time of its bytes; null while none came late. It
+   * is counted from the last request that the reply can answer, so after a repeat the timer may really be slower.
+   */
+  delay: number | null = null;
   /** The delays of the replies in this job that came later than {@link LATEST_REPLY}. */
   #tooLate: number[] = [];
 
   constructor({ baudRate, margin }: LineTiming) {
     this.baudRate = baudRate;
-    this.#margin = margin;
-  }
-
-  get margin(): number {
-    return this.#margin;
-  }
-
-  /**
-   * How long the slowest late reply took, in milliseconds beyond the time of its bytes; null while none came late. It
-   * is counted from the last request that the reply can answer, so after a repeat the timer may really be slower.
-   */
-  get delay(): number | null {
-    return this.#delay;
+    this.margin = margin;
   }
 
   /** The delay of a timer that has turned out in this job to be slower than {@link LATEST_REPLY}; else null. */
@@ -47,10 +39,10 @@ export class LearnedTiming implements LineTiming {
   learn(delay: number): void {
     if (delay > LATEST_REPLY) {
       this.#tooLate.push(delay);
-      this.#delay = this.tooSlow ?? this.#delay;
+      this.delay = this.tooSlow ?? this.delay;
     }
-    if (delay <= (this.#delay ?? 0) || delay > LATEST_REPLY) return;
-    this.#delay = delay;
-    this.#margin = Math.max(this.#margin, Math.min(LATEST_REPLY, Math.ceil(ROOM * delay)));
+    if (delay <= (this.delay ?? 0) || delay > LATEST_REPLY) return;
+    this.delay = delay;
+    this.margin = Math.max(this.margin, Math.min(LATEST_REPLY, Math.ceil(ROOM * delay)));
   }
 }

@@ -114,11 +114,6 @@ export class Quirks {
     this.assumed = { ...this.assumed, ...quirks };
   }
 
-  /** Drops a finding that the timer has contradicted. */
-  drop(code: QuirkCode): void {
-    this.found.delete(code);
-  }
-
   /** Stops assuming this. */
   unassume(assumption: keyof AssumedQuirks): void {
     const { [assumption]: _, ...others } = this.assumed;
@@ -133,7 +128,7 @@ export class Quirks {
     if (match === 'exact') {
       // A timer that uses the right form does not use the wrong one: that was a late reply to something else, or
       // damage.
-      this.drop(code);
+      this.found.delete(code);
       this.#misprints.set(name, Number.NEGATIVE_INFINITY);
       return;
     }
@@ -148,7 +143,7 @@ export class Quirks {
     const { [name]: letter, ...others } = this.found.get('replies-alike') ?? {};
     if (letter === undefined) return;
     if (Object.keys(others).length > 0) this.found.set('replies-alike', others);
-    else this.drop('replies-alike');
+    else this.found.delete('replies-alike');
   }
 
   /**

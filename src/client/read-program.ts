@@ -201,7 +201,7 @@ function isByteOrderKnown({ quirks }: ClientJob, times: readonly number[]): bool
 function noteByteOrder(job: ClientJob, times: readonly number[]): void {
   if (isByteOrderKnown(job, times)) return;
   if (byteOrderOf(times) === 'other') job.quirks.note('times-big-endian');
-  else job.quirks.drop('times-big-endian');
+  else job.quirks.found.delete('times-big-endian');
 }
 
 /** Whether the times of the functions rise. Slot 0 does not count: it is the motor stop, or reserved. */

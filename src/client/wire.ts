@@ -1,7 +1,6 @@
 import type { Clock } from '../line/index.js';
 import {
   COMMANDS,
-  type CommandName,
   commandOf,
   encodeFrame,
   encodeRequest,
@@ -64,8 +63,19 @@ export class Wire {
   readonly lineErrors = new Map<LineErrorKind, number>();
   readonly unanswered: UnansweredRequests;
   readonly standstill: StandstillWatch;
+  readonly quirks: Quirks;
+  /**
+   * How often there was damage since the first request: bytes that belong to no frame, line errors, impossible replies,
+   * and accepted replies that turned out to be wrong.
+   */
+  damage = 0;
+  /**
+   * How many frames came that nobody asked for: no echo of the last request, not the awaited reply, and no late reply.
+   * They come from a second timer or programmer in the beam, or from a line that doubles frames. Then an accepted reply
+   * need not belong to its request.
+   */
+  strays = 0;
   readonly #port: BytePort;
-  readonly #quirks: Quirks;
   readonly #options: WireOptions;
   readonly #decoder: FrameDecoder;
   readonly #reader: PortReader;
@@ -74,8 +84,6 @@ export class Wire {
   #waiting: Waiting | undefined;
   #lost: TimerError | undefined;
   #lastByteAt = Number.NEGATIVE_INFINITY;
-  #damage = 0;
-  #strays = 0;
   #lastSent: Frame | undefined;
   /** What has come since the last request went out. */
   #heard: number[] = [];
@@ -85,7 +93,7 @@ export class Wire {
 
   constructor(port: BytePort, quirks: Quirks, options: WireOptions) {
     this.#port = port;
-    this.#quirks = quirks;
+    this.quirks = quirks;
     this.#options = options;
     this.unanswered = new UnansweredRequests(options.clock, options.timing);
     this.standstill = new StandstillWatch(options.clock);
@@ -107,37 +115,6 @@ export class Wire {
   }
 
   /**
-   * How often there was damage since the first request: bytes that belong to no frame, line errors, impossible replies.
-   */
-  get damage(): number {
-    return this.#damage;
-  }
-
-  /**
-   * How many frames came that nobody asked for: no echo of the last request, not the awaited reply, and no late reply.
-   * They come from a second timer or programmer in the beam, or from a line that doubles frames. Then an accepted reply
-   * need not belong to its request.
-   */
-  get strays(): number {
-    return this.#strays;
-  }
-
-  /** Whether the last reply to this request has a form that is not known of this timer: one reply proves nothing. */
-  isFormNew(name: CommandName): boolean {
-    return this.#quirks.isMisprintNew(name);
-  }
-
-  /** An accepted reply turned out to be wrong. As after damage, a single reply is no longer believed. */
-  doubt(): void {
-    this.#noteDamage();
-  }
-
-  /** Each reply to this request was damaged in the same way. */
-  noteAlike(name: CommandName): void {
-    this.#quirks.noteAlike(name);
-  }
-
-  /**
    * Sends a request once and waits for its reply.
    * @throws TimerError `busy`, `port-lost` or `closed`; CodecError when the request cannot be encoded.
    */
@@ -145,11 +122,11 @@ export class Wire {
     const { request, identity } = question;
     const bytes = encodeRequest(request, {
       identity: identity ?? undefined,
-      quirks: this.#quirks.assumed,
-      bareChecksum: this.#quirks.isBare(request),
+      quirks: this.quirks.assumed,
+      bareChecksum: this.quirks.isBare(request),
     });
     return this.#exchange(bytes, replySize(request.name, identity), (frame) =>
-      asReply(frame, question, this.#quirks, frame === this.#bare),
+      asReply(frame, question, this.quirks, frame === this.#bare),
     );
   }
 
@@ -283,7 +260,7 @@ export class Wire {
     try {
       const frame = { code: bytes[ZEROS_SENT + 1] as number, data: bytes.slice(ZEROS_SENT + 2, -2) };
       this.#lastSent = frame;
-      const sent = this.#quirks.assumed.fourZeros ? bytes.subarray(1) : bytes;
+      const sent = this.quirks.assumed.fourZeros ? bytes.subarray(1) : bytes;
       this.#log({ direction: 'out', bytes: sent, frame });
       await writer.write(sent);
     } catch (error) {
@@ -345,8 +322,8 @@ export class Wire {
     for (const frame of frames) {
       if (commandOf(frame.code)?.direction !== 'request') this.#noteSign('stray');
       if (this.#waiting?.take(frame)) continue;
-      if (this.#lastSent && sameFrame(frame, this.#lastSent)) this.#quirks.note('echo');
-      else if (!this.unanswered.take(frame, inTime)) this.#strays++;
+      if (this.#lastSent && sameFrame(frame, this.#lastSent)) this.quirks.note('echo');
+      else if (!this.unanswered.take(frame, inTime)) this.strays++;
     }
   }
 
@@ -357,7 +334,7 @@ export class Wire {
 
   #noteDamage(): void {
     this.#noteSign('damaged');
-    this.#damage++;
+    this.damage++;
   }
 
   #noteLineError(error: LineErrorKind): void {

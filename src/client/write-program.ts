@@ -29,7 +29,7 @@ export async function writeContent(job: ClientJob, plan: WritePlan): Promise<Wri
   const write = new Write(job, plan);
   const stopped = await write.run();
   const { acknowledged, held, changedUnasked } = write;
-  const result = verdict(plan.goal, plan.asked, changedUnasked, held);
+  const result = verdict(plan.goal, plan.asked, changedUnasked.values(), held);
   return {
     ...result,
     held,
@@ -61,20 +61,16 @@ class Write {
   acknowledged = 0;
   /** What the timer held at the last fresh read; null when none came after the last request. */
   held: TimerProgram | null = null;
+  /** Values that changed without being asked, by field key. */
+  readonly changedUnasked = new Map<string, ProgramField>();
   readonly #job: ClientJob;
   readonly #plan: WritePlan;
-  /** Values that changed without being asked, by field key. */
-  readonly #changedUnasked = new Map<string, ProgramField>();
   /** The times in the last acknowledgement. */
   #timesSaid: readonly number[] | null = null;
 
   constructor(job: ClientJob, plan: WritePlan) {
     this.#job = job;
     this.#plan = plan;
-  }
-
-  get changedUnasked(): Iterable<ProgramField> {
-    return this.#changedUnasked.values();
   }
 
   /** @returns what stopped the write; null when nothing did. */
@@ -123,13 +119,13 @@ class Write {
     return attempt(async () => {
       const held = await readContent(this.#job, 'verify', after);
       this.held = held;
-      for (const { field } of unasked(held, goal, asked)) this.#changedUnasked.set(fieldKey(field), field);
+      for (const { field } of unasked(held, goal, asked)) this.changedUnasked.set(fieldKey(field), field);
       const slot = roundedSlot(this.#plan, this.#timesSaid, held);
       if (slot !== null) {
         quirks.note('times-rounded', { slot, sent: goal.times[slot] as number, held: held.times[slot] as number });
       }
       if (!moveServos && arePositionsKept(this.#plan, held)) {
-        quirks.drop('positions-unchanged');
+        quirks.found.delete('positions-unchanged');
         quirks.unassume('positionsNeedMove');
       }
     });

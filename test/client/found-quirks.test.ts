@@ -31,7 +31,7 @@ describe('what a timer was found to do differently', () => {
     const quirks = new Quirks({ servoFirst: true, memoriesFromOne: true });
     quirks.note('memories-from-one');
     quirks.note('echo');
-    quirks.drop('memories-from-one');
+    quirks.found.delete('memories-from-one');
     quirks.unassume('memoriesFromOne');
     expect([[...quirks.found.keys()], quirks.assumed]).toEqual([['echo'], { servoFirst: true }]);
   });
