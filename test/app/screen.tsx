@@ -76,12 +76,8 @@ export async function strandAtM3({ timer: { core } }: AppBench): Promise<void> {
   await idle();
 }
 
-/** A field of the program. Opens the large figures where the field is one of them. */
+/** A field of the program. */
 export function field(name: string): HTMLInputElement {
-  const isLarge = name === 'DT' || name === 'Motor stop';
-  if (isLarge && !screen.queryByRole('textbox', { name })) {
-    act(() => void fireEvent.click(document.querySelector('.strip-figures') as HTMLElement));
-  }
   return screen.getByRole<HTMLInputElement>('textbox', { name });
 }
 
@@ -93,9 +89,9 @@ export async function key(key: string, held: KeyboardEventInit = {}): Promise<vo
 
 export async function type(name: string, text: string): Promise<void> {
   const input = field(name);
-  fireEvent.focus(input);
+  input.focus();
   fireEvent.input(input, { target: { value: text } });
-  fireEvent.blur(input);
+  input.blur();
   await idle();
   await late();
 }

@@ -60,9 +60,6 @@ const SERIES = [
   { name: 'steps of a position', field: 'Function 4, S2', keys: ['ArrowUp', 'ArrowDown'], held: 'Alt' },
   { name: 'from cell to cell', field: 'Function 4, S2', keys: ['ArrowDown', 'ArrowUp'] },
 ];
-/** In the panel of large figures. */
-/** @type {Series} */
-const LARGE = { name: 'digits of the large DT', field: 'DT', text: '245' };
 /** @type {Series} */
 const SEARCH = { name: 'search in the line', field: 'Search', role: 'searchbox', text: 'servo' };
 /** @type {Series} */
@@ -161,10 +158,6 @@ export async function screen(/** @type {Options} */ { quick = false, folder } = 
   await page.getByRole('slider').first().waitFor();
   await slow(SLOWDOWN);
   for (const series of SERIES) keys.push(await press(series));
-  const large = page.locator('.strip-figures');
-  await large.click();
-  keys.push(await press(LARGE));
-  if ((await large.getAttribute('aria-expanded')) === 'true') await large.click();
   for (const slowdown of quick ? [SLOWDOWN] : [1, SLOWDOWN]) {
     await slow(slowdown);
     for (const each of DRAGS) frames.push(await drag(each, slowdown));

@@ -171,13 +171,7 @@ export class AppPage {
     await this.text(en.aboutTimer.title).click();
   }
 
-  /** The large figures, which a click opens. */
-  async #showFigure(name: string): Promise<void> {
-    const isLarge = name === 'DT' || name === 'Motor stop';
-    if (isLarge && (await this.field(name).count()) === 0) await this.showFigures();
-  }
-
-  /** Opens the large figures, with everything that has no other room on a phone. */
+  /** Opens what has no room in the strip of a phone. */
   async showFigures(): Promise<void> {
     const figures = this.page.locator('.strip-figures');
     if ((await figures.getAttribute('aria-expanded')) === 'false') await figures.click();
@@ -229,13 +223,11 @@ export class AppPage {
 
   /** Replaces the text of a field, and leaves the field. */
   async type(field: string, text: string): Promise<void> {
-    await this.#showFigure(field);
     await this.field(field).fill(text);
     await this.field(field).blur();
   }
 
   async valueOf(field: string): Promise<string> {
-    await this.#showFigure(field);
     return this.field(field).inputValue();
   }
 

@@ -72,8 +72,7 @@ test.each([3, 8])('no digit of a program with %i servos is cut off on any phone'
   await app.page.locator('.edit-sheet .primary').click();
   await app.page.setViewportSize({ width: 400, height: 844 });
   await app.showFigures();
-  await app.field('DT').waitFor();
-  await expectWhole(app, 'the large figures');
+  await expectWhole(app, 'what the strip opens');
   await app.page.locator('.strip-close').click();
   await app.page.setViewportSize({ width: 400, height: 844 });
   await app.goTo('Bench');

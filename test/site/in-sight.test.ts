@@ -86,7 +86,7 @@ test('in a low window notices scroll away with the page, but what is known of th
   await expect.poll(places).toMatchObject({ notice: expect.toSatisfy((top: number) => top >= 0 && top < 50) });
   await app.page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
   await expect.poll(places).toEqual({ strip: 0, links: 49, notice: expect.toSatisfy((top: number) => top < -50) });
-  // The large figures open where the pilot is.
+  // What has no room in it opens where the pilot is.
   await app.page.locator('.strip-figures').click();
   await app.page.getByRole('button', { name: 'Close' }).waitFor();
   await expect.poll(places).toMatchObject({ strip: 0 });
@@ -295,7 +295,7 @@ test('what warns before a write is in sight with its tick, above a long differen
   const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 1366, height: 650 }, before: IN_SUN });
   await app.connect();
   for (let i = 1; i <= 9; i++) await app.type(`Function ${i}, S1`, '7');
-  await app.type('Motor stop', '4:00');
+  await app.type('Motor stop time', '4:00');
   await app.review();
   const words = [write.acknowledge, write.stillToTick([write.ticks.warnings, write.ticks.safety])];
   for (const sentence of words) {

@@ -72,7 +72,7 @@ describe('what was typed is kept', () => {
     await app.reload();
     await app.says(en.notes.back.title);
     await expect
-      .poll(async () => [await app.valueOf('Function 2, S1'), await app.valueOf('DT')])
+      .poll(async () => [await app.valueOf('Function 2, S1'), await app.valueOf('DT time')])
       .toEqual(['7', '4:00']);
     await app.button('Connect').click();
     await app.isReady();

@@ -29,7 +29,7 @@ describe('the line', () => {
   test('can be saved, loaded and replayed as a timer, within the rules of the page', async () => {
     const app = await opened({ acceptDownloads: true });
     await app.goTo('Program');
-    await app.type('DT', '6:00');
+    await app.type('DT time', '6:00');
     await app.write();
     await app.result('Verified.');
     await app.close();
@@ -46,7 +46,7 @@ describe('the line', () => {
     await app.hasRead();
     await app.page.getByRole('banner').getByText('simulated').waitFor();
     for (const servo of ['S1', 'S2', 'S3']) await expect.poll(() => app.positions(servo)).toEqual(FIRST_POSITIONS);
-    await expect.poll(() => app.valueOf('DT')).toBe('3:00');
+    await expect.poll(() => app.valueOf('DT time')).toBe('3:00');
   });
 
   test('shows damage, and only damage when the pilot wants that', async () => {

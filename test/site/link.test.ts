@@ -105,7 +105,7 @@ describe('about this timer', () => {
     await app.connect();
     await app.says('The times of this timer fall from row to row.');
     await app.button(en.byteOrder.exchange).click();
-    await expect.poll(() => app.valueOf('DT')).toBe('3:00');
+    await expect.poll(() => app.valueOf('DT time')).toBe('3:00');
     await app.showAbout();
     await app.text(en.aboutTimer.quirkNames['times-big-endian']).waitFor();
     const assumed = app.page.getByRole('checkbox', { name: en.aboutTimer.assumptions.bigEndianTimes });
@@ -114,7 +114,7 @@ describe('about this timer', () => {
     await app.goTo('Program');
     await app.reload();
     await app.connect();
-    await expect.poll(() => app.valueOf('DT')).toBe('3:00');
+    await expect.poll(() => app.valueOf('DT time')).toBe('3:00');
     await expect.poll(() => app.text('The times of this timer fall from row to row.').count()).toBe(0);
   });
 

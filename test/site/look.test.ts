@@ -98,9 +98,9 @@ describe('nothing is cut off or covered', () => {
     await inEachLook(() => app.expectNoSidewaysScrolling());
     await app.connect();
     await inEachLook(() => app.expectNoSidewaysScrolling());
-    await app.type('Motor stop', '39.95');
+    await app.type('Motor stop time', '39.95');
     await app.type('Function 1 time', '1:30.25');
-    await app.type('DT', '10:00');
+    await app.type('DT time', '10:00');
     for (const servo of ['S1', 'S2', 'S3']) await app.type(`Function 2, ${servo}`, '130');
     await inEachLook(async (look) => {
       await app.expectNoSidewaysScrolling();

@@ -155,14 +155,6 @@ export class Editor extends WorkingCopy {
     else this.revert(field);
   }
 
-  /**
-   * Escape in a field of the table: takes back what was typed or stepped there since the field was entered. If nothing
-   * was, puts the field back to what the timer holds.
-   */
-  escape(field: ProgramField): void {
-    if (!this.abandonAt(field)) this.revert(field);
-  }
-
   /** Takes back what was typed or stepped in a field since it was entered. @returns whether anything was. */
   abandonAt(field: ProgramField): boolean {
     const key = fieldKey(field);

@@ -68,7 +68,6 @@ export const edits = {
     putBack: (field: string) => `Put back ${field}`,
     /** Names a button that shows the figure: its name has to hold what can be read on it. */
     putBackTo: (field: string, figure: string) => `Put ${field} back to ${figure}`,
-    signs: { putBack: '↺' },
   },
   /** The sheet of keys for touch screens. */
   sheet: {

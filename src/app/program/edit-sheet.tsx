@@ -63,10 +63,8 @@ function Sheet({ identity, standing, held }: SheetProps) {
   useLayoutEffect(() => {
     isWhole.current = false;
   }, [input]);
-  const was = value.was.value;
-  const notes = value.notes.value;
-  const either = value.either.value;
-  const isTime = value.kind === 'time';
+  const { text, unit, was, notes, either, canPutBack } = value.face.value;
+  const isTime = value.kind !== 'steps';
   const goals = goalsFrom(identity, input);
   const act = (work: () => void): void => {
     isWhole.current = true;
@@ -131,7 +129,7 @@ function Sheet({ identity, standing, held }: SheetProps) {
             />
           </button>
         )}
-        {value.canPutBack.value && (
+        {canPutBack && (
           <button type="button" tabIndex={-1} onClick={() => act(() => value.putBack())}>
             {words.putBack}
           </button>
@@ -157,8 +155,8 @@ function Sheet({ identity, standing, held }: SheetProps) {
           <StepKey {...{ value, act }} direction={-1} tenfold />
           <StepKey {...{ value, act }} direction={-1} />
           <output>
-            {value.text.value}
-            {value.unit.value && <span class="sheet-unit"> {messages.value.times.units[value.unit.value]}</span>}
+            {text}
+            {unit && <span class="sheet-unit"> {messages.value.times.units[unit]}</span>}
           </output>
           <StepKey {...{ value, act }} direction={1} />
           <StepKey {...{ value, act }} direction={1} tenfold />
@@ -214,6 +212,6 @@ function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
 
 /** “10”, “0.1 s”: positions are whole steps. */
 function amountOf({ kind, stepSize }: EditedValue, tenfold: boolean): string {
-  const amount = stepSize.value * (tenfold ? 10 : 1);
-  return kind === 'time' ? messages.value.seconds(plainSeconds(amount)) : String(amount);
+  const amount = stepSize * (tenfold ? 10 : 1);
+  return kind !== 'steps' ? messages.value.seconds(plainSeconds(amount)) : String(amount);
 }

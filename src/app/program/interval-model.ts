@@ -4,9 +4,12 @@ import type { Editor } from '../editing/editor.js';
 import { type StepOptions, setInterval, stepInterval } from '../editing/edits.js';
 import { intervalAt, intervalKey } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
-import { type Ambiguous, type Figure, formatInterval, MINUTE, readInterval } from '../editing/units.js';
+import { type Ambiguous, formatInterval, MINUTE, readInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
-import type { EditedValue } from './hand.js';
+import type { EditedValue, FieldFace } from './hand.js';
+
+/** An interval lies between two times that may both have changed. */
+const NO_OLD_VALUE = { isChanged: false, isConfirmed: false, was: null, old: '', canPutBack: false };
 
 /** The last entry in the field. */
 interface Entry {
@@ -36,24 +39,19 @@ export class IntervalModel implements EditedValue {
     return entered?.interval === this.#interval.value ? entered : null;
   });
 
-  readonly kind = 'time';
-  readonly text: ReadonlySignal<string> = computed(() => {
+  readonly kind = 'interval';
+  readonly face: ReadonlySignal<FieldFace> = computed(() => {
     const interval = this.#interval.value;
-    return this.#entry.value?.text ?? (interval === null ? '' : formatInterval(interval));
-  });
-  readonly unit: ReadonlySignal<Figure['unit'] | null> = computed(() => {
-    const interval = this.#interval.value;
-    if (interval === null || typeof this.#entry.value?.text === 'string') return null;
-    return Math.abs(interval) < MINUTE ? 's' : 'min';
-  });
-  readonly was: ReadonlySignal<string | null> = signal(null);
-  readonly canPutBack: ReadonlySignal<boolean> = signal(false);
-  readonly either: ReadonlySignal<Ambiguous['either'] | null> = computed(() => this.#entry.value?.either ?? null);
-  /** Why nothing was changed. */
-  readonly notes: ReadonlySignal<string> = computed(() => this.#entry.value?.problem ?? '');
-  readonly stepSize: ReadonlySignal<number> = computed(() => {
-    const { value: identity } = this.#editor.identity;
-    return identity ? stepSize(identity, { kind: 'time', slot: this.#slot }) : 1;
+    const { text = null, problem = null, either = null } = this.#entry.value ?? {};
+    return {
+      text: text ?? (interval === null ? '' : formatInterval(interval)),
+      unit: interval === null || text !== null ? null : Math.abs(interval) < MINUTE ? 's' : 'min',
+      isWrong: problem !== null,
+      either,
+      // Why nothing was changed.
+      notes: problem ?? '',
+      ...NO_OLD_VALUE,
+    };
   });
 
   constructor(editor: Editor, slot: number) {
@@ -62,6 +60,11 @@ export class IntervalModel implements EditedValue {
     this.#slot = slot;
     this.#typing = groupOf('type', key);
     this.#stepping = groupOf('step', key);
+  }
+
+  get stepSize(): number {
+    const { value: identity } = this.#editor.identity;
+    return identity ? stepSize(identity, { kind: 'time', slot: this.#slot }) : 1;
   }
 
   step(direction: 1 | -1, options?: StepOptions): void {
@@ -95,7 +98,7 @@ export class IntervalModel implements EditedValue {
 
   /** Takes back what was typed or stepped since the field was entered. */
   escape(): void {
-    const hadProblem = this.notes.value !== '';
+    const hadProblem = this.face.value.isWrong;
     this.takeBack();
     if (!hadProblem && !this.#editor.abandon(this.#typing)) this.#editor.abandon(this.#stepping);
   }
@@ -106,10 +109,9 @@ export class IntervalModel implements EditedValue {
   }
 
   finish(): boolean {
-    return this.either.value === null;
+    return this.face.value.either === null;
   }
 
-  // An interval has no single old value: it lies between two times that may both have changed.
   putBack(): void {}
 
   #find(): number | null {

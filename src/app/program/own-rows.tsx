@@ -3,7 +3,7 @@ import { useMemo } from 'preact/hooks';
 import type { ProgramField } from '../../program/index.js';
 import { computedList } from '../editing/computed-list.js';
 import { FIRST_SERVO_COLUMN, TIME_COLUMN } from '../editing/grid.js';
-import { fieldLabel, messages } from '../messages/index.js';
+import { messages } from '../messages/index.js';
 import { isSameNote, notesFor } from './field-notes.js';
 import { type ProgramRowProps, TimeUnit } from './program-row.js';
 import { RowMenu } from './row-menu.js';
@@ -37,12 +37,7 @@ function MotorRow({ session, tools, identity, servos, selection, hand, marked, r
           <RowMenu {...{ tools, identity, name, revert }} slot={0} shifts isChanged={row.isChanged} />
         </th>
         <td {...cellProps(row, TIME_COLUMN, 'time')}>
-          <ValueField
-            {...{ session, selection, hand }}
-            field={MOTOR_STOP}
-            label={fieldLabel(identity, MOTOR_STOP)}
-            place="table"
-          />
+          <ValueField {...{ editor, selection, hand }} standing={session.standing} field={MOTOR_STOP} />
         </td>
         <td class="interval" />
         <td colSpan={servos.length} />
@@ -68,7 +63,7 @@ export function ThrottleRow({ session, identity, servos, hand, rested }: Throttl
           <span class="row-name">{program.idleThrottle}</span>
         </th>
         <td class="time">
-          <ValueField {...{ session, hand }} field={THROTTLE} label={program.idleThrottle} place="table" />
+          <ValueField {...{ editor, hand }} standing={session.standing} field={THROTTLE} />
         </td>
         <td class="interval" />
         <td class="aside" colSpan={servos.length}>

@@ -11,7 +11,6 @@ import { formatTime } from '../editing/units.js';
 import { fieldLabel, figureOf, messages, slotLabel } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Hand } from './hand.js';
-import { IntervalField } from './interval-field.js';
 import type { MotorPlace } from './motor-place.js';
 import { RowMenu } from './row-menu.js';
 import { cellProps, RowModel, type RowSources } from './row-model.js';
@@ -56,6 +55,7 @@ export function ProgramRow(props: ProgramRowProps) {
     label: edits.table.revertRow(name),
     act: () => editor.revertFields({ code: 'change', params: { slot } }, fields),
   };
+  const cell = { editor, standing: session.standing, selection, hand };
   const width = servos.length + FIRST_SERVO_COLUMN + 1;
   return (
     <>
@@ -71,20 +71,16 @@ export function ProgramRow(props: ProgramRowProps) {
           </td>
         ) : (
           <td {...cellProps(row, TIME_COLUMN, 'time')}>
-            <ValueField
-              {...{ session, selection, hand, field: { kind: 'time', slot } }}
-              label={fieldLabel(identity, { kind: 'time', slot })}
-              place="table"
-            />
+            <ValueField {...cell} field={{ kind: 'time', slot }} />
           </td>
         )}
         <td {...cellProps(row, INTERVAL_COLUMN, 'interval')}>
           {slot > 0 && <CountedFrom {...{ identity, slot, place }} />}
-          {slot > 0 && <IntervalField {...{ editor, selection, hand, slot }} label={edits.table.intervalOf(name)} />}
+          {slot > 0 && <ValueField {...cell} field={{ kind: 'interval', slot }} />}
         </td>
         {positions.map((field, servo) => (
           <td key={fieldLabel(identity, field)} {...cellProps(row, FIRST_SERVO_COLUMN + servo)}>
-            <ValueField {...{ session, selection, hand, field }} label={fieldLabel(identity, field)} place="table" />
+            <ValueField {...cell} field={field} />
           </td>
         ))}
       </tr>

@@ -1,6 +1,6 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { type GridCell, type GridRange, rangeBetween } from '../editing/grid.js';
-import type { OnStep } from './field-tools.js';
+import type { OnStep } from './step-field.js';
 
 /** The selected cells of the table: from the one that is being edited to another corner. */
 export class Selection {

@@ -19,9 +19,9 @@ export interface Goals {
   readonly below: Goal | null;
 }
 
-/** The editable fields beside a field: in its table, or else in its group. */
+/** The fields beside a field. */
 export function goalsFrom(identity: Identity, from: HTMLInputElement): Goals {
-  const inputs = editedIn(from.closest('table') ?? from.closest('.figures'));
+  const inputs = editedIn(from.closest('table'));
   const cell = cellOf(from);
   const column = inputs.filter((input) => cell && cellOf(input)?.column === cell.column);
   const goal = (among: readonly HTMLInputElement[], by: 1 | -1): Goal | null => {
@@ -36,10 +36,10 @@ export function goalsFrom(identity: Identity, from: HTMLInputElement): Goals {
   };
 }
 
-/** The editable and visible fields, in reading order. */
+/** The visible fields, in reading order. */
 function editedIn(place: Element | null): HTMLInputElement[] {
   return [...(place?.querySelectorAll<HTMLInputElement>('.value > input') ?? [])].filter(
-    (input) => !input.readOnly && (input.checkVisibility?.() ?? true),
+    (input) => input.checkVisibility?.() ?? true,
   );
 }
 

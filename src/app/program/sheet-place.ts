@@ -1,9 +1,6 @@
 import type { RefObject } from 'preact';
 import { useLayoutEffect } from 'preact/hooks';
 
-/** What stays in sight while a field is edited: its row, or its group. */
-const AROUND = 'tr, .figure';
-
 /** What else may lie there when one of them goes. */
 const SHEETS = '.edit-sheet, .row-panel:popover-open';
 
@@ -11,7 +8,7 @@ const SHEETS = '.edit-sheet, .row-panel:popover-open';
 export function useSheetPlace(sheet: RefObject<HTMLElement | null>, input: HTMLInputElement): void {
   useLayoutEffect(() => (sheet.current ? lift(sheet.current) : undefined), [sheet]);
   useLayoutEffect(
-    () => (sheet.current ? makeRoom(sheet.current, input.closest(AROUND) ?? input, 'nearest') : undefined),
+    () => (sheet.current ? makeRoom(sheet.current, input.closest('tr') ?? input, 'nearest') : undefined),
     [sheet, input],
   );
 }

@@ -1,130 +1,117 @@
-import { useSignal } from '@preact/signals';
+import { type ReadonlySignal, useSignal } from '@preact/signals';
 import { useCallback, useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
-import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Editor } from '../editing/editor.js';
+import { type GridField, intervalKey } from '../editing/grid.js';
+import { fieldLabel, gridLabel, messages } from '../messages/index.js';
+import type { Standing } from '../session/standing.js';
 import { TimeQuestion } from '../ui/time-question.js';
-import { FieldModel, type FieldPlace } from './field-model.js';
-import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
-import type { Hand } from './hand.js';
+import { FieldModel } from './field-model.js';
+import type { EditedValue, Hand } from './hand.js';
+import { IntervalModel } from './interval-model.js';
 import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
+import { type OnStep, stepByKey, useWheel } from './step-field.js';
 import { useWhole } from './use-whole.js';
-import { OldValue, WasText } from './was-text.js';
+import { OldValue } from './was-text.js';
 import './value-field.css';
 
 interface ValueFieldProps {
-  readonly session: Session;
-  readonly field: ProgramField;
-  readonly label: string;
-  /** Keeps the ids of fields for the same value apart. In the table, plain arrows go to other cells. */
-  readonly place: FieldPlace;
+  readonly editor: Editor;
+  readonly standing: ReadonlySignal<Standing>;
+  /** A value of the program, or the interval before a slot. */
+  readonly field: ProgramField | GridField;
   readonly hand: Hand;
-  /** The selection of the table; absent elsewhere. */
+  /** The selection of the table; absent for a value that has no cell in its grid. */
   readonly selection?: Selection;
-  readonly readOnly?: boolean;
 }
 
-/** A field for one value of the program. A value that differs from the timer is marked, with the old value under it. */
-export function ValueField(props: ValueFieldProps) {
-  const { session, field, label, place, hand, selection, readOnly = false } = props;
-  const { editor } = session;
+/** A field of the table. A value that differs from the timer is marked, with the old value beside it. */
+export function ValueField({ editor, standing, field, hand, selection }: ValueFieldProps) {
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
-  const key = fieldKey(field);
-  const isLarge = place === 'large';
-  const model = useMemo(() => new FieldModel(editor, field, place), [editor, key, place]);
-  const { text, unit, isChanged, isConfirmed, isWrong, either, spoken, was, old, notes } = model.face.value;
+  const isInterval = field.kind === 'interval';
+  const key = isInterval ? intervalKey(field.slot) : fieldKey(field);
+  const model = useMemo(
+    (): EditedValue => (isInterval ? new IntervalModel(editor, field.slot) : new FieldModel(editor, field)),
+    [editor, key],
+  );
+  const { text, unit, isChanged, isConfirmed, isWrong, either, was, old, notes } = model.face.value;
   const state = isChanged ? 'changed' : isConfirmed ? 'confirmed' : '';
+  const { value: identity } = editor.identity;
+  const label = identity ? (isInterval ? gridLabel(identity, field) : fieldLabel(identity, field)) : '';
   // The sheet shows everything else about the field.
   const isHeld = focused.value && hand.field.value !== null;
-  const id = (what: string): string => `${place}-${what}-${key}`;
-  const described = [
-    unit && id('unit'),
-    spoken && id('spoken'),
-    was !== null && id('was'),
-    notes && id('notes'),
-  ].filter(Boolean);
+  const id = (what: string): string => `${what}-${key}`;
+  const described = [unit && id('unit'), was !== null && id('was'), notes && id('notes')].filter(Boolean);
   // The same function from key to key, so that its reader is not drawn again.
   const putBack = useCallback(() => model.putBack(), [model]);
   const step: OnStep = (direction, options) => {
     if (selection?.isWide.value) selection.stepAll(direction, options);
-    else if (!readOnly) model.step(direction, options);
+    else model.step(direction, options);
   };
   useWheel(input, step);
   useWhole(input);
   return (
-    <span class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''}`} {...refuseDrag}>
+    <span
+      class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''}`}
+      onFocusOut={({ relatedTarget, currentTarget }) => {
+        const stays = relatedTarget instanceof Node && currentTarget.contains(relatedTarget);
+        if (!stays) model.leave();
+      }}
+      {...refuseDrag}
+    >
       <input
         ref={input}
         type="text"
         data-field={key}
-        inputMode={hand.isTouch.value ? 'none' : field.kind === 'time' ? 'decimal' : 'numeric'}
+        inputMode={hand.isTouch.value ? 'none' : model.kind === 'steps' ? 'numeric' : 'decimal'}
         autocomplete="off"
         spellcheck={false}
         aria-label={label}
         aria-invalid={isWrong}
         aria-describedby={described.join(' ') || undefined}
-        readOnly={readOnly}
         value={text}
         onFocus={({ currentTarget }) => {
           focused.value = true;
           currentTarget.select();
-          if (!currentTarget.readOnly) hand.hold({ input: currentTarget, label, value: model, selection });
+          hand.hold({ input: currentTarget, label, value: model, selection });
         }}
-        onInput={(event) => editor.type(field, event.currentTarget.value)}
+        onInput={(event) => model.type(event.currentTarget.value)}
         onBlur={({ currentTarget }) => {
           focused.value = false;
           hand.release(currentTarget);
-          editor.leave(field);
         }}
         onKeyDown={(event) => {
-          if (event.defaultPrevented || stepByKey(event, step, isLarge)) return;
-          if (event.key === 'Escape') {
-            if (either) editor.takeBack(field);
-            else if (!isLarge) editor.escape(field);
-            // Else it closes the panel of the large field, and changes nothing.
-            if (isLarge && (either || editor.abandonAt(field))) event.preventDefault();
-          }
-          if (event.key !== 'Enter' && (event.key !== 'Tab' || event.shiftKey || either)) return;
+          if (event.defaultPrevented || stepByKey(event, step)) return;
+          if (event.key === 'Escape') model.escape();
+          const isDone = event.key === 'Enter' || (event.key === 'Tab' && !event.shiftKey && !either);
           // First asks what was meant. Tab leads to the answers.
-          if (!model.finish()) event.preventDefault();
-          if (isLarge && event.key === 'Enter') event.currentTarget.select();
+          if (isDone && !model.finish()) event.preventDefault();
         }}
       />
       {unit && (
-        <span class="unit" id={id('unit')}>
+        <span class="visually-hidden" id={id('unit')}>
           {messages.value.times.units[unit]}
         </span>
       )}
       {either && !isHeld && (
         <TimeQuestion
-          label={label}
-          either={either}
+          {...{ label, either }}
           onAnswer={(value, byKey) => {
             model.answer(value);
             if (byKey) input.current?.focus();
           }}
           onEscape={() => {
-            editor.takeBack(field);
+            model.takeBack();
             input.current?.focus();
           }}
         />
       )}
-      {isLarge && (spoken || was !== null) && (
-        <span class="below">
-          {spoken && <span id={id('spoken')}>{spoken}</span>}
-          {was !== null && (
-            <span class="was" id={id('was')}>
-              <WasText standing={session.standing} value={was} />
-            </span>
-          )}
-        </span>
-      )}
-      {!isLarge && was !== null && (
+      {was !== null && (
         <OldValue
+          {...{ standing }}
           id={id('was')}
-          standing={session.standing}
           value={was}
           figure={old}
           // Otherwise a click into the field would count as a click on it.
@@ -132,13 +119,16 @@ export function ValueField(props: ValueFieldProps) {
           onPutBack={putBack}
         />
       )}
-      {/* In the table the notes stand under the row. */}
+      {/* Those of a value stand under the row. */}
       {notes !== '' && (
-        <span class="visually-hidden" id={id('notes')}>
+        <span
+          class={isInterval && !isHeld ? 'notes bad-text' : 'visually-hidden'}
+          role={isInterval ? 'alert' : undefined}
+          id={id('notes')}
+        >
           {notes}
         </span>
       )}
-      {isLarge && focused.value && !readOnly && !isHeld && <FieldTools label={label} value={model} />}
     </span>
   );
 }

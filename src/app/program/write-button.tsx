@@ -70,7 +70,6 @@ export function BlockedNote({ editor }: { readonly editor: Editor }) {
   );
 }
 
-/** The large figure where there is one, else the cell. */
 function lookAt(key: string): void {
   const input = document.querySelector<HTMLInputElement>(`input[data-field="${CSS.escape(key)}"]`);
   input?.focus({ preventScroll: true });

@@ -23,7 +23,7 @@ import { KnownLine } from './known-line.js';
 import { StripModel } from './strip-model.js';
 import './status-strip.css';
 
-/** The figures to edit, loaded after the first picture. */
+/** What the figures open, loaded after the first picture. */
 export const figures = onDemand(() => import('./figures-panel.js'));
 const FiguresPanel = figures.part((file) => file.FiguresPanel);
 
@@ -39,9 +39,8 @@ export interface StatusStripProps {
 }
 
 /**
- * What is true now, in every view: the timer and its memory, DT and motor stop, and how certain they are. The figures
- * are a button that opens the large ones with the presets; on a phone also everything else that has no room in one
- * line.
+ * What is true now, in every view: the timer and its memory, DT and motor stop, and how certain they are. Where not all
+ * has room in one line, the figures are a button that opens the rest.
  */
 export function StatusStrip(props: StatusStripProps) {
   const { session, memories, leaving, follow, preferences, saveSetting, staged } = props;
@@ -54,7 +53,7 @@ export function StatusStrip(props: StatusStripProps) {
   const box = useRef<HTMLDivElement>(null);
   useHeight(box, useQuery(LOW).value ? '--strip' : null, { usual: 48 });
   const identity = session.editor.identity.value;
-  const isOpen = open.value && identity !== null;
+  const isOpen = isTight && open.value && identity !== null;
   const close = useCallback((): void => {
     open.value = false;
     box.current?.querySelector<HTMLElement>('.strip-figures')?.focus();
@@ -75,11 +74,7 @@ export function StatusStrip(props: StatusStripProps) {
   useEffect(() => {
     if (before.current === shown) return;
     before.current = shown;
-    if (
-      !isTight ||
-      !open.peek() ||
-      box.current?.querySelector('.memories input:focus-visible, .memories-list:focus-visible')
-    )
+    if (!open.peek() || box.current?.querySelector('.memories input:focus-visible, .memories-list:focus-visible'))
       return;
     if (box.current?.querySelector('.strip-panel')?.contains(document.activeElement)) close();
     else open.value = false;
@@ -115,38 +110,40 @@ export function StatusStrip(props: StatusStripProps) {
           />
         )}
         {!isTight && choice}
-        {identity && (
-          <button
-            type="button"
-            class="strip-figures"
-            aria-expanded={isOpen}
-            aria-controls={panel}
-            onClick={() => (open.value = !open.value)}
-          >
-            {(isTight || memories.looking.value !== null) && <MemoryNow session={session} />}
-            <Figures session={session} identity={identity} />
-          </button>
-        )}
+        {identity &&
+          (isTight ? (
+            <button
+              type="button"
+              class="strip-figures"
+              aria-expanded={isOpen}
+              aria-controls={panel}
+              onClick={() => (open.value = !open.value)}
+            >
+              <MemoryNow session={session} />
+              <Figures session={session} identity={identity} />
+            </button>
+          ) : (
+            <div class="strip-figures">
+              {memories.looking.value !== null && <MemoryNow session={session} />}
+              <Figures session={session} identity={identity} />
+            </div>
+          ))}
         {identity && <KnownLine session={session} follow={follow} />}
         {!isFolded && actions}
       </div>
       {isOpen && (
         <FiguresPanel
           {...{ id: panel, session, memories, preferences, saveSetting }}
-          rest={
-            isTight
-              ? {
-                  choice,
-                  isPhone: isNarrow,
-                  actions: isFolded ? (
-                    <div class="strip-actions">
-                      {isNarrow && <StripModel session={session} />}
-                      {actions}
-                    </div>
-                  ) : null,
-                }
-              : null
-          }
+          rest={{
+            choice,
+            isPhone: isNarrow,
+            actions: isFolded ? (
+              <div class="strip-actions">
+                {isNarrow && <StripModel session={session} />}
+                {actions}
+              </div>
+            ) : null,
+          }}
           onClose={close}
         />
       )}

@@ -93,7 +93,7 @@ describe('undo and redo', () => {
       (editor: Editor) => {
         editor.type(DT, '180');
         step(editor, DT);
-        editor.escape(DT);
+        editor.abandonAt(DT);
         editor.leave(DT);
       },
     ],
@@ -137,30 +137,24 @@ describe('undo and redo', () => {
 });
 
 describe('Escape', () => {
-  it('takes back what was typed since the field was entered, then what differs from the timer', () => {
+  it('takes back what was typed since the field was entered, and then nothing', () => {
     const editor = editorOf();
     type(editor, DT, '4:00');
     editor.type(DT, '9');
-    editor.escape(DT);
-    expect([editor.textOf(DT), editor.redoStep.value]).toEqual(['4:00', null]);
-    editor.escape(DT);
-    expect(editor.textOf(DT)).toBe('3:00');
-    editor.undo();
-    expect(editor.textOf(DT), 'Escape itself can be undone').toBe('4:00');
+    for (const isAny of [true, false]) {
+      expect(editor.abandonAt(DT)).toBe(isAny);
+      expect([editor.textOf(DT), editor.redoStep.value]).toEqual(['4:00', null]);
+    }
   });
-});
 
-describe('Escape after steps', () => {
   it('takes back the steps, and leaves what was typed before them', () => {
     const editor = editorOf();
     editor.type(S1, '50');
     step(editor, S1);
     step(editor, S1);
     expect(editor.textOf(S1)).toBe('52');
-    editor.escape(S1);
+    editor.abandonAt(S1);
     expect(editor.textOf(S1)).toBe('50');
-    editor.escape(S1);
-    expect(editor.textOf(S1)).toBe('30');
   });
 });
 
@@ -275,13 +269,13 @@ const action = fc.oneof(
 function typeAndEscape(editor: Editor, field: ProgramField, text: string): void {
   const before = editor.textOf(field);
   editor.type(field, 'x');
-  editor.escape(field);
+  editor.abandonAt(field);
   expect(editor.textOf(field)).toBe(before);
   editor.type(field, text);
   const working = editor.working.value;
   step(editor, field);
   // A text that is no value has no next one, nor has the last value.
-  if (editor.working.value !== working) editor.escape(field);
+  if (editor.working.value !== working) editor.abandonAt(field);
   expect(editor.textOf(field)).toBe(text);
   editor.leave(field);
 }

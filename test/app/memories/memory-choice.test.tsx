@@ -87,7 +87,7 @@ describe('the memories', () => {
 
   it('take no typing into the old one while another is read', async () => {
     const { session } = await connected();
-    const parts = [field('DT'), field('Function 2, S1'), screen.getByRole('group', { name: /^Servo positions/ })];
+    const parts = [field('DT time'), field('Function 2, S1'), screen.getByRole('group', { name: /^Servo positions/ })];
     const isShut = () => parts.map((part) => part.closest('[inert]') !== null);
     const selecting = session.reader.selectMemory(2);
     await idle(0);
@@ -102,7 +102,7 @@ describe('the memories', () => {
     await type('DT time', '5:00');
     await fly('M3');
     expect([timer.core.memory, choices()]).toEqual([2, ['M1', 'M2', '* M3, flies next', 'M4']]);
-    expect(field('DT').value).toBe('4:00');
+    expect(field('DT time').value).toBe('4:00');
     const line = `${words.other('M3')} ${words.original('M1')}`;
     expect(screen.getByText(line).className).toBe('hint next-flight');
     expect([screen.queryByRole('alert'), screen.queryByRole('button', { name: words.back('M1') })]).toEqual([

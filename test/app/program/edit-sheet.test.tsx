@@ -100,9 +100,9 @@ describe('the sheet', () => {
       (query) => ({ matches: query === '(pointer: coarse)' }) as MediaQueryList,
     );
     await connected();
-    field('DT').focus();
+    field('DT time').focus();
     await idle();
-    expect(sheet('DT').getByRole('status').textContent).toBe('3:00 min');
+    expect(sheet('DT time').getByRole('status').textContent).toBe('3:00 min');
   });
 
   it('closes with “Done”, and with the focus', async () => {
@@ -152,7 +152,7 @@ describe('its keys', () => {
     ['Function 4, S2', ['−10', '−1', '+1', '+10'], ['45', '44', '45', '55']],
     ['Function 4 time', ['−1 s', '−0.1 s', '+0.1 s', '+1 s'], ['11.00', '10.90', '11.00', '12.00']],
     ['Function 4 interval', ['+1 s', '+0.1 s', '−0.1 s', '−1 s'], ['1.50', '1.60', '1.50', '0.50']],
-    ['DT', ['−10 s', '−1 s', '+1 s', '+10 s'], ['2:50', '2:49', '2:50', '3:00']],
+    ['DT time', ['−10 s', '−1 s', '+1 s', '+10 s'], ['2:50', '2:49', '2:50', '3:00']],
   ])('step %s by the steps of its class', async (name, steps, values) => {
     await connected();
     await tap(name);

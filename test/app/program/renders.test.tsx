@@ -33,12 +33,11 @@ function drawnBy(name: string, text: string): Record<string, number> {
 const FIELD = { ValueField: 1, KnownLine: 1 };
 const OLD = { OldValue: 1, WasText: 1 };
 
-// DT stands in two places.
 it.each([
   ['a position', 'Function 4, S2', '7', '75', { ValueField: 1 }],
-  ['a time', 'Function 4 time', '12.3', '12.4', { ValueField: 1, IntervalField: 2 }],
+  ['a time', 'Function 4 time', '12.3', '12.4', { ValueField: 3 }],
   ['a time with nothing after its point', 'Function 4 time', '12', '12.', { ValueField: 1 }],
-  ['DT', 'DT', '4:0', '4:01', { ValueField: 2, DtPresets: 1, Icon: 1, Figure: 1, IntervalField: 1 }],
+  ['DT', 'DT time', '4:0', '4:01', { ValueField: 2, DtPresets: 1, Figure: 1 }],
   [
     'a value that differs for the first time',
     'Function 4, S2',
@@ -54,7 +53,7 @@ it.each([
     '7x',
     { ...FIELD, BlockedNote: 1, ProgramExits: 1, WriteButton: 1 },
   ],
-  ['an interval, which moves five times', 'Function 4 interval', '1.5', '1.6', { ValueField: 6, IntervalField: 2 }],
+  ['an interval, which moves five times', 'Function 4 interval', '1.5', '1.6', { ValueField: 8 }],
 ])('a digit typed in %s draws only what changes', async (_, name, first, text, drawn) => {
   await connected();
   field(name).focus();

@@ -170,7 +170,7 @@ describe('a range without a Shift key', () => {
 
   it('begins only in the table', async () => {
     await connected();
-    await tap('DT');
+    await tap(en.program.idleThrottle);
     expect(screen.getByRole('button', { name: 'Done' })).toBeTruthy();
     expect(screen.queryByRole('button', { name: en.edits.sheet.selectRange })).toBeNull();
   });

@@ -1,10 +1,9 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
-import { describe, expect, it } from 'vitest';
-import { setValues } from '../../../src/app/editing/edit.js';
+import { expect, it } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { TIGHT } from '../../../src/app/ui/use-query.js';
 import { idle } from '../bench/bench.js';
-import { connected, inWindow, key, lookAt, opened, press, type } from '../screen.js';
+import { connected, inWindow, lookAt, opened, press, type } from '../screen.js';
 
 const figures = () => document.querySelector('.strip-figures') as HTMLButtonElement;
 const isOpen = () => figures().getAttribute('aria-expanded') === 'true';
@@ -19,57 +18,7 @@ async function openFigures(): Promise<void> {
 const onPhone = (): void => inWindow((query) => query.includes('max-width'));
 const onTablet = (): void => inWindow((query) => query === TIGHT);
 
-it('no figure of the memory that flies next is below the name of another one', async () => {
-  await connected();
-  await openFigures();
-  expect(panel().getByRole('textbox', { name: 'DT' })).toBeTruthy();
-  await lookAt('M3');
-  expect(isOpen()).toBe(true);
-  expect(panel().queryAllByRole('textbox')).toEqual([]);
-  expect(panel().getByText('For looking only. You change and write M1, which flies next.')).toBeTruthy();
-  await lookAt('M1, flies next');
-  expect(panel().getByRole('textbox', { name: 'DT' })).toBeTruthy();
-});
-
-describe('the figures that open', () => {
-  const dt = () => panel().getByRole<HTMLInputElement>('textbox', { name: 'DT' });
-  const typed = async (text: string): Promise<void> => {
-    expect(document.activeElement, 'whoever pressed DT can type it').toBe(dt());
-    fireEvent.input(dt(), { target: { value: text } });
-    await idle();
-  };
-
-  it('have the focus at DT, all of it selected', async () => {
-    const { editor } = await connected();
-    await openFigures();
-    expect([dt().selectionStart, dt().selectionEnd]).toEqual([0, '3:00'.length]);
-    await typed('2:30');
-    await key('Enter');
-    expect([editor.working.value?.times.at(-1), isOpen()]).toEqual([15000, true]);
-  });
-
-  it('close on Escape, which takes back only what was just typed', async () => {
-    const { editor } = await connected();
-    editor.apply(setValues({ code: 'change', params: {} }, [{ field: { kind: 'time', slot: 10 }, value: 24000 }]));
-    await openFigures();
-    await typed('2:30');
-    await key('Escape');
-    expect([editor.working.value?.times.at(-1), isOpen()]).toEqual([24000, true]);
-    await key('Escape');
-    expect([editor.working.value?.times.at(-1), isOpen()]).toEqual([24000, false]);
-    expect(document.activeElement).toBe(figures());
-  });
-
-  it('do not bring keys under a finger that may want anything in them', async () => {
-    inWindow((query) => query === '(pointer: coarse)');
-    await connected();
-    await openFigures();
-    expect(panel().queryByRole('textbox', { name: 'DT' })).toBeTruthy();
-    expect(document.activeElement).not.toBe(dt());
-  });
-});
-
-it('a phone has no presets for the memory that flies next below the name of another one, either', async () => {
+it('a phone has no presets for the memory that flies next below the name of another one', async () => {
   onPhone();
   await connected();
   await openFigures();
@@ -77,11 +26,10 @@ it('a phone has no presets for the memory that flies next below the name of anot
   await lookAt('M3');
   await openFigures();
   expect(panel().queryByRole('button', { name: 'DT 3 min' })).toBeNull();
-  expect(panel().queryAllByRole('textbox')).toEqual([]);
   expect(panel().getByRole('button', { name: 'Disconnect' })).toBeTruthy();
 });
 
-it('on a phone the large figures give way to what was asked for', async () => {
+it('on a phone the panel gives way to what was asked for', async () => {
   onPhone();
   const app = await connected();
   await openFigures();
@@ -109,7 +57,7 @@ it('on a tablet, too: that a memory is only looked at is said once', async () =>
   expect(screen.getAllByText('For looking only. You change and write M1, which flies next.')).toHaveLength(1);
 });
 
-it('the large figures stay open while keys walk through the memories', async () => {
+it('the panel stays open while keys walk through the memories', async () => {
   onPhone();
   await connected();
   await openFigures();

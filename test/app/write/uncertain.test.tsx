@@ -59,7 +59,7 @@ describe('after a write whose answer never came', () => {
       'the page says this in place of the number of changes',
     ).toBeTruthy();
     expect(screen.queryByText('was 3:00')).toBeNull();
-    expect(described('DT time')).toContain('last read 3:00, not certain now');
+    expect(described('DT time')).toContain('last read 3:00 min, not certain now');
     expect(document.body.textContent).not.toContain('Timer holds');
     expect(document.querySelector('.uncertain-behind .overlay')).not.toBeNull();
     expect(screen.getByText(/^Marked fields differ from what was last read/)).toBeTruthy();
@@ -173,12 +173,12 @@ describe('the words for what is known', () => {
   it('is “was” while the timer is there, and “last read” when it is not', async () => {
     const { adapter } = await connected();
     await type('DT time', '6:00');
-    expect(described('DT time')).toContain('was 3:00');
+    expect(described('DT time')).toContain('was 3:00 min');
     await late();
     expect(compared()).toBe('Timer holds');
     adapter.unplug();
     await idle();
-    expect(described('DT time')).toContain('last read 3:00');
+    expect(described('DT time')).toContain('last read 3:00 min');
     await late();
     expect(compared()).toBe('Last read');
     expect(document.body.textContent).not.toContain('Timer holds');
@@ -205,7 +205,7 @@ describe('the words for what is known', () => {
     const bench = await connected();
     await type('DT time', '6:00');
     await loadedAgain(bench);
-    expect(described('DT time')).toContain('last read 3:00');
+    expect(described('DT time')).toContain('last read 3:00 min');
     expect(screen.getByText(/^Marked fields differ from what was last read, \d\d:\d\d\.$/)).toBeTruthy();
     expect(document.body.textContent).not.toMatch(/They have not been written|not known whether/);
   });

@@ -1,9 +1,6 @@
 import type { RefObject } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import type { StepOptions } from '../editing/edits.js';
-import { messages } from '../messages/index.js';
-import type { EditedValue } from './hand.js';
-import './field-tools.css';
 
 export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
 
@@ -36,28 +33,10 @@ export function useWheel(input: RefObject<HTMLInputElement | null>, onStep: OnSt
 }
 
 /** Alt with an arrow steps a field, with Shift ten steps at once. @returns whether this key did. */
-export function stepByKey(event: KeyboardEvent, onStep: OnStep, alone = false): boolean {
+export function stepByKey(event: KeyboardEvent, onStep: OnStep): boolean {
   const direction = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
-  if (direction === 0 || !(event.altKey || alone) || event.ctrlKey || event.metaKey) return false;
+  if (direction === 0 || !event.altKey || event.ctrlKey || event.metaKey) return false;
   event.preventDefault();
   onStep(direction, { tenfold: event.shiftKey });
   return true;
-}
-
-interface FieldToolsProps {
-  readonly label: string;
-  readonly value: EditedValue;
-}
-
-/** Beside the focused field: puts it back to what the timer holds. The focus stays in the field. */
-export function FieldTools({ label, value }: FieldToolsProps) {
-  const { putBack, signs } = messages.value.edits.field;
-  if (!value.canPutBack.value) return null;
-  return (
-    <span class="field-tools" onPointerDown={(event) => event.preventDefault()}>
-      <button type="button" tabIndex={-1} aria-label={putBack(label)} onClick={() => value.putBack()}>
-        {signs.putBack}
-      </button>
-    </span>
-  );
 }
