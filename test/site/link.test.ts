@@ -7,7 +7,7 @@ describe('finding the timer', () => {
   test('one that answers only at 19200 baud is found, and later tried there first', async () => {
     const app = await AppPage.open({ bench: { granted: true, answersAt: 19200 } });
     await app.goTo('Settings');
-    await app.button('Connect to FTDI adapter').click();
+    await app.button(en.of(en.header.connect, en.link.portNames.ftdi)).click();
     await app.isReady();
     expect(await app.bench(({ rates }) => rates)).toEqual([9600, 19200]);
     await app.button('Disconnect').click();
@@ -18,7 +18,7 @@ describe('finding the timer', () => {
     await app.connect();
     expect(await app.bench(({ rates }) => rates)).toEqual([19200]);
     await app.showAbout();
-    await app.page.getByRole('definition').filter({ hasText: '19200 baud' }).waitFor();
+    await app.text(/19200 baud$/).waitFor();
   });
 
   test('one that sleeps is asked quietly, and read as soon as its switch is pressed', async () => {

@@ -61,7 +61,7 @@ test('a name in one long word does not widen the start on the smallest phone', a
   const app = await AppPage.open({ ...PHONE, viewport: { width: 320, height: 640 } });
   await fillLibrary(app, { models: [modelOf('a', 'W'.repeat(60))], settings: [], flights: [] });
   await app.page.reload();
-  await app.page.locator('.kept-model').waitFor();
+  await app.page.locator('.kept').waitFor();
   await app.expectNoSidewaysScrolling();
 });
 

@@ -88,7 +88,7 @@ test('a kept program is deleted after one question', async () => {
   await app.table.waitFor();
   await app.button(en.header.closeProgram).click();
   await app.button(/^Open F1Q, new/).waitFor();
-  await app.button(/^Delete F1Q/).click();
+  await app.button(/^Delete: F1Q/).click();
   await app.page.getByRole('listitem').getByRole('button', { name: 'Delete', exact: true }).click();
   await app.button(/^Open F1Q, new/).waitFor({ state: 'detached' });
 });

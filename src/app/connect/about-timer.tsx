@@ -1,9 +1,9 @@
 import type { AssumedQuirks } from '../../client/index.js';
+import { dotted } from '../messages/dotted.js';
 import { identityText } from '../messages/frame-text.js';
 import { messages, portName } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Check } from '../ui/check.js';
-import './about-timer.css';
 
 type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
 
@@ -15,55 +15,47 @@ export function AboutTimer({ session }: { readonly session: Session }) {
   // Findings of a job or a write are shown when it ends.
   const busy = session.runner.busy.value;
   const { client, identity, settings } = connection;
-  const facts: [string, string][] = [
-    [about.kind, identityText(identity)],
-    [about.port, session.link.simulated.value ? header.simulated : portName(connection)],
-    [ports.rate, ports.baud(settings.baudRate)],
-  ];
+  const port = session.link.simulated.value ? header.simulated : portName(connection);
   const found = [...client.quirksFound].map(([code, params]) =>
     code === 'replies-alike' ? alike.title(Object.keys(params).join(', ')) : about.quirkNames[code],
   );
   return (
-    <details class="about-timer">
+    <details>
       <summary>{about.title}</summary>
-      <dl>
-        {facts.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
+      <div class="stack">
+        <p>{identityText(identity)}</p>
+        <p class="hint">{dotted([port, ports.baud(settings.baudRate)])}</p>
+        {client.damageSeen && <p class="bad-text">{about.damage}</p>}
+        {client.strays > 0 && <p class="bad-text">{about.crowd}</p>}
+        <h2>{about.found}</h2>
+        {found.length === 0 ? (
+          <p class="hint">{about.nothingFound}</p>
+        ) : (
+          <ul>
+            {/* Several findings may have one sentence. */}
+            {[...new Set(found)].map((said) => (
+              <li key={said}>{said}</li>
+            ))}
+          </ul>
+        )}
+        <h2>{about.assumed}</h2>
+        {(Object.keys(about.assumptions) as Assumption[]).map((name) => (
+          <Check
+            key={name}
+            checked={client.quirksAssumed[name] === true}
+            disabled={busy}
+            onChange={(checked) => void session.timer.assume({ [name]: checked })}
+          >
+            {about.assumptions[name]}
+          </Check>
         ))}
-      </dl>
-      {client.damageSeen && <p class="bad-text">{about.damage}</p>}
-      {client.strays > 0 && <p class="bad-text">{about.crowd}</p>}
-      <h2>{about.found}</h2>
-      {found.length === 0 ? (
-        <p class="hint">{about.nothingFound}</p>
-      ) : (
-        <ul class="quirks">
-          {/* Several findings may have one sentence. */}
-          {[...new Set(found)].map((said) => (
-            <li key={said}>{said}</li>
-          ))}
-        </ul>
-      )}
-      <h2>{about.assumed}</h2>
-      {(Object.keys(about.assumptions) as Assumption[]).map((name) => (
-        <Check
-          key={name}
-          checked={client.quirksAssumed[name] === true}
-          disabled={busy}
-          onChange={(checked) => void session.timer.assume({ [name]: checked })}
-        >
-          {about.assumptions[name]}
-        </Check>
-      ))}
-      <p class="hint">{about.assumedHint}</p>
-      {Object.keys(client.quirksAssumed).length > 0 && (
-        <button type="button" disabled={busy} onClick={() => void session.timer.forgetAssumed()}>
-          {about.forget}
-        </button>
-      )}
+        <p class="hint">{about.assumedHint}</p>
+        {Object.keys(client.quirksAssumed).length > 0 && (
+          <button type="button" disabled={busy} onClick={() => void session.timer.forgetAssumed()}>
+            {about.forget}
+          </button>
+        )}
+      </div>
     </details>
   );
 }

@@ -2,11 +2,8 @@ import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import type { Browser, Platform, System } from '../browser/platform.js';
 import type { Messages } from '../messages/index.js';
 
-/**
- * What there is help for: a connection that failed, or a timer that does not answer; `still-waiting` where the first
- * steps are shown already.
- */
-export type HelpCode = ConnectionErrorCode | 'waiting' | 'still-waiting';
+/** What there is help for: a connection that failed, or a timer that does not answer. */
+export type HelpCode = ConnectionErrorCode | 'waiting';
 
 /** Where the help is needed: the same problem has other causes on another system. */
 export interface Situation {
@@ -65,7 +62,6 @@ const PLANS: Readonly<Record<HelpCode, (situation: Situation) => readonly (HelpS
   unplugged: failed,
   lost: failed,
   waiting: (here) => ['switch', 'near', 'battery', rateStep(here)],
-  'still-waiting': (here) => ['battery', rateStep(here)],
   'bad-reply': () => ['usual-settings', { code: 'report', copy: ISSUES }],
 };
 

@@ -36,7 +36,7 @@ export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
         {help && (
           <ConnectionHelp code={help} {...{ platform, info: portInfoOf(state), rateSet: isRateSet(session.link) }} />
         )}
-        {canChoose && step !== 'switch' && <ChooseAnother session={session} />}
+        {canChoose && <ChooseAnother session={session} />}
         <button type="button" onClick={onStop}>
           {header.stop}
         </button>

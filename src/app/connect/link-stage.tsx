@@ -6,7 +6,7 @@ import type { Session } from '../session/session.js';
 import { disturbedFor } from '../ui/progress-line.js';
 import { ConnectionHelp } from './connection-help-view.js';
 import { StepList } from './step-list.js';
-import { NOTHING, titled, WAIT_STEPS, type Waiting, waitingFor } from './waiting.js';
+import { NOTHING, titled, WAIT_STEPS, waitingFor } from './waiting.js';
 import './link-stage.css';
 
 interface LinkStageProps {
@@ -27,7 +27,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
   const seconds = session.link.waited.value;
   const waiting = waitingFor(state, seconds) ?? {
     ...NOTHING,
-    said: titled(job ? program.reading : words.stages.opening),
+    said: titled(job ? program.reading : words.status.opening),
   };
   const title = useRef<HTMLHeadingElement>(null);
   // The clicked button is gone. So the focus goes to what replaced it, and a screen reader goes on from there.
@@ -42,11 +42,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
   const left = disturbedFor(progress);
   return (
     <section class="stack gap-4 link-stage" aria-labelledby="stage-title">
-      {share ? (
-        <progress aria-label={waiting.said.title} {...share} />
-      ) : (
-        <span class={`stage-ring ${waiting.step === null ? '' : 'slow'}`} />
-      )}
+      {share ? <progress aria-label={waiting.said.title} {...share} /> : <span class="stage-ring" />}
       <div role="status">
         <h1 id="stage-title" ref={title} tabIndex={-1}>
           {waiting.said.title}
@@ -56,9 +52,16 @@ export function LinkStage({ session, platform }: LinkStageProps) {
         {waiting.step !== null && <span>{words.stages.noAnswer(seconds)}</span>}{' '}
         <span>{left === null ? waiting.said.advice : messages.value.disturbed(left)}</span>
       </p>
-      {waiting.step !== null && <Steps session={session} waiting={waiting} />}
+      {waiting.step !== null && (
+        <StepList
+          steps={[
+            { text: words.stages.open, done: true },
+            ...WAIT_STEPS.map((step) => ({ text: words.stages.steps[step], now: step === waiting.step })),
+          ]}
+        />
+      )}
       <div class="buttons">
-        {waiting.step === null && waiting.canChoose && <ChooseAnother session={session} />}
+        {waiting.canChoose && <ChooseAnother session={session} />}
         {state.status !== 'closing' && (
           <button type="button" onClick={() => void session.timer.disconnect()}>
             {header.stop}
@@ -67,29 +70,11 @@ export function LinkStage({ session, platform }: LinkStageProps) {
       </div>
       {waiting.help && (
         <ConnectionHelp
-          // The steps above say the rest.
-          code={waiting.step === null ? waiting.help : 'still-waiting'}
+          code={waiting.help}
           {...{ platform, info: portInfoOf(state), rateSet: isRateSet(session.link) }}
         />
       )}
     </section>
-  );
-}
-
-function Steps({ session, waiting: { step } }: { readonly session: Session; readonly waiting: Waiting }) {
-  const { stages } = messages.value.link;
-  return (
-    <StepList
-      steps={[
-        { key: 'open', text: stages.open, done: true },
-        ...WAIT_STEPS.map((key) => ({
-          key,
-          text: stages.steps[key],
-          now: key === step,
-          action: key === 'other' && <ChooseAnother session={session} />,
-        })),
-      ]}
-    />
   );
 }
 

@@ -1,4 +1,4 @@
-import type { KnownPort, SerialSettings } from '../../serial/index.js';
+import type { SerialSettings } from '../../serial/index.js';
 import { DEFAULT_SETTINGS, RATES } from '../../serial/index.js';
 import { messages, portName } from '../messages/index.js';
 import type { Link } from '../session/link.js';
@@ -14,53 +14,46 @@ interface PortListProps {
 
 /** The plugged-in adapters that were allowed before, the last used first. */
 export function PortList({ session, onConnect }: PortListProps) {
-  const { ports: words } = messages.value;
-  const { link } = session;
+  const { header, of, ports: words } = messages.value;
+  const { link, timer, engaged, runner } = session;
   const ports = link.ports.value;
   if (ports.length === 0) return null;
   return (
-    <section class="stack ports">
+    <section class="stack">
       <h2>{words.title}</h2>
-      <ul>
-        {ports.map((port, index) => (
-          <PortRow key={`${port.key} ${index}`} {...{ session, port, onConnect }} />
-        ))}
+      <ul class="stack">
+        {ports.map((port, index) => {
+          const name = portName(port);
+          return (
+            <li class="row port" key={`${port.key} ${index}`}>
+              <strong>{name}</strong>
+              <button
+                type="button"
+                aria-label={of(header.connect, name)}
+                disabled={engaged.value}
+                onClick={() => {
+                  void timer.connectTo(port.port);
+                  onConnect();
+                }}
+              >
+                {header.connect}
+              </button>
+              {port.port.forget && (
+                <button
+                  type="button"
+                  class="quiet"
+                  aria-label={of(words.forget, name)}
+                  disabled={runner.busy.value}
+                  onClick={() => void link.forget(port)}
+                >
+                  {words.forget}
+                </button>
+              )}
+            </li>
+          );
+        })}
       </ul>
     </section>
-  );
-}
-
-function PortRow({ session, port, onConnect }: PortListProps & { readonly port: KnownPort }) {
-  const { header, ports: words } = messages.value;
-  const name = portName(port);
-  return (
-    <li class="row port">
-      <p>
-        <strong>{name}</strong>
-      </p>
-      <button
-        type="button"
-        aria-label={words.connectTo(name)}
-        disabled={session.engaged.value}
-        onClick={() => {
-          void session.timer.connectTo(port.port);
-          onConnect();
-        }}
-      >
-        {header.connect}
-      </button>
-      {port.port.forget && (
-        <button
-          type="button"
-          class="quiet"
-          aria-label={words.forgetNamed(name)}
-          disabled={session.runner.busy.value}
-          onClick={() => void session.link.forget(port)}
-        >
-          {words.forget}
-        </button>
-      )}
-    </li>
   );
 }
 
@@ -104,8 +97,16 @@ export function SerialSettingsForm({ link, expert }: { readonly link: Link; read
             />
           </>
         )}
-        <Signal label={words.dtr} value={settings.dtr} onChoose={(dtr) => set({ dtr })} />
-        <Signal label={words.rts} value={settings.rts} onChoose={(rts) => set({ rts })} />
+        {(['dtr', 'rts'] as const).map((line) => (
+          <Choice
+            key={line}
+            label={words[line]}
+            choices={[null, true, false]}
+            nameOf={(level) => words.signals[level === null ? 'leave' : level ? 'on' : 'off']}
+            chosen={settings[line]}
+            onChoose={(level) => set({ [line]: level })}
+          />
+        ))}
       </div>
       {link.settings.value && (
         <button type="button" class="quiet" onClick={() => link.setSettings(null)}>
@@ -113,24 +114,5 @@ export function SerialSettingsForm({ link, expert }: { readonly link: Link; read
         </button>
       )}
     </details>
-  );
-}
-
-interface SignalProps {
-  readonly label: string;
-  readonly value: boolean | null;
-  readonly onChoose: (value: boolean | null) => void;
-}
-
-function Signal({ label, value, onChoose }: SignalProps) {
-  const { signals } = messages.value.ports;
-  return (
-    <Choice
-      label={label}
-      choices={['leave', 'on', 'off'] as const}
-      nameOf={(state) => signals[state]}
-      chosen={value === null ? 'leave' : value ? 'on' : 'off'}
-      onChoose={(state) => onChoose(state === 'leave' ? null : state === 'on')}
-    />
   );
 }

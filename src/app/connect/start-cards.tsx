@@ -27,14 +27,14 @@ export function KeptCard({ session }: { readonly session: Session }) {
   }
   const unfinished = keptPrograms.list.value;
   return (
-    <section class="start-card" aria-labelledby="models-title">
+    <section class="stack panel start-card" aria-labelledby="models-title">
       <h2 id="models-title">{words.title}</h2>
       {models.length === 0 && <p>{words.none}</p>}
       {models.length > 0 && (
         <ul>
           {models.slice(0, NAMED).map(({ key, model }) => (
             <li key={key}>
-              <a class="kept-model" href={`#library/${key}`}>
+              <a class="kept" href={`#library/${key}`}>
                 <strong>{model.name}</strong> <span>{words.programs(counts.get(key) ?? 0)}</span>
               </a>
             </li>
@@ -68,18 +68,20 @@ export function KeptCard({ session }: { readonly session: Session }) {
 }
 
 function KeptProgram({ session, draft }: { readonly session: Session; readonly draft: Draft }) {
-  const { cancel, delete: remove, open, start } = messages.value;
+  const { cancel, delete: remove, of, open, start } = messages.value;
   const words = start.programs;
   const asked = useSignal(false);
   const { working, madeAt, savedAt } = draft;
   const setting = draft.of && session.library.settings.get(draft.of.id)?.setting.name;
   const what = setting === undefined ? nameOf(draft) : words.changesOf(setting);
-  const when = madeAt === undefined || draft.of ? words.changedAt(clockText(savedAt)) : words.madeAt(clockText(madeAt));
+  const when = clockText(draft.of ? savedAt : (madeAt ?? savedAt));
   const [dt] = keyFigures(working);
   if (asked.value) {
     return (
-      <li class="row kept-program">
-        <strong role="status">{words.sure}</strong>
+      <li class="row">
+        <strong class="kept" role="status">
+          {words.sure}
+        </strong>
         <button type="button" onClick={() => void session.keptPrograms.remove(draft)}>
           {remove}
         </button>
@@ -90,17 +92,22 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
     );
   }
   return (
-    <li class="row kept-program">
+    <li class="row">
       <button
         type="button"
-        class="quiet open"
+        class="quiet kept"
         disabled={session.engaged.value}
         onClick={() => session.onScreen.showKept(draft)}
       >
         <span class="visually-hidden">{open}</span> <strong>{what}</strong> <span>{when}</span>{' '}
-        <span class="figure-of">{dt && `${dt.label} ${dt.text}`}</span>
+        <span>{dt && `${dt.label} ${dt.text}`}</span>
       </button>
-      <button type="button" class="quiet" aria-label={words.removeOf(what, when)} onClick={() => (asked.value = true)}>
+      <button
+        type="button"
+        class="quiet"
+        aria-label={of(remove, `${what}, ${when}`)}
+        onClick={() => (asked.value = true)}
+      >
         {remove}
       </button>
     </li>
@@ -119,7 +126,7 @@ function nameOf({ working: { identity, memory }, madeAt }: Draft): string {
 export function Simulated({ session }: { readonly session: Session }) {
   const { start, classNames } = messages.value;
   return (
-    <section class="start-card" aria-labelledby="simulated-title" data-lead="simulated">
+    <section class="stack panel start-card" aria-labelledby="simulated-title" data-lead="simulated">
       <h2 id="simulated-title">{start.simulatedTitle}</h2>
       <p>{start.simulatedLead}</p>
       <div class="buttons">

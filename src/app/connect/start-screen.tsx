@@ -10,7 +10,7 @@ import { EXAMPLE } from './example-program.js';
 import type { Installation } from './installation.js';
 import { hasStage, LinkStage } from './link-stage.js';
 import { KeptCard, Simulated } from './start-cards.js';
-import { StepList, Tick } from './step-list.js';
+import { StepList } from './step-list.js';
 import './start-screen.css';
 
 interface StartScreenProps {
@@ -29,7 +29,6 @@ export function StartScreen({ session, installation, platform }: StartScreenProp
   if (hasStage(session)) return <LinkStage session={session} platform={platform} />;
   return (
     <div class="stack start-screen">
-      <OnThisDevice installation={installation} />
       <div class="hero">
         <div class="stack gap-4 hero-main">
           <h1>{start.title}</h1>
@@ -46,10 +45,7 @@ export function StartScreen({ session, installation, platform }: StartScreenProp
               </div>
               {platform.browser === 'firefox' && <p class="hint">{start.firefox}</p>}
               <StepList
-                steps={[start.adapter, link.stages.steps.switch, link.stages.steps.near].map((text) => ({
-                  key: text,
-                  text,
-                }))}
+                steps={[start.adapter, link.stages.steps.switch, link.stages.steps.near].map((text) => ({ text }))}
               />
             </>
           )}
@@ -60,6 +56,7 @@ export function StartScreen({ session, installation, platform }: StartScreenProp
         <KeptCard session={session} />
         <Simulated session={session} />
       </div>
+      <OnThisDevice installation={installation} />
     </div>
   );
 }
@@ -69,21 +66,15 @@ function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) 
   const { start, views } = messages.value;
   const install = installation.install.value;
   return (
-    <p class="on-device">
-      {installation.ready.value && (
-        <span class="ready-offline">
-          <Tick /> {start.readyOffline}
-        </span>
-      )}
+    <p class="row gap-4 on-device">
+      {installation.ready.value && <span class="ready-offline">{start.readyOffline}</span>}
       {install && (
         <button type="button" onClick={install}>
           {start.install}
         </button>
       )}
-      <span>
-        <a href="#help">{views.names.help}</a>
-        <a href="#settings">{views.names.settings}</a>
-      </span>
+      <a href="#help">{views.names.help}</a>
+      <a href="#settings">{views.names.settings}</a>
     </p>
   );
 }
@@ -96,14 +87,13 @@ function KeptPicture({ session }: Pick<StartScreenProps, 'session'>) {
   const [dt, motor] = keyFigures(program);
   const memory = program.memory === null ? '' : `, ${memoryName(program.memory)}`;
   return (
-    <figure class="stack kept-picture">
+    <figure class="stack panel kept-picture">
       <figcaption>
         <strong>{kept ? `${timerName(program.identity)}${memory}` : start.picture.example}</strong>
         {kept && <span>{start.picture.kept(clockText(kept.savedAt))}</span>}
       </figcaption>
       <div class="kept-lanes">
         <SmallLanes program={program} />
-        <span class="kept-cursor" />
       </div>
       <p>
         <span>{motor && `${words.motorStop} ${motor.text}`}</span>

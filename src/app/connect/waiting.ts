@@ -41,14 +41,14 @@ export function waitingFor(state: LinkState, seconds: number): Waiting | null {
     case 'opening':
       if (state.refusals > 0)
         return { ...NOTHING, said: { title: connection.busy.title, advice: link.refused }, help: 'busy' };
-      if (seconds < OPENS) return { ...NOTHING, said: titled(link.stages.opening) };
+      if (seconds < OPENS) return { ...NOTHING, said: titled(link.status.opening) };
       return { ...NOTHING, said: link.stages.openingLong, canChoose: true };
     case 'searching':
     case 'waiting': {
       const heard = state.status === 'waiting' ? state.heard : null;
       if (heard) return { said: heardSaid(heard), step: null, canChoose: true, help: 'waiting' };
       if (seconds < AWAKE && state.status === 'searching')
-        return { ...NOTHING, said: link.stages.looking(state.baudRate) };
+        return { ...NOTHING, said: { title: link.status.searching, advice: link.stages.asking(state.baudRate) } };
       const step = seconds < NEAR ? 'switch' : seconds < OTHER ? 'near' : 'other';
       const said = { title: link.stages.steps[step], advice: link.stages.silent };
       return { said, step, canChoose: true, help: seconds < NEAR ? null : 'waiting' };
@@ -56,7 +56,7 @@ export function waitingFor(state: LinkState, seconds: number): Waiting | null {
     case 'away':
       return { ...NOTHING, said: link.lost, help: 'lost' };
     case 'closing':
-      return { ...NOTHING, said: titled(link.stages.closing) };
+      return { ...NOTHING, said: titled(link.status.closing) };
     default:
       return null;
   }

@@ -15,7 +15,7 @@ export function TroublePage({ connection }: { readonly connection: (symptom: Sym
       {SYMPTOMS.map((symptom) => {
         const { title, steps } = words.symptoms[symptom];
         return (
-          <details key={symptom} name="symptom">
+          <details key={symptom} class="panel" name="symptom">
             <summary>{title}</summary>
             {steps.length > 0 && (
               <ol>

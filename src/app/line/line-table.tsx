@@ -11,7 +11,7 @@ export function LineTable({ view }: { readonly view: LineView }) {
   const hidden = found - view.shownCount.value;
   const timeText = view.recording.value ? sinceBegin : clockTime;
   return (
-    <div class="line-log">
+    <div class="panel">
       <table class="line-rows" aria-label={views.names.line}>
         <thead>
           <tr>

@@ -3,7 +3,7 @@ import { saveFile } from '../browser/save-file.js';
 import { whole } from '../messages/dotted.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { Select } from '../ui/choice.js';
+import { Choice } from '../ui/choice.js';
 import { CopyButton } from '../ui/copy-button.js';
 import type { LineFilter, LineView } from './line-view.js';
 import { captureText } from './recording.js';
@@ -19,7 +19,7 @@ export function LineTools({ session, view }: { readonly session: Session; readon
   const live = used && view.recording.value === null;
   return (
     <>
-      <div class="line-tools">
+      <div class="buttons">
         {live && (
           <>
             <button type="button" onClick={() => (view.paused.value ? view.goOn() : view.pause())}>
@@ -55,17 +55,15 @@ export function LineTools({ session, view }: { readonly session: Session; readon
 function LineChoice({ view }: { readonly view: LineView }) {
   const { line, label } = messages.value;
   return (
-    <div class="line-choice">
-      <label>
-        <span>{line.filter}</span>
-        <Select
-          choices={FILTERS}
-          nameOf={(filter) => line[filter]}
-          chosen={view.filter.value}
-          onChoose={(filter) => view.setFilter(filter)}
-        />
-      </label>
-      <label class="search">
+    <div class="row gap-4 line-choice">
+      <Choice
+        label={line.filter}
+        choices={FILTERS}
+        nameOf={(filter) => line[filter]}
+        chosen={view.filter.value}
+        onChoose={(filter) => view.setFilter(filter)}
+      />
+      <label class="choice search">
         <span>{label.search}</span>
         <input
           type="search"

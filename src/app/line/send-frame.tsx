@@ -17,7 +17,7 @@ export function SendFrame({ session, form }: SendFrameProps) {
   const { send } = messages.value.line;
   const result = form.result.value;
   return (
-    <details class="send-frame">
+    <details class="panel send-frame">
       <summary>{send.title}</summary>
       <form
         class="stack gap-3"

@@ -17,13 +17,11 @@ export const link = {
   /** Large, while connecting: what is happening, and what to do. */
   stages: {
     choosing: 'Choose the adapter of the timer',
-    opening: 'Opening the adapter',
     openingLong: {
       title: 'The adapter takes long to open',
       advice: 'Bluetooth: switch the adapter on, near. Cable: unplug it and plug it in again.',
     },
-    looking: (rate: number) => ({ title: 'Looking for the timer', advice: `Asking at ${rate} baud.` }),
-    closing: 'Closing the adapter',
+    asking: (rate: number) => `Asking at ${rate} baud.`,
     /** While waiting for an answer. Changes with each second. */
     noAnswer: (seconds: number) => `No answer for ${seconds}\u00a0s.`,
     silent: 'This page keeps asking and goes on by itself.',
@@ -65,9 +63,7 @@ export const link = {
 /** The known ports, and how they are opened. */
 export const ports = {
   title: 'Known adapters',
-  connectTo: (name: string) => `Connect to ${name}`,
   forget: 'Forget',
-  forgetNamed: (name: string) => `Forget ${name}`,
   settings: 'Serial settings',
   settingsHint: 'Only for a special adapter. The page finds the rate by itself.',
   rate: 'Rate',
@@ -108,8 +104,6 @@ const quirkNames: Record<QuirkCode, string> = {
 /** What is known about the connected timer. Its numbers are in the report. */
 export const about = {
   title: 'About this timer',
-  kind: 'Timer',
-  port: 'Adapter',
   damage: 'Damage seen on the line',
   crowd: 'Another timer or programmer may be in the beam. Since then two readings must agree.',
   found: 'What it did differently',

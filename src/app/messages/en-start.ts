@@ -11,7 +11,7 @@ export const start = {
   /** The program in the picture. */
   picture: {
     example: 'Example: an F1Q',
-    kept: (time: string) => `kept ${time}`,
+    kept: (time: string) => `Kept ${time}`,
   },
   models: {
     title: 'My models',
@@ -24,11 +24,8 @@ export const start = {
     title: 'Not finished',
     /** A program that was made here. */
     made: (timer: string) => `${timer}, new`,
-    madeAt: (time: string) => `made ${time}`,
     /** Changes that are in no timer. */
     changesOf: (timer: string) => `${timer}, changes`,
-    changedAt: (time: string) => `changed ${time}`,
-    removeOf: (what: string, when: string) => `Delete ${what}, ${when}`,
     sure: 'Delete it for good?',
   },
   simulatedTitle: 'No timer with you?',

@@ -15,7 +15,7 @@ const SPP: PortInfo = { bluetoothServiceClassId: '00001101-0000-1000-8000-00805f
 const ADDRESS = 'https://timers.example/set/';
 const SYSTEMS: readonly System[] = ['windows', 'mac', 'linux', 'chromeos', 'android', 'ios', 'other'];
 const BROWSERS: readonly Browser[] = ['chrome', 'edge', 'opera', 'brave', 'firefox', 'safari', 'other'];
-const CODES = [...Object.keys(en.connection), 'waiting', 'still-waiting'] as HelpCode[];
+const CODES = [...Object.keys(en.connection), 'waiting'] as HelpCode[];
 
 function on(system: System, browser: Browser = 'chrome'): Platform {
   return { system, browser, version: 138, mobile: system === 'android' || system === 'ios' };
@@ -68,7 +68,6 @@ describe('what to do', () => {
     ['lost', on('linux', 'firefox'), FTDI, ['cable', 'linux', 'firefox-reload']],
     ['lost', on('windows', 'firefox'), SPP, ['bluetooth']],
     ['waiting', on('windows'), FTDI, ['switch', 'near', 'battery', 'usual-settings']],
-    ['still-waiting', on('windows'), FTDI, ['battery', 'usual-settings']],
     ['bad-reply', on('windows'), FTDI, ['usual-settings', 'report']],
     ['not-allowed', on('android'), null, []],
     ['unsupported', on('windows', 'brave'), null, ['address']],
