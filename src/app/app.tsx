@@ -60,7 +60,7 @@ export function App({ models }: { readonly models: AppModels }) {
       ),
     memories: () => (
       <parts.Memories
-        {...{ session, memories, connect }}
+        {...{ session, memories, write, connect }}
         print={<PrintMemories session={session} onPrint={print} />}
         following={follow.on.value}
         onProgram={() => views.show('program')}

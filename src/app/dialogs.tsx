@@ -7,7 +7,6 @@ import { SaveDialog } from './library/save-dialog.js';
 import { SharingDialog } from './library/share/sharing-dialog.js';
 import { filesOf } from './library-files.js';
 import { GoOn, LeaveDialog } from './memories/leave-dialog.js';
-import { MemoriesDialog } from './memories/memories-dialog.js';
 import type { AppModels } from './models.js';
 import { ModelDialog } from './recognition/model-dialog.js';
 import { EraseDialog } from './settings/erase-dialog.js';
@@ -17,7 +16,7 @@ import { WriteDialog } from './write/write-dialog.js';
 
 /** The dialogs that can lie over every view. */
 export function Dialogs({ models }: { readonly models: AppModels }) {
-  const { session, views, sharing, write, memories, leaving, flights, erase, saveSetting } = models;
+  const { session, views, sharing, write, leaving, flights, erase, saveSetting } = models;
   const after = (
     <>
       <FlyingThis session={session} log={flights} onFillIn={() => write.dismiss()} />
@@ -27,7 +26,6 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
   return (
     <>
       <WriteDialog session={session} write={write} after={after} />
-      <MemoriesDialog session={session} jobs={memories.jobs} />
       <FlightDialog session={session} log={flights} />
       <LeaveDialog session={session} leaving={leaving} />
       <ModelDialog recognition={session.recognition} />

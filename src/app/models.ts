@@ -24,7 +24,7 @@ import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
 import { Views } from './shell/views.js';
 import { limited } from './storage/index.js';
-import { WriteFlow } from './write/write-flow.js';
+import { WriteJob } from './write/write-job.js';
 
 /** The models that the views read and call. */
 export interface AppModels {
@@ -33,7 +33,7 @@ export interface AppModels {
   readonly keeping: Keeping;
   readonly aside: SetAside;
   readonly erase: Erase;
-  readonly write: WriteFlow;
+  readonly write: WriteJob;
   readonly memories: Memories;
   readonly leaving: Leaving;
   readonly bench: Bench;
@@ -95,7 +95,7 @@ export function createModels({
     void session.link.remember();
     void session.library.keepAgain();
   });
-  const write = new WriteFlow(session);
+  const write = new WriteJob(session);
   const memories = new Memories(session);
   const bench = new Bench(session);
   const follow = new Follow(session, bench);

@@ -159,10 +159,17 @@ function expectNoFalseWord({ session, editor, write, timer }: AppBench, before: 
   const { value } = write.current;
   const isAsking = session.runner.job.value?.asking ?? false;
   if (value?.step === 'running' && !isAsking) return;
-  if (value?.step === 'done' && value.report.result === 'verified') {
-    expect(holds(value.shown.goal), `the page says verified, but the timer does not hold the goal: ${why}`).toBe(true);
+  if (value?.step === 'done' && value.ends[0]?.state === 'verified') {
+    expect(
+      holds(value.ends[0].change?.goal as TimerProgram),
+      `the page says verified, but the timer does not hold the goal: ${why}`,
+    ).toBe(true);
   }
-  if (session.notices.current.value?.code === 'nothing-written' || value?.step === 'refused' || isAsking) {
+  if (
+    session.notices.current.value?.code === 'nothing-written' ||
+    (value?.step === 'done' && value.ends[0]?.state === 'untouched') ||
+    isAsking
+  ) {
     expect(holds(before), `the page says that nothing was written, but the timer has changed: ${why}`).toBe(true);
   }
   if (known.state === 'read')
@@ -201,7 +208,7 @@ async function written(store: FaultyStore, end: (typeof ENDS)[number], begin: ()
       else bench.timer.core.sleep();
     };
   }
-  void bench.write.start();
+  void bench.write.goOn();
   for (let i = 0; i < 25; i++) {
     await idle(1000);
     expectNoFalseWord(bench, before, why);
@@ -237,7 +244,7 @@ it.each(ENDS)(
       );
       expect(isMet(), `the write has met it: ${why}`).toBe(true);
       if (end === 'goes well') {
-        expect(bench.write.current.value, why).toMatchObject({ step: 'done', report: { result: 'verified' } });
+        expect(bench.write.current.value, why).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
         continue;
       }
       expect(bench.session.knowledge.of(0).state, why).toBe('uncertain');

@@ -19,7 +19,7 @@ import { StripModel } from '../../src/app/shell/strip-model.js';
 import type { ModelRecord } from '../../src/app/storage/index.js';
 import { BackupList } from '../../src/app/write/backup-list.js';
 import { decodeLink } from '../../src/program/index.js';
-import { type AppBench, run } from './bench/bench.js';
+import { type AppBench, goOn, review, run } from './bench/bench.js';
 import { BACKUP, CALM, DT, LANCER_HELD, lancerBench, type, WIND } from './two-models.js';
 
 /** Whose timer is connected: of the Lancer, of a model that the page does not know, or none. */
@@ -82,11 +82,11 @@ async function reach({ timer, origin, changed, standing }: Case): Promise<AppBen
 }
 
 async function write(bench: AppBench): Promise<void> {
-  await run(bench.write.open());
+  await review(bench);
   bench.session.safety.confirm();
   bench.write.cross(true);
   bench.write.acknowledge(true);
-  await run(bench.write.start());
+  await goOn(bench);
   bench.write.dismiss();
 }
 

@@ -117,10 +117,8 @@ async function lookAt(page, memory) {
 async function readAll(page) {
   await connect(page);
   await goTo(page, 'memories');
-  await press(page, 'Read and keep all…');
-  await page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
-  await page.getByText('were read and kept').waitFor();
-  await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+  await press(page, 'Read and keep all');
+  await page.getByText('memories were read').waitFor();
   await settled(page);
 }
 

@@ -9,7 +9,7 @@ import { beginningOf } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
 import { putBackDt } from '../write/put-back.js';
-import type { WriteFlow } from '../write/write-flow.js';
+import type { WriteJob } from '../write/write-job.js';
 import { type FlightFilter, NO_FILTER } from './flight-filter.js';
 import { deviceOffset } from './flight-list.js';
 
@@ -43,11 +43,11 @@ export class FlightLog {
   readonly #verified = signal<Flown | null>(null, { name: 'verifiedFlown' });
   readonly #filling = signal<string | null>(null, { name: 'filling' });
   readonly #session: Session;
-  readonly #write: WriteFlow;
+  readonly #write: WriteJob;
   /** The flight for which DT is being put back: it will be flown with what that write leaves. */
   #puttingBack: string | null = null;
 
-  constructor(session: Session, write: WriteFlow) {
+  constructor(session: Session, write: WriteJob) {
     this.#session = session;
     this.#write = write;
     this.logged = this.#logged;
@@ -62,18 +62,18 @@ export class FlightLog {
     });
     this.flyable = computed(() => this.held.value ?? this.#verified.value?.program ?? null);
     effect(() => {
-      const step = write.current.value;
-      const held = write.verified.value?.report.held ?? null;
+      const held = write.verified.value;
       const flown = held && untracked(() => this.#flown(held));
       this.#verified.value = flown;
-      if (flown && this.#puttingBack !== null) {
+      const key = this.#puttingBack;
+      if (flown && key !== null) {
         const { program, setting, settingName } = flown;
+        this.#puttingBack = null;
         // The pilot may have said in the meantime which model it is.
-        void this.change(this.#puttingBack, { program, setting, settingName });
+        void this.change(key, { program, setting, settingName });
       }
-      if (held || step === null) this.#puttingBack = null;
       // A flight that was logged before a write must not show under the result of the write.
-      if (step?.step === 'review') this.#logged.value = null;
+      if (write.current.value?.step === 'review') this.#logged.value = null;
     });
   }
 
@@ -157,7 +157,9 @@ export class FlightLog {
   /** Puts DT back by a write that the pilot confirms first. Once verified, the flight gets that program. */
   async putBack(key: string): Promise<void> {
     this.close();
-    this.#puttingBack = (await putBackDt(this.#session, this.#write)) ? key : null;
+    this.#puttingBack = key;
+    await putBackDt(this.#session, this.#write);
+    this.#puttingBack = null;
   }
 
   /** What flies is what the timer was last read to hold. It is of a setting only where each value is. */

@@ -5,7 +5,7 @@ import { Modal } from '../ui/modal.js';
 import { RunningStep } from '../write/dialog-steps.js';
 import { nextFlightText } from '../write/next-flight-text.js';
 import { UncertainNote } from '../write/uncertain-note.js';
-import type { WriteFlow } from '../write/write-flow.js';
+import type { WriteJob } from '../write/write-job.js';
 import type { Leaving } from './leaving.js';
 import './leave-dialog.css';
 
@@ -18,7 +18,7 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
       title={messages.value.nextFlight.leaving.title}
       head={<UncertainNote session={session} />}
       held={question?.goingBack === true}
-      onEscape={() => leaving.stay()}
+      onEscape={() => leaving.answer('stay')}
     >
       <Question session={session} leaving={leaving} />
     </Modal>
@@ -35,7 +35,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
       <RunningStep
         label={program.selecting}
         progress={session.runner.job.value?.progress ?? null}
-        onStop={() => leaving.stay()}
+        onStop={() => leaving.answer('stay')}
       />
     );
   }
@@ -69,10 +69,10 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
         {short && blocked && <p class="hint">{shortDt.blocked}</p>}
       </div>
       <div class={`buttons leave-ways ${short ? 'many' : ''}`}>
-        <button type="button" class="quiet" onClick={() => leaving.stay()}>
+        <button type="button" class="quiet" onClick={() => leaving.answer('stay')}>
           {cancel}
         </button>
-        <button type="button" onClick={() => void leaving.disconnectAsItIs()}>
+        <button type="button" onClick={() => leaving.answer('leave')}>
           {dt ? shortDt.disconnect(word.value && shortMemory, dt) : header.disconnect}
         </button>
         {short && (
@@ -80,13 +80,13 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
             type="button"
             class={canGoBack ? undefined : 'primary'}
             disabled={blocked || !session.runner.ready.value}
-            onClick={() => void leaving.putBack()}
+            onClick={() => leaving.answer('put-back')}
           >
             {shortDt.putBack(dtText(short.back), short.remembered)}
           </button>
         )}
         {canGoBack && (
-          <button type="button" class="primary" onClick={() => void leaving.backAndDisconnect()}>
+          <button type="button" class="primary" onClick={() => leaving.answer('back')}>
             {words.leaving.back(originalName)}
           </button>
         )}
@@ -96,11 +96,11 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
 }
 
 /** Under the result of the write that has put DT back: the pilot wanted to disconnect. */
-export function GoOn({ write, leaving }: { readonly write: WriteFlow; readonly leaving: Leaving }) {
+export function GoOn({ write, leaving }: { readonly write: WriteJob; readonly leaving: Leaving }) {
   if (!leaving.puttingBack.value) return null;
   const goOn = (): void => {
+    leaving.answer('leave');
     write.dismiss();
-    void leaving.disconnect();
   };
   return (
     <div class="buttons">

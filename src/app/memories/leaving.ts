@@ -2,7 +2,7 @@ import { effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { JobKind } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { putBackDt } from '../write/put-back.js';
-import type { WriteFlow } from '../write/write-flow.js';
+import type { WriteJob } from '../write/write-job.js';
 import type { Memories } from './memories.js';
 
 /** What the pilot is asked before the connection ends. */
@@ -12,6 +12,12 @@ export interface LeavingQuestion {
   /** Whether that was tried and failed. */
   readonly failed: boolean;
 }
+
+/**
+ * `leave`: as it is. `back`: only after the memory that is meant is current again. `put-back`: only after a write that
+ * puts DT back.
+ */
+export type LeavingAnswer = 'stay' | 'leave' | 'back' | 'put-back';
 
 /** Jobs that select memories. */
 const SELECTING: ReadonlySet<JobKind> = new Set(['select', 'look', 'memories']);
@@ -26,62 +32,74 @@ export class Leaving {
   readonly #puttingBack = signal(false, { name: 'puttingBack' });
   readonly #session: Session;
   readonly #memories: Memories;
-  readonly #write: WriteFlow;
+  readonly #write: WriteJob;
+  #answer: (answer: LeavingAnswer) => void = () => {};
 
-  constructor(session: Session, memories: Memories, write: WriteFlow) {
+  constructor(session: Session, memories: Memories, write: WriteJob) {
     this.#session = session;
     this.#memories = memories;
     this.#write = write;
     this.question = this.#question;
     this.puttingBack = this.#puttingBack;
     effect(() => {
-      if (session.link.state.value.status === 'off') this.#question.value = null;
-    });
-    effect(() => {
-      if (write.current.value === null) this.#puttingBack.value = false;
+      if (session.link.state.value.status === 'off') this.answer('stay');
     });
   }
 
   /** Disconnects. Asks first when another memory than the one that is meant flies next, or one with a short DT. */
   async disconnect(): Promise<void> {
-    const { runner } = this.#session;
+    const { runner, nextFlight, timer } = this.#session;
     const job = runner.job.value;
     // A job that has selected another memory gets the time to come back; otherwise the port would close on its way.
     if (job && SELECTING.has(job.kind) && !job.stopping) await runner.stop();
-    if (this.#hasToAsk()) this.#question.value = { goingBack: false, failed: false };
-    else await this.#session.timer.disconnect();
-  }
-
-  /** Makes the memory that is meant current again, and disconnects once the timer confirms it. */
-  async backAndDisconnect(): Promise<void> {
-    const { nextFlight } = this.#session;
-    const { original } = nextFlight;
-    if (this.#question.value?.goingBack !== false || original.value === null) return;
-    this.#question.value = { goingBack: true, failed: false };
-    await this.#memories.fly(original.value);
-    if (!this.#hasToAsk()) await this.#session.timer.disconnect();
-    // The connection may have ended in the meantime.
-    else if (this.#question.value) {
-      this.#question.value = { goingBack: false, failed: nextFlight.word.value !== null };
+    let failed = false;
+    while (this.#hasToAsk()) {
+      const answer = await this.#ask(failed);
+      const { value: original } = nextFlight.original;
+      if (answer === 'leave') break;
+      if (answer === 'put-back') {
+        this.#question.value = null;
+        if (!(await this.#putBack())) return;
+      } else if (answer === 'back' && original !== null) {
+        this.#question.value = { goingBack: true, failed: false };
+        await this.#memories.fly(original);
+        // The connection may have ended in the meantime.
+        if (!this.#question.peek()) return;
+        failed = nextFlight.word.value !== null;
+      } else {
+        return;
+      }
     }
-  }
-
-  /** Disconnects: the pilot knows which memory flies next, and with which DT. */
-  async disconnectAsItIs(): Promise<void> {
-    if (this.#question.value?.goingBack === false) await this.#session.timer.disconnect();
-  }
-
-  /** Puts a short DT back by a write that the pilot confirms first. Afterwards the pilot can disconnect. */
-  async putBack(): Promise<void> {
-    if (this.#question.value?.goingBack !== false) return;
+    await timer.disconnect();
     this.#question.value = null;
-    this.#puttingBack.value = await putBackDt(this.#session, this.#write);
   }
 
-  /** Stays connected. Stops the way back to the first memory. */
-  stay(): void {
-    if (this.#question.value?.goingBack) void this.#session.runner.stop();
-    else this.#question.value = null;
+  /** What the pilot says. To stay stops the way back to the first memory, too. */
+  answer(answer: LeavingAnswer): void {
+    const isGoingBack = this.#question.peek()?.goingBack;
+    const isOff = this.#session.link.state.peek().status === 'off';
+    if (isGoingBack && !isOff) void this.#session.runner.stop();
+    else if (answer === 'stay') this.#question.value = null;
+    this.#answer(answer);
+  }
+
+  #ask(failed: boolean): Promise<LeavingAnswer> {
+    this.#question.value = { goingBack: false, failed };
+    return new Promise((resolve) => {
+      this.#answer = resolve;
+    });
+  }
+
+  /** Puts a short DT back by a write that the pilot confirms. @returns whether the pilot then wants to disconnect. */
+  async #putBack(): Promise<boolean> {
+    let goesOn = false;
+    this.#answer = (answer) => {
+      goesOn = answer === 'leave';
+    };
+    this.#puttingBack.value = true;
+    await putBackDt(this.#session, this.#write);
+    this.#puttingBack.value = false;
+    return goesOn;
   }
 
   /** During a write its end decides; before that nothing is said about the DT. */

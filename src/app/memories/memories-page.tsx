@@ -3,6 +3,7 @@ import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Backup } from '../storage/index.js';
 import { BackupList } from '../write/backup-list.js';
+import type { WriteJob } from '../write/write-job.js';
 import type { Memories } from './memories.js';
 import { MemoryCards } from './memory-cards.js';
 import './memories-page.css';
@@ -10,6 +11,7 @@ import './memories-page.css';
 export interface MemoriesPageProps {
   readonly session: Session;
   readonly memories: Memories;
+  readonly write: WriteJob;
   /** Whether the servos follow edits: a loaded backup would be stored at once. */
   readonly following: boolean;
   /** Shows the program: of the memory that was picked last, or with what was loaded into it. */
@@ -26,7 +28,7 @@ export interface MemoriesPageProps {
 
 /** All memories of the timer at a glance, and the backups. */
 export function MemoriesPage(props: MemoriesPageProps) {
-  const { session, memories, following, onProgram, onCompare, onCompareBackup, connect, print } = props;
+  const { session, memories, write, following, onProgram, onCompare, onCompareBackup, connect, print } = props;
   const { overview: words, views } = messages.value;
   const baseline = session.editor.baseline.value;
   return (
@@ -36,18 +38,14 @@ export function MemoriesPage(props: MemoriesPageProps) {
         {baseline && baseline.memory !== null && (
           <div class="buttons">
             {print}
-            <button
-              type="button"
-              disabled={!session.runner.ready.value}
-              onClick={() => memories.jobs.open({ kind: 'back-up' })}
-            >
+            <button type="button" disabled={!session.runner.ready.value} onClick={() => void memories.backUp()}>
               {words.readAll}
             </button>
           </div>
         )}
       </div>
       {baseline ? (
-        <MemoryCards {...{ session, memories, onProgram, onCompare }} />
+        <MemoryCards {...{ session, memories, write, onProgram, onCompare }} />
       ) : (
         <>
           <p class="hint">{views.noTimer.memories}</p>
@@ -61,7 +59,7 @@ export function MemoriesPage(props: MemoriesPageProps) {
         following={following}
         onLoad={onProgram}
         onCompare={onCompareBackup}
-        onRestore={(backups) => void memories.jobs.open({ kind: 'restore', backups })}
+        onRestore={(backups) => void write.open({ kind: 'restore', backups })}
       />
     </div>
   );

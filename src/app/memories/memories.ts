@@ -1,17 +1,15 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import type { TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import type { JobContext } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
-import { MemoryJobs } from './memory-jobs.js';
-import { NotedRoundTrip } from './noted-round-trip.js';
+import { NotedRoundTrip } from '../write/noted-round-trip.js';
 
 /**
  * The memories of the connected timer: which one the pilot looks at, and which flies next.
  * Acts only when the pilot asks for it.
  */
 export class Memories {
-  /** Back up all memories, copy one to another, restore several. */
-  readonly jobs: MemoryJobs;
   /** The memory that the pilot looks at, if it is not the current one; null for none. */
   readonly looking: ReadonlySignal<number | null> = computed(() => {
     const { nextFlight, editor } = this.#session;
@@ -26,12 +24,9 @@ export class Memories {
   });
   readonly #picked = signal<number | null>(null, { name: 'picked' });
   readonly #session: Session;
-  readonly #roundTrip: NotedRoundTrip;
 
   constructor(session: Session) {
     this.#session = session;
-    this.#roundTrip = new NotedRoundTrip(session);
-    this.jobs = new MemoryJobs(session, this.#roundTrip);
     session.connection.subscribe(() => {
       // The next timer may be another one.
       this.#picked.value = null;
@@ -51,12 +46,28 @@ export class Memories {
 
   /** Reads a memory and restores the current one. */
   async readOnce(memory: number): Promise<void> {
-    const work = async (connection: TimerConnection, options: JobContext): Promise<void> => {
-      await this.#roundTrip.read(connection, { ...options, memories: [memory] });
-    };
-    this.#roundTrip.trip = { job: 'look', memory };
-    await this.#session.runner.run('look', work, memory);
-    await this.#session.reader.readIfOpen();
+    const { runner, reader } = this.#session;
+    const trip = new NotedRoundTrip(this.#session, { job: 'look', memory });
+    const read = (connection: TimerConnection, options: JobContext) =>
+      trip.read(connection, { ...options, memories: [memory] });
+    runner.report(await runner.perform('look', read, memory));
+    await reader.readIfOpen();
+  }
+
+  /** Reads all memories, restores the current one, and keeps a backup of each. */
+  async backUp(): Promise<void> {
+    const { runner, reader, backups, notices, simulated } = this.#session;
+    const trip = new NotedRoundTrip(this.#session, { job: 'back-up', memory: null });
+    const end = await runner.perform('memories', async (connection, options) => {
+      const programs = await trip.read(connection, options);
+      const savedAt = Date.now();
+      const add = (program: TimerProgram) => backups.add(program, 'memories', simulated.value, savedAt);
+      return (await Promise.all(programs.map(add))).every(Boolean);
+    });
+    runner.report(end);
+    // Where the browser keeps nothing, the page says so anyway.
+    if (end.good && end.value) notices.sayIfSilent('backed-up');
+    await reader.readIfOpen();
   }
 
   /** Makes a memory fly next, and shows it. Edits of the memory before are kept. */

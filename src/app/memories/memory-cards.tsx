@@ -9,6 +9,7 @@ import type { Scale } from '../timeline/scale.js';
 import { SmallLanes, sharedScale } from '../timeline/small-lanes.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
+import type { WriteJob } from '../write/write-job.js';
 import type { Memories } from './memories.js';
 import { MemoryName } from './memory-name.js';
 import { Picks } from './memory-picks.js';
@@ -17,6 +18,7 @@ import './memory-cards.css';
 interface MemoryCardsProps {
   readonly session: Session;
   readonly memories: Memories;
+  readonly write: WriteJob;
   /** Shows the program of the memory that was picked last. */
   readonly onProgram: () => void;
   /** Shows two memories side by side. */
@@ -24,7 +26,7 @@ interface MemoryCardsProps {
 }
 
 /** A card for each memory: its last reading, whether it flies next, and what can be done with it. */
-export function MemoryCards({ session, memories, onProgram, onCompare }: MemoryCardsProps) {
+export function MemoryCards({ session, memories, write, onProgram, onCompare }: MemoryCardsProps) {
   const baseline = session.editor.baseline.value;
   if (!baseline) return null;
   const current = session.nextFlight.open.value ? null : baseline.memory;
@@ -34,7 +36,11 @@ export function MemoryCards({ session, memories, onProgram, onCompare }: MemoryC
   return (
     <ul class="memory-cards">
       {all.map((each) => (
-        <Card key={each.memory} {...each} {...{ session, memories, current, count, scale, onProgram, onCompare }} />
+        <Card
+          key={each.memory}
+          {...each}
+          {...{ session, memories, write, current, count, scale, onProgram, onCompare }}
+        />
       ))}
     </ul>
   );
@@ -144,7 +150,7 @@ interface ActionsProps extends Omit<CardProps, 'known' | 'scale'> {
   readonly isRead: boolean;
 }
 
-function Actions({ session, memories, memory, current, count, isRead, onProgram, onCompare }: ActionsProps) {
+function Actions({ session, memories, write, memory, current, count, isRead, onProgram, onCompare }: ActionsProps) {
   const { overview: words, memories: all, memoryName } = messages.value;
   const copying = useSignal(false);
   const ready = session.runner.ready.value;
@@ -174,7 +180,7 @@ function Actions({ session, memories, memory, current, count, isRead, onProgram,
             picks={others}
             disabled={!ready}
             nameOf={(to) => all.copy(name, memoryName(to))}
-            onPick={(to) => void memories.jobs.open({ kind: 'copy', from: memory, to })}
+            onPick={(to) => void write.open({ kind: 'copy', from: memory, to })}
           />
           <button type="button" class="quiet" onClick={() => (copying.value = false)}>
             {messages.value.cancel}

@@ -3,6 +3,7 @@ import type { ConnectionErrorCode } from '../../serial/index.js';
 import { restWorks, unsupportedHere } from './en-browsers.js';
 import { help } from './en-help.js';
 import { link } from './en-link.js';
+import { backedUp } from './en-memories.js';
 import { write } from './en-write.js';
 
 /** One sentence that says what happened, and one that says what to do. */
@@ -152,6 +153,7 @@ export const notes = {
     advice: 'The timer was read again and holds all that was to be written.',
   },
   'nothing-written': { title: write.refused, advice: '' },
+  'backed-up': backedUp,
   'select-unanswered': {
     title: 'The timer did not answer when a memory was selected.',
     advice: 'It answers other requests. Try again, or try it without a correct checksum.',

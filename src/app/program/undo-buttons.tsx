@@ -4,14 +4,14 @@ import { shortcutLetter } from '../browser/shortcut-letter.js';
 import type { Editor } from '../editing/editor.js';
 import { messages, stepText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import type { WriteFlow } from '../write/write-flow.js';
+import type { WriteJob } from '../write/write-job.js';
 import './undo-buttons.css';
 
 /**
  * Undo and redo, with the name of the step. Their keys work everywhere on the page, except in texts that do not belong
  * to the program.
  */
-export function UndoButtons({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
+export function UndoButtons({ session, write }: { readonly session: Session; readonly write: WriteJob }) {
   const { editor } = session;
   const { edits } = messages.value;
   const identity = editor.identity.value;

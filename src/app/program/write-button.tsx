@@ -3,14 +3,14 @@ import { fieldKey } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { fieldName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import type { WriteFlow } from '../write/write-flow.js';
+import type { WriteJob } from '../write/write-job.js';
 import { firstInTheWay } from './field-notes.js';
 
 const NOTE = 'blocked-note';
 
 interface WriteButtonProps {
   readonly session: Session;
-  readonly write: WriteFlow;
+  readonly write: WriteJob;
   /** For places with little room. */
   readonly brief: boolean;
 }

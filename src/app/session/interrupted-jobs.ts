@@ -80,16 +80,16 @@ export class InterruptedJobs {
   }
 
   /**
-   * Notes which memory is current before a round trip begins; as {@link begin}. An earlier one that did not come back
-   * is remembered until its own original is current again.
+   * Notes which memory is current before a round trip begins. An earlier one that did not come back is remembered until
+   * its own original is current again.
    */
-  async leave(trip: RoundTrip, identity: Identity, original: number, simulated: boolean): Promise<boolean> {
+  async leave(trip: RoundTrip, identity: Identity, original: number, simulated: boolean): Promise<void> {
     const key = kindKey(identity, simulated);
     this.#underWay.value = new Set(this.#underWay.value).add(key);
-    if (this.offer.value?.kind === 'memories') return true;
     // The record of a timer that the pilot has told apart from this one is kept for the right one.
-    if (trip.job === 'select' && this.#notNow.peek().has(key)) return true;
-    return await this.#records.save({
+    const isOfOther = trip.job === 'select' && this.#notNow.peek().has(key);
+    if (isOfOther || this.offer.value?.kind === 'memories') return;
+    await this.#records.save({
       kind: 'memories',
       key,
       startedAt: Date.now(),

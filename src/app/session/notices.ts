@@ -11,6 +11,7 @@ export type NoteCode =
   | 'other-kind'
   | 'write-completed'
   | 'nothing-written'
+  | 'backed-up'
   | 'select-unanswered'
   | 'strays'
   | 'made-laid'

@@ -10,12 +10,12 @@ import { UndoButtons } from '../program/undo-buttons.js';
 import { BlockedNote, WriteButton } from '../program/write-button.js';
 import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
-import type { WriteFlow } from '../write/write-flow.js';
+import type { WriteJob } from '../write/write-job.js';
 import './command-bar.css';
 
 export interface CommandBarProps {
   readonly session: Session;
-  readonly write: WriteFlow;
+  readonly write: WriteJob;
   readonly bench: Bench;
   readonly follow: Follow;
   readonly saveSetting: SaveSetting;

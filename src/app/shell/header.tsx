@@ -2,18 +2,18 @@ import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
 import { LinkNotice } from '../connect/link-notice.js';
 import { NextFlightNotes } from '../memories/next-flight-line.js';
+import { UnfinishedBand } from '../memories/unfinished-band.js';
 import { messages } from '../messages/index.js';
 import type { JobKind, JobRunner } from '../session/job-runner.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
-import { UnfinishedBand } from '../write/unfinished-band.js';
-import type { WriteFlow } from '../write/write-flow.js';
+import type { WriteJob } from '../write/write-job.js';
 import { NoticeBar, type NoticeBarProps } from './notice-bar.js';
 import { StatusStrip, type StatusStripProps } from './status-strip.js';
 import './header.css';
 
 interface HeaderProps extends StatusStripProps, NoticeBarProps {
-  readonly write: WriteFlow;
+  readonly write: WriteJob;
   /** The line about the model of the timer. */
   readonly recognized: ComponentChildren;
 }

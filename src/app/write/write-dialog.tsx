@@ -1,10 +1,19 @@
 import type { ComponentChildren } from 'preact';
-import type { TimerError } from '../../client/index.js';
-import { fieldKey, type Model, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import type { Progress } from '../../client/index.js';
+import { fieldKey, type Model, type ProgramField, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 import { modelMessages } from '../messages/en-which-model.js';
-import { clockText, fieldName, figureText, findingText, messages, timerSaid } from '../messages/index.js';
+import {
+  clockText,
+  dateText,
+  fieldName,
+  figureText,
+  findingText,
+  messages,
+  type Said,
+  timerSaid,
+} from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
@@ -15,58 +24,67 @@ import { CrossingCheck } from './crossing-check.js';
 import { ClosingButtons, JobStep } from './dialog-steps.js';
 import { Difference } from './difference.js';
 import { MoveServosCheck } from './move-servos-check.js';
+import { nextFlightText } from './next-flight-text.js';
+import { isGood, type MemoryChange, type MemoryEnd, type Outcome, type Plan, refusalsOf } from './plan.js';
 import { StartButtons } from './start-buttons.js';
-import { strayed } from './strayed.js';
 import { UncertainNote } from './uncertain-note.js';
 import { ValueTable } from './value-table.js';
-import type { Shown, WriteFlow, WriteStep } from './write-flow.js';
+import type { Done, Review, WriteJob } from './write-job.js';
 import './write-dialog.css';
 
 interface WriteDialogProps {
   readonly session: Session;
-  readonly write: WriteFlow;
-  /** Further buttons after a verified write. */
+  readonly write: WriteJob;
+  /** Further buttons after a verified write of what is on the screen. */
   readonly after: ComponentChildren;
 }
 
-/** One dialog for the whole write: difference, progress, result. */
+/** One dialog for everything that changes what memories hold: difference, progress, result. */
 export function WriteDialog({ session, write, after }: WriteDialogProps) {
   const current = write.current.value;
-  const identity = current && session.editor.identity.value;
-  const { write: words } = messages.value;
+  const only = current?.step === 'review' && current.changes.length === 1 ? current.changes[0] : null;
   return (
     <Modal
-      open={current !== null && identity !== null}
-      title={words.title}
+      open={current !== null}
+      title={current ? titleOf(session, current.plan) : ''}
       head={
         <>
           <UncertainNote session={session} />
-          {current?.step === 'review' && <KeyFigures shown={current.shown} isShort={write.short.value} />}
+          {only && <KeyFigures session={session} change={only} />}
         </>
       }
       held={write.held}
       onEscape={() => write.dismiss()}
     >
-      {current && identity && (
-        <>
-          {current.step === 'review' && <Review session={session} write={write} review={current} />}
-          {current.step === 'running' && (
-            <JobStep
-              runner={session.runner}
-              label={(progress) => (progress ? words.stages[progress.stage] : words.title)}
-              onStop={() => write.dismiss()}
-            />
-          )}
-          {current.step === 'done' && (
-            <Result session={session} write={write} identity={identity} done={current}>
-              {current.report.result === 'verified' && !current.notHeld && after}
-            </Result>
-          )}
-          {current.step === 'refused' && <Refused write={write} error={current.error} />}
-        </>
+      {current?.step === 'review' && <ReviewStep session={session} write={write} review={current} />}
+      {current?.step === 'running' && (
+        <JobStep
+          runner={session.runner}
+          label={(progress) => runningText(session, current.plan, progress)}
+          onStop={() => write.dismiss()}
+        />
+      )}
+      {current?.step === 'done' && (
+        <Result session={session} write={write} done={current}>
+          {write.verified.value && !current.notHeld && after}
+        </Result>
       )}
     </Modal>
   );
+}
+
+function titleOf(session: Session, plan: Plan): string {
+  const { write, memories } = messages.value;
+  if (plan.kind === 'edits') return write.title;
+  if (plan.kind === 'restore') return memories.restore;
+  return memories.copy(memoryText(session, plan.from), memoryText(session, plan.to));
+}
+
+/** “Reading M3”. */
+function runningText(session: Session, plan: Plan, progress: Progress | null): string {
+  const stage = progress ? messages.value.write.stages[progress.stage] : titleOf(session, plan);
+  const memory = plan.kind === 'edits' ? null : (progress?.memory ?? null);
+  return memory === null ? stage : `${stage} ${messages.value.memoryName(memory)}`;
 }
 
 /** “3:00 min”, or that the value is not known. */
@@ -75,19 +93,23 @@ function figure(identity: Identity, field: ProgramField, value: number | null): 
 }
 
 /** DT and motor stop, whatever else is written: a pilot looks at them first. A short DT is red. */
-function KeyFigures({ shown: { baseline, goal }, isShort }: { readonly shown: Shown; readonly isShort: boolean }) {
+function KeyFigures({ session, change }: { readonly session: Session; readonly change: MemoryChange }) {
   const { write: words, program } = messages.value;
+  const { before } = change;
+  const { identity } = before;
+  // A goal without an idle throttle leaves it as it is.
+  const goal = { ...change.goal, idleThrottle: change.goal.idleThrottle ?? before.idleThrottle };
   return (
     <p class="key-figures">
-      {keyFields(goal.identity).map((field, at) => {
-        const [from, to] = [valueAt(baseline, field), valueAt(goal, field)];
+      {keyFields(identity).map((field, at) => {
+        const [from, to] = [valueAt(before, field), valueAt(goal, field)];
         // DT comes first.
-        const isBad = at === 0 && isShort;
+        const isBad = at === 0 && session.shortDt.isShort(goal);
         return (
           <span key={fieldKey(field)} class={isBad ? 'bad-text' : undefined}>
-            <span class="key-name">{isBad ? program.shortDt : keyName(goal.identity, field)}</span>{' '}
-            <strong>{figure(goal.identity, field, to)}</strong>{' '}
-            <small>{from === to ? words.asItIs : words.insteadOf(figure(goal.identity, field, from))}</small>
+            <span class="key-name">{isBad ? program.shortDt : keyName(identity, field)}</span>{' '}
+            <strong>{figure(identity, field, to)}</strong>{' '}
+            <small>{from === to ? words.asItIs : words.insteadOf(figure(identity, field, from))}</small>
           </span>
         );
       })}
@@ -97,15 +119,15 @@ function KeyFigures({ shown: { baseline, goal }, isShort }: { readonly shown: Sh
 
 interface ReviewProps {
   readonly session: Session;
-  readonly write: WriteFlow;
-  readonly review: Extract<WriteStep, { step: 'review' }>;
+  readonly write: WriteJob;
+  readonly review: Review;
 }
 
-function Review({ session, write, review: { shown, moved } }: ReviewProps) {
-  const { write: words, timer, about } = messages.value;
-  const { changes } = shown;
-  const { identity, memory } = shown.goal;
-  const serious = write.serious.value;
+function ReviewStep({ session, write, review }: ReviewProps) {
+  const { write: words, timer } = messages.value;
+  const { changes, moved, plan, crossing } = review;
+  const isEdits = plan.kind === 'edits';
+  const all = changes.flatMap((change) => change.changes);
   return (
     <>
       {moved && (
@@ -113,47 +135,86 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
           <NoticeText said={{ ...timer.stale, ...(moved === 'timer' ? {} : words.moved[moved]) }} />
         </div>
       )}
-      <Conflicts editor={session.editor} identity={identity} />
+      {isEdits && <Conflicts editor={session.editor} />}
+      <Refusals session={session} changes={changes} />
       <CrossingCheck
-        crossing={shown.crossing}
+        crossing={crossing}
         acknowledged={write.crossed.value}
         onAcknowledge={(wanted) => write.cross(wanted)}
       />
-      {serious.length > 0 && (
-        <div class="notice bad">
-          <ul>
-            {serious.map((finding) => (
-              <li key={`${finding.field ? fieldKey(finding.field) : ''} ${finding.code}`}>
-                {finding.field && <strong>{about(fieldName(identity, finding.field))} </strong>}
-                {findingText(finding)}
-              </li>
-            ))}
-          </ul>
-          <Check checked={write.acknowledged.value} onChange={(checked) => write.acknowledge(checked)}>
-            {words.acknowledge}
-          </Check>
-        </div>
-      )}
-      {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
-      <p>{changes.length === 0 ? words.nothing : words.lead(whereText(session, memory, shown.model))}</p>
-      {changes.length > 0 && <Difference before={shown.baseline} goal={shown.goal} changes={changes} />}
+      {isEdits && <Serious write={write} identity={changes[0]?.goal.identity} />}
+      {all.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
+      {(!isEdits || all.length > 0) && <p>{leadOf(session, review)}</p>}
+      {changes.map((change) => (
+        <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />
+      ))}
       <StartButtons
         safety={session.safety}
         ready={write.ready.value}
         unticked={write.unticked.value}
-        label={words.start(changes.length)}
+        label={words.start(all.length)}
         onCancel={() => write.dismiss()}
-        onStart={() => void write.start()}
+        onStart={() => write.goOn()}
       />
     </>
   );
 }
 
+/** The serious findings, which the pilot has to read before they are written. */
+function Serious({ write, identity }: { readonly write: WriteJob; readonly identity: Identity | undefined }) {
+  const { write: words, about } = messages.value;
+  const serious = write.serious.value;
+  if (serious.length === 0) return null;
+  return (
+    <div class="notice bad">
+      <ul>
+        {serious.map((finding) => (
+          <li key={`${finding.field ? fieldKey(finding.field) : ''} ${finding.code}`}>
+            {finding.field && identity && <strong>{about(fieldName(identity, finding.field))} </strong>}
+            {findingText(finding)}
+          </li>
+        ))}
+      </ul>
+      <Check checked={write.acknowledged.value} onChange={(checked) => write.acknowledge(checked)}>
+        {words.acknowledge}
+      </Check>
+    </div>
+  );
+}
+
+/** The values that cannot be written, and why. Then nothing is. */
+function Refusals({ session, changes }: { readonly session: Session; readonly changes: readonly MemoryChange[] }) {
+  const { memories: words, about } = messages.value;
+  const refused = changes.filter((change) => refusalsOf(change).length > 0);
+  if (refused.length === 0) return null;
+  return (
+    <div class="notice bad" role="alert">
+      {refused.map((change) => (
+        <div key={change.memory}>
+          <p>{words.refused(whereText(session, change.memory, null))}</p>
+          <ul>
+            {refusalsOf(change).map((finding) => {
+              const { field } = finding;
+              const what = field ? `${fieldName(change.goal.identity, field)} ${valueAt(change.goal, field)}` : '';
+              return (
+                <li key={what}>
+                  {about(what)} {findingText(finding)}
+                </li>
+              );
+            })}
+          </ul>
+        </div>
+      ))}
+    </div>
+  );
+}
+
 /** Values that have changed in the timer since the edits were made. What is about to be written stands below. */
-function Conflicts({ editor, identity }: { readonly editor: Editor; readonly identity: Identity }) {
+function Conflicts({ editor }: { readonly editor: Editor }) {
   const { write, notes } = messages.value;
+  const identity = editor.identity.value;
   const changes = [...editor.conflicts.value.values()];
-  if (changes.length === 0) return null;
+  if (!identity || changes.length === 0) return null;
   return (
     <div class="notice bad">
       <NoticeText said={notes.moved} />
@@ -167,72 +228,154 @@ function Conflicts({ editor, identity }: { readonly editor: Editor; readonly ide
   );
 }
 
-type Done = Extract<WriteStep, { step: 'done' }>;
+/** What is written where, and which memory flies next after it, if that is known. */
+function leadOf(session: Session, { plan, changes, model }: Review): string {
+  const { write, memories: words } = messages.value;
+  if (plan.kind === 'edits') return write.lead(whereText(session, changes[0]?.memory ?? null, model));
+  const { editor, nextFlight } = session;
+  const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
+  const names = changes.map(({ memory }) => whereText(session, memory, null));
+  const does =
+    plan.kind === 'copy'
+      ? words.plans.copy(memoryText(session, plan.from), memoryText(session, plan.to))
+      : words.plans.restore(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
+  return current === null ? does : `${does} ${words.atEnd(memoryText(session, current))}`;
+}
+
+interface MemoryDifferenceProps {
+  readonly session: Session;
+  readonly change: MemoryChange;
+  /** Whether it is one of several: then DT and motor stop stand here, and the rest is folded away. */
+  readonly folded: boolean;
+}
+
+function MemoryDifference({ session, change, folded }: MemoryDifferenceProps) {
+  const { write: words, program } = messages.value;
+  const { before, goal, changes } = change;
+  const table =
+    changes.length > 0 ? <Difference before={before} goal={goal} changes={changes} /> : <p>{words.nothing}</p>;
+  if (!folded) return table;
+  const name = whereText(session, change.memory, null);
+  return (
+    <section class="stack" aria-label={name}>
+      <h3>{name}</h3>
+      <KeyFigures session={session} change={change} />
+      {changes.length === 0 ? (
+        table
+      ) : (
+        <details>
+          <summary>{program.changes(changes.length)}</summary>
+          {table}
+        </details>
+      )}
+    </section>
+  );
+}
 
 interface ResultProps {
   readonly session: Session;
-  readonly write: WriteFlow;
-  readonly identity: Identity;
+  readonly write: WriteJob;
   readonly done: Done;
   readonly children: ComponentChildren;
 }
 
-function Result({ session, write, identity, done, children }: ResultProps) {
-  const { report, notHeld } = done;
+function Result({ session, write, done, children }: ResultProps) {
   const { write: words } = messages.value;
-  const canWrite = session.runner.ready.value && !session.editor.blocked.value;
-  const other = strayed([report]);
-  const shown = report.values.filter(({ status, asked }) => status !== 'verified' || !asked);
+  const { plan, ends, notHeld, stopped, strayed } = done;
+  const isEdits = plan.kind === 'edits';
+  const canWrite = session.runner.ready.value && !(isEdits && session.editor.blocked.value);
+  const worst = (['differs', 'unknown'] as const).find((each) => ends.some(({ state }) => state === each));
   return (
     <>
-      <div class={`notice ${report.result === 'verified' ? 'good' : 'bad'}`} role="alert">
-        <NoticeText said={words[report.result]} />
-        {report.result === 'verified' && report.held && <Verdict session={session} done={done} held={report.held} />}
-        {report.stopped && <NoticeText said={timerSaid(report.stopped)} />}
-        {other !== null && <NoticeText said={words.strayed(memoryText(session, other))} />}
+      <div class={`notice ${isGood(done) ? 'good' : 'bad'}`} role="alert">
+        {isGood(done) && <NoticeText said={words.verified} />}
+        {worst && <NoticeText said={words[worst]} />}
+        {ends.map((end) => (
+          <EndLine key={end.memory} session={session} done={done} end={end} />
+        ))}
+        {stopped && <NoticeText said={stoppedText(stopped)} />}
+        {strayed !== null && <NoticeText said={words.strayed(memoryText(session, strayed))} />}
         {notHeld && <NoticeText said={words.move.notHeld} />}
       </div>
-      {shown.length > 0 && (
-        <ValueTable
-          identity={identity}
-          names={[words.wanted, words.readBack]}
-          rows={shown.map(({ field, wanted, held, status, asked }) => ({
-            field,
-            values: [wanted, held],
-            // An unknown value has its own text already.
-            note: status === 'unknown' ? null : asked || status !== 'verified' ? words.status[status] : words.putBack,
-          }))}
-          lastCounts
-        />
-      )}
+      {ends.map((end) => (
+        <EndTable key={end.memory} session={session} end={end} isOnly={ends.length === 1} />
+      ))}
+      {!isEdits && <Current session={session} />}
       {children}
       <ClosingButtons
         onClose={() => write.dismiss()}
-        again={notHeld ? { label: words.move.again, disabled: !canWrite, onClick: () => void write.again() } : null}
+        again={
+          notHeld || stopped?.code === 'stale'
+            ? { label: words.move.again, disabled: !canWrite, onClick: () => write.goOn() }
+            : null
+        }
       />
     </>
   );
 }
 
-interface VerdictProps {
-  readonly session: Session;
-  readonly done: Done;
-  readonly held: TimerProgram;
-}
-
-/** What a reading of the timer has shown, in one line. */
-function Verdict({ session, done: { at, shown }, held }: VerdictProps) {
-  const { write: words } = messages.value;
-  const { identity, memory } = held;
+/** What a reading of a memory has shown, in one line. What is not known stands at the top. */
+function EndLine({ session, done: { at, model }, end }: Pick<ResultProps, 'session' | 'done'> & { end: MemoryEnd }) {
+  const { write: words, memories } = messages.value;
+  const { memory, state, change, report } = end;
+  const where = whereText(session, memory, model);
+  if (state === 'untouched') return <p>{memories.untouched(where)}</p>;
+  const held = report?.held;
+  if (state !== 'verified' || !held) return null;
+  const { identity } = held;
   const figures = keyFields(identity).map(
     (field) => `${keyName(identity, field)} ${figure(identity, field, valueAt(held, field))}`,
   );
-  const where = whereText(session, memory, shown.model);
   return (
     <p>
-      <strong>{words.verdict(where, clockText(at), figures, shown.changes.length)}</strong>
+      <strong>{words.verdict(where, clockText(at), figures, change?.changes.length ?? 0)}</strong>
     </p>
   );
+}
+
+interface EndTableProps {
+  readonly session: Session;
+  readonly end: MemoryEnd;
+  readonly isOnly: boolean;
+}
+
+/** The values that the timer did not take, or took although nobody asked. */
+function EndTable({ session, end: { report, change, memory }, isOnly }: EndTableProps) {
+  const { write: words } = messages.value;
+  const shown = report?.values.filter(({ status, asked }) => status !== 'verified' || !asked) ?? [];
+  if (!change || shown.length === 0) return null;
+  return (
+    <>
+      {!isOnly && <h3>{whereText(session, memory, null)}</h3>}
+      <ValueTable
+        identity={change.goal.identity}
+        names={[words.wanted, words.readBack]}
+        rows={shown.map(({ field, wanted, held, status, asked }) => ({
+          field,
+          values: [wanted, held],
+          // An unknown value has its own text already.
+          note: status === 'unknown' ? null : asked || status !== 'verified' ? words.status[status] : words.putBack,
+        }))}
+        lastCounts
+      />
+    </>
+  );
+}
+
+/** Which memory flies next after the job, as soon as that is known. */
+function Current({ session }: { readonly session: Session }) {
+  const { nextFlight } = messages.value;
+  const { nextFlight: next, connection, runner, editor } = session;
+  const memory = editor.baseline.value?.memory ?? null;
+  const word = next.word.value;
+  if (runner.busy.value) return null;
+  const isKnown = connection.value && !next.open.value && memory !== null;
+  const said = word
+    ? nextFlightText(session, word, connection.value ? 'now' : 'last')
+    : isKnown
+      ? nextFlight.other(memoryText(session, memory))
+      : nextFlight.unknown;
+  return <p role="status">{said}</p>;
 }
 
 /** “M1 “calm” of Lancer 07”, as far as it is known. */
@@ -241,22 +384,8 @@ function whereText(session: Session, memory: number | null, model: Model | null)
   return model ? modelMessages.crossing.memoryOf(name, model.name) : name;
 }
 
-interface RefusedProps {
-  readonly write: WriteFlow;
-  readonly error: TimerError;
-}
-
-function Refused({ write, error }: RefusedProps) {
-  const { write: words } = messages.value;
-  return (
-    <>
-      <div class="notice bad" role="alert">
-        <p>
-          <strong>{words.refused}</strong>
-        </p>
-        <NoticeText said={timerSaid(error)} />
-      </div>
-      <ClosingButtons onClose={() => write.dismiss()} />
-    </>
-  );
+function stoppedText({ code, details }: NonNullable<Outcome['stopped']>): Said {
+  const { memories, timer, notes } = messages.value;
+  if (code === 'unexpected') return notes.unexpected;
+  return code === 'aborted' ? { ...timer.aborted, advice: memories.stopped } : timerSaid({ code, details });
 }

@@ -3,7 +3,7 @@ import { setValues } from '../../../src/app/editing/edit.js';
 import { HOLD, PressAndHold } from '../../../src/app/ui/press-and-hold.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import type { Request } from '../../../src/protocol/index.js';
-import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from './bench.js';
+import { type AppBench, type BenchOptions, connectedBench, goOn, idle, reloaded, review, run } from './bench.js';
 
 const S2: ProgramField = { kind: 'position', servo: 1, slot: 4 };
 const S3: ProgramField = { kind: 'position', servo: 2, slot: 4 };
@@ -71,8 +71,9 @@ describe('moving to a function', () => {
   });
 
   it('does nothing while a write is open', async () => {
-    const { bench, write, timer } = await safeBench();
-    await run(write.open());
+    const app = await safeBench();
+    const { bench, timer } = app;
+    await review(app);
     timer.core.answered.length = 0;
     expect(await bench.moveTo(4)).toBe(false);
     expect(timer.core.answered).toEqual([]);
@@ -284,8 +285,8 @@ describe('following', () => {
     await idle();
     await run(app.follow.stop());
     app.editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, app.follow.trials.takeBack()));
-    await run(app.write.open());
-    await run(app.write.start());
+    await review(app);
+    await goOn(app);
     expect([heldBy(app, S2), app.follow.trials.current.value]).toEqual([before, null]);
   });
 
@@ -296,8 +297,8 @@ describe('following', () => {
     await run(app.follow.stop());
     set(app, S3, 20);
     set(app, DT, 20000);
-    await run(app.write.open());
-    await run(app.write.start());
+    await review(app);
+    await goOn(app);
     expect(app.timer.core.content.times[10]).toBe(20000);
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
     expect(app.follow.trials.takeBack()).toMatchObject([{ field: S2 }]);
@@ -400,12 +401,11 @@ describe('following', () => {
 
   it('is off as soon as all memories are read', async () => {
     const app = await followingBench();
-    app.memories.jobs.open({ kind: 'back-up' });
     const following: boolean[] = [];
     app.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETMEMORY') following.push(app.follow.on.value);
     };
-    await run(app.memories.jobs.start());
+    await run(app.memories.backUp());
     expect([following.length, following.includes(true)]).toEqual([4, false]);
     expect(app.session.nextFlight.open.value).toBe(false);
   });

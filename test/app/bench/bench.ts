@@ -18,6 +18,7 @@ import {
 } from '../../../src/app/storage/index.js';
 // Loaded before anybody asks for it: time stands still in these tests.
 import '../../../src/app/session/recognition-rule.js';
+import type { Plan } from '../../../src/app/write/plan.js';
 import { MockSerial } from '../../../src/mock-serial/index.js';
 import { Adapter, type TimerOptions } from '../../serial/bench.js';
 
@@ -169,6 +170,26 @@ export async function run<T>(promise: Promise<T>): Promise<T> {
     if (!settled) await vi.advanceTimersToNextTimerAsync();
   }
   return promise;
+}
+
+/** Opens the dialog of a write, until it asks something or is gone. */
+export async function review(app: Pick<AppBench, 'write' | 'session'>, plan?: Plan): Promise<void> {
+  void app.write.open(plan);
+  await asked(app);
+}
+
+/** The pilot goes on in the dialog of a write, until it asks something or is gone. */
+export async function goOn(app: Pick<AppBench, 'write' | 'session'>): Promise<void> {
+  app.write.goOn();
+  await asked(app);
+}
+
+/** Turns the clock until a write asks the pilot something, or is at its end. */
+export async function asked({ write, session: { runner } }: Pick<AppBench, 'write' | 'session'>): Promise<void> {
+  do {
+    await run(runner.still());
+    await idle(0);
+  } while (!runner.job.value?.asking && (runner.job.value || write.current.value?.step === 'running'));
 }
 
 /** Lets everything happen that is in progress: more time than any job takes. What waits for ever goes on waiting. */

@@ -5,7 +5,7 @@ import { possibleValues } from '../../../src/app/session/known.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import type { Request } from '../../../src/protocol/index.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';
-import { type AppBench, type BenchOptions, connectedBench, idle, run } from './bench.js';
+import { type AppBench, type BenchOptions, connectedBench, goOn, idle, review, run } from './bench.js';
 
 const position = (servo: number, slot: number): ProgramField => ({ kind: 'position', servo, slot });
 const S2 = position(1, 4);
@@ -58,42 +58,42 @@ describe('where the servos stand', () => {
     const app = await safeBench();
     await run(app.bench.moveTo(4));
     set(app, [{ kind: 'time', slot: 10 }, 20_000]);
-    await run(app.write.open());
-    await run(app.write.start());
+    await review(app);
+    await goOn(app);
     app.write.dismiss();
     await run(app.session.reader.read());
     expect(app.bench.stand.at.value).toBe(4);
   });
 
   const losses: Record<string, (app: AppBench) => Promise<unknown>> = {
-    'a jump': ({ bench }) => bench.jump(),
-    'an unlocked motor': ({ bench }) => bench.unlock(),
-    'another memory': ({ session }) => session.reader.selectMemory(1),
+    'a jump': ({ bench }) => run(bench.jump()),
+    'an unlocked motor': ({ bench }) => run(bench.unlock()),
+    'another memory': ({ session }) => run(session.reader.selectMemory(1)),
     'a frame by hand': async ({ session }) => {
       const form = new FrameForm(session);
       form.type('69 02');
       form.ask();
-      await form.confirm();
+      await run(form.confirm());
     },
     'a write of a position': async (app) => {
       set(app, [position(0, 7), 3]);
-      await app.write.open();
-      await app.write.start();
+      await review(app);
+      await goOn(app);
     },
     'a position that somebody else has changed': async ({ session, timer }) => {
       (timer.core.content.positions[2] as number[])[4] = 1;
-      await session.reader.read();
+      await run(session.reader.read());
     },
     'another connection': async ({ session }) => {
-      await session.timer.disconnect();
-      await session.timer.connect();
+      await run(session.timer.disconnect());
+      await run(session.timer.connect());
     },
   };
 
   it.each(Object.entries(losses))('is not known any more after %s', async (_, lose) => {
     const app = await safeBench();
     await run(app.bench.moveTo(4));
-    await run(lose(app));
+    await lose(app);
     expect(app.bench.stand.at.value).toBeNull();
   });
 
@@ -195,8 +195,8 @@ describe('servos that follow', () => {
     await idle();
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
     expect(app.editor.changes.value).toHaveLength(2);
-    await run(app.write.open());
-    await run(app.write.start());
+    await review(app);
+    await goOn(app);
     expect(app.follow.trials.tried.value, 'a write keeps what was tried: the pilot saw and confirmed it').toMatchObject(
       [{ field: S2, to: 70 }],
     );
@@ -229,16 +229,9 @@ describe('following ends', () => {
       },
     ],
     ['over', 'it is read again', ({ session }) => session.reader.read()],
-    ['over', 'a write is shown', ({ write }) => write.open()],
+    ['over', 'a write is shown', (app) => review(app)],
     ['memory', 'another memory is asked for', ({ session }) => session.reader.selectMemory(1)],
-    [
-      'over',
-      'all memories are read',
-      ({ memories }) => {
-        memories.jobs.open({ kind: 'back-up' });
-        return memories.jobs.start();
-      },
-    ],
+    ['over', 'all memories are read', ({ memories }) => memories.backUp()],
   ];
 
   it.each([...ends, ...whileFree])('as “%s” when %s', async (reason, _, done) => {
@@ -257,13 +250,7 @@ describe('following ends', () => {
     ['it is read again', ({ session }) => session.reader.read()],
     ['a third memory is selected', ({ session }) => session.reader.selectMemory(2)],
     ['another memory is looked at', ({ memories }) => memories.look(2)],
-    [
-      'all memories are read',
-      async ({ memories }) => {
-        await memories.jobs.open({ kind: 'back-up' });
-        await memories.jobs.start();
-      },
-    ],
+    ['all memories are read', ({ memories }) => memories.backUp()],
   ])('as “strayed” when %s and another memory has become current, which has taken positions', async (_, end) => {
     for (const [at, stored] of [
       [1, false],

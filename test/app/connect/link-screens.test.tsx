@@ -368,12 +368,11 @@ describe('what an interrupted job left behind', () => {
   });
 
   it('offers to make the former memory fly next again', async () => {
-    const { adapter, timer, session, memories } = await connected();
+    const { adapter, timer, session, write } = await connected();
     timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && timer.core.memory === 2 && adapter.unplug();
     await press(en.overview.readAll);
-    await press(en.memories.start['back-up']);
     timer.core.onAnswer = undefined;
-    expect([memories.jobs.current.value, session.notices.current.value?.code]).toEqual([null, 'memory-left']);
+    expect([write.current.value, session.notices.current.value?.code]).toEqual([null, 'memory-left']);
     adapter.replug();
     await idle();
     expect(screen.getByRole('region', { name: en.timer['memory-left'].title })).toBeTruthy();

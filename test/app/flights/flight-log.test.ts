@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { FlightForm } from '../../../src/app/flights/flight-form.js';
 import { emptyModel } from '../../../src/app/session/library.js';
 import type { Flight, ProgramField } from '../../../src/program/index.js';
-import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
+import { type AppBench, asked, connectedBench, goOn, idle, reloaded, review, run } from '../bench/bench.js';
 import { CALM, lancerConnected } from '../two-models.js';
 import { PLAIN } from './flights.js';
 
@@ -20,9 +20,9 @@ const kept = ({ store }: AppBench) => [...store.flights.records.values()].map(({
 /** Types a DT, and writes what differs. */
 async function write(app: AppBench, dt: string): Promise<void> {
   app.editor.type(DT, dt);
-  await run(app.write.open());
+  await review(app);
   app.session.safety.confirm();
-  await run(app.write.start());
+  await goOn(app);
   app.write.dismiss();
 }
 
@@ -136,9 +136,9 @@ describe('one tap', () => {
     await app.session.library.keepModel(LANCER);
     app.session.recognition.say(LANCER);
     app.editor.type(DT, '4:00');
-    await run(app.write.open());
+    await review(app);
     app.session.safety.confirm();
-    await run(app.write.start());
+    await goOn(app);
     await run(app.session.timer.disconnect());
     expect([app.flights.held.value, app.flights.flyable.value?.times[10]]).toEqual([null, 24_000]);
     app.flights.flying();
@@ -197,8 +197,8 @@ describe('one tap', () => {
     app.flights.flyAgain(PLAIN);
     expect(app.flights.logged.value).not.toBeNull();
     app.editor.type(DT, '3:30');
-    await run(app.write.open());
-    await run(app.write.start());
+    await review(app);
+    await goOn(app);
     expect([app.write.current.value?.step, app.flights.logged.value]).toEqual(['done', null]);
   });
 
@@ -308,14 +308,15 @@ describe('a round with a short DT', () => {
     const { id } = latest(app);
     expect(app.flights.canPutBack(latest(app))).toBe(true);
     app.flights.fillIn(id);
-    await run(app.flights.putBack(id));
+    void app.flights.putBack(id);
+    await asked(app);
     expect([app.flights.filling.value, app.timer.core.content.times[10]], 'the page asks before it writes').toEqual([
       null,
       2000,
     ]);
-    await run(app.write.start());
+    await goOn(app);
     await idle(0);
-    expect(app.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    expect(app.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
     expect([latest(app).program.times[10], app.timer.core.content.times[10]]).toEqual([18_000, 18_000]);
     app.write.dismiss();
     await write(app, '25 s');
@@ -329,7 +330,8 @@ describe('a round with a short DT', () => {
     await idle(0);
     const flight = latest(app);
     expect(app.flights.canPutBack({ ...flight, result: 20 })).toBe(false);
-    await run(app.flights.putBack(flight.id));
+    void app.flights.putBack(flight.id);
+    await asked(app);
     app.write.dismiss();
     await write(app, '25 s');
     expect(latest(app).program.times[10]).toBe(2000);

@@ -7,20 +7,21 @@ import { type AppBench, idle } from '../bench/bench.js';
 import { connected, press } from '../screen.js';
 
 const dialog = (name: string) => within(screen.getByRole('dialog', { name }));
+const figures = () => document.querySelector('.key-figures')?.textContent.replaceAll('\u00a0', ' ');
 const lines = () => within(screen.getByRole('dialog')).getByRole('alert').textContent.replaceAll('\u00a0', ' ');
 
 /** A timer whose third memory has another DT, in front of the dialog that shows the copy of the first one into it. */
 async function reviewed(): Promise<AppBench> {
   const app = await connected();
   app.timer.core.memories[2]?.times.splice(10, 1, 36_000);
-  await press('Copy M1 to M3…');
+  await press('Copy M1 to M3');
   return app;
 }
 
 async function write(): Promise<void> {
   screen.getByRole('checkbox', { name: /^The propeller is off/ }).click();
   await idle(0);
-  await press('Copy');
+  await press(/^(Write \d+ change|Read back)/);
 }
 
 describe('copying a memory', () => {
@@ -31,9 +32,10 @@ describe('copying a memory', () => {
         'M3 will hold the times and positions of M1, as read just now. What M3 holds now is backed up first. At the end M1 flies next again.',
       ),
     ).toBeTruthy();
-    const difference = within(dialog('Copy M1 to M3').getByRole('region', { name: 'M3' }));
-    expect(difference.getByText('M3: DT: 6:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
-    const rows = difference.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
+    expect(figures()).toBe('DT 3:00 min instead of 6:00 minmotor stop 10.0 s as it is');
+    const rows = dialog('Copy M1 to M3')
+      .getAllByRole('row')
+      .map((row) => [...row.children].map(({ textContent }) => textContent));
     expect(rows).toEqual([
       ['Value', 'Timer holds', 'Will hold'],
       ['DT', '6:00 min', '3:00 min'],
@@ -44,7 +46,7 @@ describe('copying a memory', () => {
     const said = [begun, Date.now()].map(
       (time) => `M3 verified ${clockText(time)} · DT 3:00 min · motor stop 10.0 s · 1 change`,
     );
-    expect(said).toContain(lines());
+    expect(said.some((each) => lines().includes(each))).toBe(true);
     expect(dialog('Copy M1 to M3').getByRole('status').textContent).toBe('M1 flies next.');
     expect(timer.core.memories[2]?.times[10]).toBe(18_000);
   });
@@ -52,7 +54,7 @@ describe('copying a memory', () => {
   it('says which memory flies next after it only while that is known', async () => {
     const { session, timer } = await connected();
     timer.core.memory = 1;
-    await press('Copy M1 to M3…');
+    await press('Copy M1 to M3');
     expect(screen.getByText(/At the end M2 flies next again\.$/), 'another one than on the screen').toBeTruthy();
     act(() => session.nextFlight.doubt());
     expect(screen.queryByText(/flies next again/)).toBeNull();
@@ -62,12 +64,12 @@ describe('copying a memory', () => {
     const { timer } = await connected();
     (timer.core.content.positions[1] as number[])[3] = 200;
     const held = structuredClone(timer.core.memories[2]);
-    await press('Copy M1 to M3…');
+    await press('Copy M1 to M3');
     const refused = within(screen.getByRole('dialog')).getByRole('alert').textContent;
     expect(refused).toContain(memories.refused('M3'));
     expect(refused).toContain('Function 3, S2 200: A position must be 0 to 130 steps.');
     await write();
-    expect(screen.getByRole('button', { name: 'Copy' })).toHaveProperty('disabled', true);
+    expect(screen.getByRole('button', { name: /^Write \d+ changes$/ })).toHaveProperty('disabled', true);
     expect(timer.core.memories[2]).toEqual(held);
     expect(timer.core.answered.filter(({ name }) => name === 'SETSERVO' || name === 'SETTIMERS')).toEqual([]);
   });
@@ -75,7 +77,7 @@ describe('copying a memory', () => {
   it('copies a position that no program can send where the memory holds the same one', async () => {
     const { timer } = await connected();
     for (const memory of [0, 2]) (timer.core.memories[memory]?.positions[1] as number[])[3] = 200;
-    await press('Copy M1 to M3…');
+    await press('Copy M1 to M3');
     expect(within(screen.getByRole('dialog')).queryByRole('alert')).toBeNull();
     await write();
     expect(timer.core.memories[2]).toEqual(timer.core.memories[0]);
@@ -84,10 +86,10 @@ describe('copying a memory', () => {
   it('says when it would change nothing', async () => {
     const { timer } = await connected();
     timer.core.memories.splice(1, 1, structuredClone(timer.core.content));
-    await press('Copy M1 to M2…');
-    expect(screen.getByText('M2 holds all of this already. It is read back and compared.')).toBeTruthy();
+    await press('Copy M1 to M2');
+    expect(screen.getByText(en.write.nothing)).toBeTruthy();
     await write();
-    expect(lines()).toContain('· no changes');
+    expect(lines()).toContain('· 0 changes');
   });
 
   it('shows the difference again when the memory has changed meanwhile', async () => {
@@ -95,40 +97,37 @@ describe('copying a memory', () => {
     timer.core.memories[2]?.times.splice(10, 1, 30_000);
     await write();
     expect(lines()).toContain(en.timer.stale.title);
-    expect(lines()).toContain('Nothing was written into M3.');
-    await press(en.memories.again);
-    expect(screen.getByText('M3: DT: 5:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
+    expect(figures()).toContain('DT 3:00 min instead of 5:00 min');
   });
 
   it('that cannot be backed up says so of that memory, whatever was written into others before', async () => {
     const app = await connected();
     await press(en.overview.readAll);
-    await press(en.memories.start['back-up']);
-    await press('Close');
     for (const memory of app.timer.core.memories) memory.times[10] = 36_000;
-    const { store, session, memories, timer } = app;
+    const { store, session, write: job, timer } = app;
     const save = store.backups.save.bind(store.backups);
     let kept = 0;
     store.backups.save = (record) => (kept++ < 1 ? save(record) : Promise.reject(new DOMException('', 'AbortError')));
     const backups = session.backups.list.peek().filter(({ reason }) => reason === 'memories');
     session.safety.confirm();
-    void memories.jobs.open({ kind: 'restore', backups });
+    void job.open({ kind: 'restore', backups });
     await idle();
-    void memories.jobs.start();
+    job.goOn();
     await idle();
     expect(timer.core.memories.map(({ times }) => times[10])).toEqual([36_000, 36_000, 36_000, 27_000]);
     expect(screen.getByRole('alert').textContent).toContain(en.write.unkept.advice);
     expect(screen.getByRole('dialog').textContent, 'something was').not.toContain('Nothing was written');
     await press(en.cancel);
-    expect(lines()).toContain(en.memories.ends.untouched('M2'));
+    expect(lines()).toContain(en.memories.untouched('M2'));
   });
 
   it('says after an interruption what is not known, and which memory flies next, if that is known', async () => {
     const { timer, adapter } = await reviewed();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
     await write();
-    expect(lines()).toContain(
-      'It is not known what M3 holds: DT is 6:00 min or 3:00 min. Do not fly it before it is read.',
+    expect(lines()).toContain(en.write.unknown.title);
+    expect(screen.getByRole('dialog').textContent.replaceAll('\u00a0', ' ')).toContain(
+      'It is not known what M3 holds: DT is 6:00 min or 3:00 min. Do not fly before it is read.',
     );
     expect(dialog('Copy M1 to M3').getByRole('status').textContent).toBe(
       'It is not known which memory flies next. When you connected it was M1.',

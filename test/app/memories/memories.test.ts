@@ -1,8 +1,19 @@
 import { describe, expect, it } from 'vitest';
-import type { Plan } from '../../../src/app/memories/plan.js';
-import { takeGoal } from '../../../src/app/write/finish-write.js';
+import { takeGoal } from '../../../src/app/memories/finish-write.js';
+import type { Plan } from '../../../src/app/write/plan.js';
 import type { ProgramField } from '../../../src/program/index.js';
-import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run, selected } from '../bench/bench.js';
+import {
+  type AppBench,
+  asked,
+  type BenchOptions,
+  connectedBench,
+  goOn,
+  idle,
+  reloaded,
+  review,
+  run,
+  selected,
+} from '../bench/bench.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 
@@ -18,17 +29,17 @@ async function bench(options: BenchOptions = {}): Promise<AppBench> {
   return made;
 }
 
-async function job({ memories, session }: AppBench, plan: Plan): Promise<void> {
-  session.safety.confirm();
-  await run(memories.jobs.open(plan));
-  expect(memories.jobs.current.value).toMatchObject({ step: 'review', plan });
-  await run(memories.jobs.start());
+async function job(app: AppBench, plan: Plan): Promise<void> {
+  app.session.safety.confirm();
+  await review(app, plan);
+  expect(app.write.current.value).toMatchObject({ step: 'review', plan });
+  await goOn(app);
 }
 
 /** What became of each memory that was to be written. */
-function ends({ memories }: AppBench): unknown {
-  const { value } = memories.jobs.current;
-  return value?.step === 'done' ? value.outcome.ends.map(({ memory, state }) => [memory, state]) : value?.step;
+function ends({ write }: AppBench): unknown {
+  const { value } = write.current;
+  return value?.step === 'done' ? value.ends.map(({ memory, state }) => [memory, state]) : value?.step;
 }
 
 function contents({ timer }: AppBench) {
@@ -52,8 +63,7 @@ function known({ session }: AppBench): string[] {
 describe('the memories at a glance', () => {
   it('are as last read, also when another one is current by now', async () => {
     const made = await bench();
-    await job(made, { kind: 'back-up' });
-    made.memories.jobs.dismiss();
+    await run(made.memories.backUp());
     made.timer.core.memories[1]?.times.fill(100);
     await run(made.session.reader.read());
     await run(made.session.reader.selectMemory(0));
@@ -70,7 +80,7 @@ describe('the memories at a glance', () => {
     const [positions] = timer.core.content.positions as [number[]];
     positions[2] = 60;
     positions[3] = 61;
-    await job(made, { kind: 'back-up' });
+    await run(made.memories.backUp());
     expect(editor.baseline.value?.positions[0]?.slice(2, 4)).toEqual([60, 61]);
     expect(editor.working.value?.positions[0]?.slice(2, 4)).toEqual([7, 61]);
     expect(session.standing.value.sure).toBe('now');
@@ -79,7 +89,7 @@ describe('the memories at a glance', () => {
 
   it('are forgotten for the next timer, because it may be another', async () => {
     const made = await bench();
-    await job(made, { kind: 'back-up' });
+    await run(made.memories.backUp());
     expect(known(made)).toEqual(['read', 'read', 'read', 'read']);
     made.adapter.unplug();
     await idle();
@@ -94,12 +104,8 @@ describe('backing up all memories', () => {
   it('keeps what each holds, and the former current one is current again', async () => {
     const made = await bench();
     const before = contents(made);
-    await job(made, { kind: 'back-up' });
-    expect(made.memories.jobs.current.value).toMatchObject({
-      step: 'done',
-      kept: true,
-      outcome: { saved: 4, stopped: null },
-    });
+    await run(made.memories.backUp());
+    expect(made.session.notices.current.value).toEqual({ kind: 'note', code: 'backed-up' });
     expect(kept(made).reverse()).toEqual(before.map((content, memory) => ({ reason: 'memories', memory, ...content })));
     expect(
       new Set(made.session.backups.list.value.map(({ savedAt }) => savedAt)).size,
@@ -117,46 +123,39 @@ describe('backing up all memories', () => {
     made.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETMEMORY') noted.push([...made.store.unfinished.records.values()][0]);
     };
-    await job(made, { kind: 'back-up' });
+    await run(made.memories.backUp());
     expect(noted[0]).toMatchObject({ kind: 'memories', original: 1 });
   });
 
   it('leaves the edits as they are', async () => {
     const made = await bench();
     made.editor.type(S1, '7');
-    await job(made, { kind: 'back-up' });
+    await run(made.memories.backUp());
     expect([made.editor.textOf(S1), made.editor.changes.value.length]).toEqual(['7', 1]);
   });
 
   it('goes back when stopped, and does not say that all were kept', async () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => {
-      if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.memories.jobs.dismiss();
+      if (name === 'GETTIMERS' && made.timer.core.memory === 2) void made.session.runner.stop();
     };
-    await job(made, { kind: 'back-up' });
-    expect([made.memories.jobs.current.value, made.timer.core.memory]).toEqual([null, 1]);
+    await run(made.memories.backUp());
+    expect([made.session.notices.current.value, made.timer.core.memory]).toEqual([null, 1]);
     expect([kept(made), made.store.unfinished.records.size]).toEqual([[], 0]);
   });
 
   it('says when the browser keeps nothing', async () => {
     const made = await bench();
     made.store.broken = true;
-    await job(made, { kind: 'back-up' });
-    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', kept: false, outcome: { saved: 4 } });
+    await run(made.memories.backUp());
+    expect([made.keeping.kept.value, made.session.notices.current.value]).toEqual([false, null]);
     expect(kept(made)).toHaveLength(4);
-    made.memories.jobs.dismiss();
-    made.store.broken = false;
-    await job(made, { kind: 'back-up' });
-    expect(made.memories.jobs.current.value, 'whether it was kept is found out for each backup').toMatchObject({
-      step: 'done',
-      kept: true,
-    });
   });
 
   it('is refused for a timer that does not say which memory is current', async () => {
     const made = await connectedBench({ quirks: { memoryReplyEmpty: true } });
-    await job(made, { kind: 'back-up' });
-    expect([selected(made), made.memories.jobs.current.value, kept(made)]).toEqual([[], null, []]);
+    await run(made.memories.backUp());
+    expect([selected(made), kept(made)]).toEqual([[], []]);
     expect(made.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-unknown' });
   });
 });
@@ -164,8 +163,7 @@ describe('backing up all memories', () => {
 describe('copying a memory', () => {
   it('reads the source again, because it may have changed since all were read', async () => {
     const made = await bench();
-    await job(made, { kind: 'back-up' });
-    made.memories.jobs.dismiss();
+    await run(made.memories.backUp());
     made.timer.core.memories[2]?.times.fill(1234);
     await job(made, { kind: 'copy', from: 2, to: 3 });
     expect(made.timer.core.memories[3]?.times).toEqual(made.timer.core.memories[2]?.times);
@@ -176,9 +174,10 @@ describe('copying a memory', () => {
     const made = await bench();
     const before = contents(made);
     await job(made, { kind: 'copy', from: 1, to: 3 });
-    expect(made.memories.jobs.current.value).toMatchObject({
+    expect(made.write.current.value).toMatchObject({
       step: 'done',
-      outcome: { stopped: null, ends: [{ memory: 3, state: 'verified' }] },
+      stopped: null,
+      ends: [{ memory: 3, state: 'verified' }],
     });
     expect(contents(made)).toEqual([before[0], before[1], before[2], before[1]]);
     expect(
@@ -202,7 +201,7 @@ describe('copying a memory', () => {
       if (request.name === 'SETMEMORY') made.timer.core.idleThrottle = 40 + request.memory;
     };
     await job(made, { kind: 'copy', from: 1, to: 3 });
-    expect(made.memories.jobs.current.value).toMatchObject({ outcome: { ends: [{ state: 'verified' }] } });
+    expect(made.write.current.value).toMatchObject({ ends: [{ state: 'verified' }] });
     expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETLOWRPM');
   });
 
@@ -210,7 +209,7 @@ describe('copying a memory', () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.timer.core.content.positions[1]?.fill(77);
     await job(made, { kind: 'copy', from: 1, to: 3 });
-    expect(made.memories.jobs.current.value).toMatchObject({ outcome: { stopped: 'changed' } });
+    expect(made.write.current.value).toMatchObject({ stopped: { code: 'changed' } });
     expect(made.session.recovery.offer.value).toMatchObject({ kind: 'elsewhere', memory: 3 });
   });
 
@@ -226,13 +225,6 @@ describe('copying a memory', () => {
 describe('a browser that does not keep everything', () => {
   const full = () => Promise.reject(new DOMException('The storage is full.', 'QuotaExceededError'));
 
-  it('is reported after a backup: only this page remembers which memory to restore', async () => {
-    const made = await bench();
-    made.store.unfinished.save = full;
-    await job(made, { kind: 'back-up' });
-    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', kept: false, outcome: { stopped: null } });
-  });
-
   it.each<[answer: boolean, held: unknown]>([
     [true, [[3, 'verified']]],
     [false, undefined],
@@ -241,12 +233,12 @@ describe('a browser that does not keep everything', () => {
     const before = contents(made);
     made.store.backups.save = full;
     made.session.safety.confirm();
-    await run(made.memories.jobs.open({ kind: 'copy', from: 1, to: 3 }));
-    const writing = made.memories.jobs.start();
+    await review(made, { kind: 'copy', from: 1, to: 3 });
+    made.write.goOn();
     await idle(4000);
     expect([made.session.runner.job.value?.asking, contents(made)]).toEqual([true, before]);
     made.session.runner.answer(answer);
-    await run(writing);
+    await asked(made);
     expect(ends(made)).toEqual(held);
     expect(contents(made)[3]).toEqual(answer ? before[1] : before[3]);
     expect([made.timer.core.memory, made.session.knowledge.uncertain.value]).toEqual([1, []]);
@@ -255,13 +247,13 @@ describe('a browser that does not keep everything', () => {
   it('that never answers is given five seconds', async () => {
     const made = await bench();
     made.session.safety.confirm();
-    await run(made.memories.jobs.open({ kind: 'copy', from: 1, to: 3 }));
+    await review(made, { kind: 'copy', from: 1, to: 3 });
     made.store.backups.save = () => new Promise(() => {});
-    const writing = made.memories.jobs.start();
+    made.write.goOn();
     await idle(9000);
     expect(made.session.runner.job.value?.asking).toBe(true);
-    made.memories.jobs.dismiss();
-    await run(writing);
+    made.write.dismiss();
+    await asked(made);
     expect(made.session.notices.current.value).toEqual({ kind: 'note', code: 'nothing-written' });
   });
 });
@@ -272,8 +264,8 @@ describe('what is about to be written', () => {
   it('is shown with what the other memory holds, from a fresh reading', async () => {
     const made = await bench();
     made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
-    await run(made.memories.jobs.open(COPY));
-    expect(made.memories.jobs.current.value).toMatchObject({
+    await review(made, COPY);
+    expect(made.write.current.value).toMatchObject({
       step: 'review',
       changes: [
         {
@@ -291,24 +283,24 @@ describe('what is about to be written', () => {
   it('does not overwrite what has changed since then, and says so', async () => {
     const made = await bench();
     made.session.safety.confirm();
-    await run(made.memories.jobs.open(COPY));
+    await review(made, COPY);
     made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
     const before = contents(made);
-    await run(made.memories.jobs.start());
-    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'stale' } });
-    expect([ends(made), contents(made), made.timer.core.memory]).toEqual([[[3, 'untouched']], before, 1]);
+    await goOn(made);
+    expect(made.write.current.value).toMatchObject({ step: 'review', moved: 'timer' });
+    expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
     expect(made.session.knowledge.uncertain.value).toEqual([]);
   });
 
   it('belongs to the connection on which it was shown, and disappears with it', async () => {
     const made = await bench();
-    await run(made.memories.jobs.open(COPY));
+    await review(made, COPY);
     made.adapter.unplug();
     await idle();
-    expect(made.memories.jobs.current.value).toBeNull();
+    expect(made.write.current.value).toBeNull();
     made.adapter.replug();
     await idle();
-    await run(made.memories.jobs.start());
+    await goOn(made);
     expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETTIMERS');
   });
 });
@@ -319,21 +311,21 @@ describe('a copy that fails early says so', () => {
   it('before anything is compared', async () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && made.adapter.unplug();
-    await run(made.memories.jobs.open(COPY));
-    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'memory-left' } });
-    expect([ends(made), made.memories.jobs.held]).toEqual([[[3, 'untouched']], true]);
+    await review(made, COPY);
+    expect(made.write.current.value).toMatchObject({ step: 'done', stopped: { code: 'memory-left' } });
+    expect([ends(made), made.write.held]).toEqual([[[3, 'untouched']], true]);
   });
 
   it('before the first value goes out', async () => {
     const made = await bench();
     made.session.safety.confirm();
-    await run(made.memories.jobs.open(COPY));
+    await review(made, COPY);
     made.timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && made.timer.core.sleep();
-    await run(made.memories.jobs.start());
-    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done' });
+    await goOn(made);
+    expect(made.write.current.value).toMatchObject({ step: 'done' });
     expect(ends(made)).toEqual([[3, 'untouched']]);
-    const { value } = made.memories.jobs.current;
-    expect(value?.step === 'done' && value.outcome.stopped).toBeTruthy();
+    const { value } = made.write.current;
+    expect(value?.step === 'done' && value.stopped).toBeTruthy();
   });
 
   it('in the middle, where it is not known what the memory holds', async () => {
@@ -346,8 +338,7 @@ describe('a copy that fails early says so', () => {
 
   it('when another memory becomes current: it may have taken values, also if it was verified before', async () => {
     const made = await bench();
-    await job(made, { kind: 'back-up' });
-    made.memories.jobs.dismiss();
+    await run(made.memories.backUp());
     const backups = [...made.session.backups.list.value].reverse();
     for (const { times, positions } of made.timer.core.memories) {
       times.splice(10, 1, 36_000);
@@ -363,13 +354,12 @@ describe('a copy that fails early says so', () => {
       [2, 'unknown'],
       [3, 'untouched'],
     ]);
-    expect(made.memories.jobs.current.value).toMatchObject({ outcome: { stopped: 'other-memory', strayed: 0 } });
+    expect(made.write.current.value).toMatchObject({ stopped: { code: 'other-memory' }, strayed: 0 });
   });
 
   it('for each memory of a set', async () => {
     const made = await bench();
-    await job(made, { kind: 'back-up' });
-    made.memories.jobs.dismiss();
+    await run(made.memories.backUp());
     const backups = [...made.session.backups.list.value].reverse();
     for (const memory of [1, 2, 3]) made.timer.core.memories[memory]?.times.splice(10, 1, 36_000);
     let writes = 0;
@@ -390,16 +380,16 @@ describe('restoring a set', () => {
   it('writes each memory as it was, keeps what they held, and goes back', async () => {
     const made = await bench();
     const before = contents(made);
-    await job(made, { kind: 'back-up' });
-    made.memories.jobs.dismiss();
+    await run(made.memories.backUp());
     const backups = [...made.session.backups.list.value].reverse();
     made.timer.core.memories.forEach(({ positions }, memory) => {
       (positions[2] as number[])[5] = 90 + memory;
     });
     const changed = contents(made);
     await job(made, { kind: 'restore', backups });
-    expect(made.memories.jobs.current.value).toMatchObject({
-      outcome: { stopped: null, ends: [0, 1, 2, 3].map((memory) => ({ memory, state: 'verified' })) },
+    expect(made.write.current.value).toMatchObject({
+      stopped: null,
+      ends: [0, 1, 2, 3].map((memory) => ({ memory, state: 'verified' })),
     });
     expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
     const written = kept(made).filter(({ reason }) => reason === 'write');
@@ -411,8 +401,8 @@ describe('restoring a set', () => {
 
 describe('a plug that is pulled in the middle', () => {
   const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
-  const pulled: [name: string, plan: Plan, at: (bench: AppBench, name: string) => boolean, rest: unknown][] = [
-    ['a backup', { kind: 'back-up' }, ({ timer }, name) => name === 'GETTIMERS' && timer.core.memory === 2, null],
+  const pulled: [name: string, plan: Plan | null, at: (bench: AppBench, name: string) => boolean, rest: unknown][] = [
+    ['a backup', null, ({ timer }, name) => name === 'GETTIMERS' && timer.core.memory === 2, null],
     // The times are there and the position is not: only that memory can tell.
     ['a copy', COPY, (_, name) => name === 'SETTIMERS', { kind: 'elsewhere', memory: 3 }],
     // All is there: the first reading tells.
@@ -424,10 +414,10 @@ describe('a plug that is pulled in the middle', () => {
     async (_, plan, at, rest) => {
       const made = await bench();
       made.timer.core.onAnswer = ({ name }) => at(made, name) && made.adapter.unplug();
-      await job(made, plan);
+      await (plan ? job(made, plan) : run(made.memories.backUp()));
       expect(made.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
       made.timer.core.onAnswer = undefined;
-      made.memories.jobs.dismiss();
+      made.write.dismiss();
       const left = made.timer.core.memory;
       made.adapter.replug();
       await idle();
@@ -448,8 +438,7 @@ describe('a plug that is pulled in the middle', () => {
   it('during a restore leaves no older reading on the screen than the last one', async () => {
     const made = await bench();
     const { editor, session, timer, adapter } = made;
-    await job(made, { kind: 'back-up' });
-    made.memories.jobs.dismiss();
+    await run(made.memories.backUp());
     const backups = session.backups.list.value.filter(({ program }) => [1, 2].includes(program.memory ?? 0)).reverse();
     expect(backups.map(({ program }) => program.memory)).toEqual([1, 2]);
     for (const { positions } of timer.core.memories) (positions[0] as number[])[2] = 70;
@@ -473,7 +462,7 @@ describe('a plug that is pulled in the middle', () => {
     const made = await bench();
     const { session, store, timer, adapter } = made;
     session.safety.confirm();
-    await run(made.memories.jobs.open(COPY));
+    await review(made, COPY);
     const remove = store.unfinished.remove.bind(store.unfinished);
     store.unfinished.remove = async (key) => {
       await new Promise((resolve) => setTimeout(resolve, 4000));
@@ -485,7 +474,7 @@ describe('a plug that is pulled in the middle', () => {
       adapter.unplug();
       adapter.replug();
     };
-    await run(made.memories.jobs.start());
+    await goOn(made);
     await idle();
     expect(known(made)).toEqual(['unread', 'read', 'unread', 'unread']);
   });
@@ -495,7 +484,7 @@ describe('a plug that is pulled in the middle', () => {
     made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.adapter.unplug();
     await job(made, COPY);
     made.timer.core.onAnswer = undefined;
-    made.memories.jobs.dismiss();
+    made.write.dismiss();
     made.adapter.replug();
     await idle();
     await run(made.session.reader.selectMemory(1));
@@ -509,7 +498,7 @@ describe('a plug that is pulled in the middle', () => {
     made.timer.core.onAnswer = ({ name }) => {
       if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.adapter.unplug();
     };
-    await job(made, { kind: 'back-up' });
+    await run(made.memories.backUp());
     const after = await reloaded(made);
     await run(after.session.timer.connect());
     expect(after.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { original: 1 }, current: 2 });
@@ -522,9 +511,9 @@ describe('which memory is current', () => {
   it('is never changed unasked', async () => {
     const made = await bench();
     made.editor.type(S1, '7');
-    await run(made.write.open());
+    await review(made);
     made.session.safety.confirm();
-    await run(made.write.start());
+    await goOn(made);
     made.write.dismiss();
     await run(made.session.reader.read());
     made.adapter.unplug();
@@ -537,20 +526,17 @@ describe('which memory is current', () => {
     await idle();
     await run(made.session.timer.disconnect());
     await run(made.session.timer.connect());
-    made.memories.jobs.open({ kind: 'back-up' });
-    made.memories.jobs.dismiss();
     expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
   });
 
   it('can be changed only while the timer does nothing else', async () => {
     const made = await bench();
     const reading = made.session.reader.read();
-    made.memories.jobs.open({ kind: 'back-up' });
-    expect(made.memories.jobs.current.value).toBeNull();
+    await made.memories.backUp();
     await run(reading);
     await run(made.session.timer.disconnect());
-    made.memories.jobs.open({ kind: 'back-up' });
-    expect(made.memories.jobs.current.value).toBeNull();
+    await made.memories.backUp();
+    expect(selected(made)).toEqual([]);
   });
 });
 
@@ -560,15 +546,15 @@ describe('a copy to a timer that keeps positions only where its servos stand', (
     const moves = () => made.timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
     const copy: Plan = { kind: 'copy', from: 1, to: 3 };
     await job(made, copy);
-    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { notHeld: true } });
+    expect(made.write.current.value).toMatchObject({ step: 'done', notHeld: true });
     expect(moves()).toBe(0);
     made.session.servoMoves.allow(true);
-    made.memories.jobs.dismiss();
-    await run(made.memories.jobs.open(copy));
+    made.write.dismiss();
+    await review(made, copy);
     expect([made.session.servoMoves.needed, made.session.servoMoves.allowed.value]).toEqual([true, false]);
     made.session.servoMoves.allow(true);
-    await run(made.memories.jobs.start());
-    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { notHeld: false } });
+    await goOn(made);
+    expect(made.write.current.value).toMatchObject({ step: 'done', notHeld: false });
     expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
     expect(moves()).toBe(1);
   });

@@ -1,7 +1,19 @@
 import { describe, expect, it } from 'vitest';
-import { finishWrite, takeGoal } from '../../../src/app/write/finish-write.js';
+import { finishWrite, takeGoal } from '../../../src/app/memories/finish-write.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
-import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run, sets } from '../bench/bench.js';
+import {
+  type AppBench,
+  appBench,
+  asked,
+  connectedBench,
+  goOn,
+  idle,
+  MemoryStore,
+  reloaded,
+  review,
+  run,
+  sets,
+} from '../bench/bench.js';
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
@@ -27,14 +39,14 @@ const BEFORE = [18000, 35, 55];
 const GOAL = [24000, 7, 8];
 
 /** The pilot has edited a time and two positions, and the timer falls asleep after the answer to such a request. */
-async function writing(last: Name, isBroken = false): Promise<{ bench: AppBench; written: Promise<void> }> {
+async function writing(last: Name, isBroken = false): Promise<AppBench> {
   const store = new MemoryStore();
   const bench = await connectedBench({ store });
   expect(held(bench)).toEqual(BEFORE);
   bench.editor.type(DT, '4:00');
   bench.editor.type(S1, '7');
   bench.editor.type(S3, '8');
-  await run(bench.write.open());
+  await review(bench);
   bench.session.safety.confirm();
   let questions = 0;
   bench.timer.core.onAnswer = ({ name }) => {
@@ -43,14 +55,15 @@ async function writing(last: Name, isBroken = false): Promise<{ bench: AppBench;
     if (name === last && (name !== 'GETSWVER' || questions === 2)) bench.timer.core.sleep();
   };
   store.broken = isBroken;
-  return { bench, written: bench.write.start() };
+  bench.write.goOn();
+  return bench;
 }
 
 /** The timer has fallen asleep in a write, and its switch was pressed. */
 async function interrupted(last: Name, meanwhile?: (bench: AppBench) => void): Promise<AppBench> {
-  const { bench, written } = await writing(last);
-  await run(written);
-  expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'unknown' } });
+  const bench = await writing(last);
+  await asked(bench);
+  expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'unknown' }] });
   bench.write.dismiss();
   bench.timer.core.onAnswer = undefined;
   meanwhile?.(bench);
@@ -63,8 +76,8 @@ async function interrupted(last: Name, meanwhile?: (bench: AppBench) => void): P
 async function finishDialog(bench: AppBench): Promise<void> {
   expect(bench.write.current.value?.step).toBe('review');
   bench.session.safety.confirm();
-  await run(bench.write.start());
-  expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+  await goOn(bench);
+  expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
   await idle();
 }
 
@@ -90,7 +103,8 @@ describe('a write of which a part arrived', () => {
 
   it('can be finished by a write of what is missing', async () => {
     const bench = await interrupted('SETTIMERS');
-    await run(finishWrite(bench.session, bench.write, 'goal'));
+    void finishWrite(bench.session, bench.write, 'goal');
+    await asked(bench);
     expect(bench.editor.changes.value.map(({ field }) => field)).toEqual([S1, S3]);
     await finishDialog(bench);
     expect(held(bench)).toEqual(GOAL);
@@ -102,7 +116,8 @@ describe('a write of which a part arrived', () => {
 
   it('can be put back to what was there before', async () => {
     const bench = await interrupted('SETTIMERS');
-    await run(finishWrite(bench.session, bench.write, 'before'));
+    void finishWrite(bench.session, bench.write, 'before');
+    await asked(bench);
     expect(bench.editor.changes.value).toEqual([{ field: DT, from: 24000, to: 18000 }]);
     await finishDialog(bench);
     expect(held(bench)).toEqual(BEFORE);
@@ -157,7 +172,8 @@ describe('another way in which a write can end', () => {
     const bench = await interrupted('GETSWVER');
     expect(sets(bench)).toEqual([]);
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'nothing', written: [], foreign: [] } });
-    await run(finishWrite(bench.session, bench.write, 'goal'));
+    void finishWrite(bench.session, bench.write, 'goal');
+    await asked(bench);
     await finishDialog(bench);
     expect(held(bench)).toEqual(GOAL);
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 0]);
@@ -166,10 +182,10 @@ describe('another way in which a write can end', () => {
   it('is only reported when the write turns out to be complete', async () => {
     const bench = await connectedBench();
     bench.editor.type(DT, '4:00');
-    await run(bench.write.open());
+    await review(bench);
     bench.session.safety.confirm();
     bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
-    await run(bench.write.start());
+    await goOn(bench);
     bench.timer.core.onAnswer = undefined;
     expect(bench.store.unfinished.records.size).toBe(1);
     bench.adapter.replug();
@@ -195,10 +211,10 @@ describe('another way in which a write can end', () => {
   });
 
   it('asks the pilot at once when the timer holds values that were not written', async () => {
-    const { bench, written } = await writing('SETTIMERS');
+    const bench = await writing('SETTIMERS');
     bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.timer.core.content.positions[1]?.fill(77);
-    await run(written);
-    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { stopped: { code: 'changed' } } });
+    await asked(bench);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', stopped: { code: 'changed' } });
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'foreign' } });
     expect(bench.store.unfinished.records.size).toBe(1);
   });
@@ -253,7 +269,7 @@ describe('another way in which a write can end', () => {
   it('that succeeds leaves only the backup', async () => {
     const bench = await connectedBench();
     bench.editor.type(DT, '4:00');
-    await run(bench.write.open());
+    await review(bench);
     await finishDialog(bench);
     expect([bench.store.unfinished.records.size, bench.store.backups.records.size]).toEqual([0, 1]);
   });
@@ -261,7 +277,7 @@ describe('another way in which a write can end', () => {
 
 describe('after a reload in the middle of a write', () => {
   it.each(['goal', 'before'] as const)('the timer is read and the write offered: %s', async (end) => {
-    const { bench: before } = await writing('SETTIMERS');
+    const before = await writing('SETTIMERS');
     await idle(100);
     expect(before.write.current.value?.step).toBe('running');
     const after = await reloaded(before);
@@ -269,7 +285,8 @@ describe('after a reload in the middle of a write', () => {
     await run(after.session.timer.connect());
     expect(offer(after)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
     expect(notice(after)).toBeUndefined();
-    await run(finishWrite(after.session, after.write, end));
+    void finishWrite(after.session, after.write, end);
+    await asked(after);
     await finishDialog(after);
     expect(held(after)).toEqual(end === 'goal' ? GOAL : BEFORE);
     expect(after.store.unfinished.records.size).toBe(0);
@@ -288,7 +305,7 @@ describe('before the first byte of a write', () => {
       };
     }
     bench.editor.type(DT, '4:00');
-    await run(bench.write.open());
+    await review(bench);
     bench.session.safety.confirm();
     const kept: unknown[] = [];
     bench.timer.core.onAnswer = ({ name }) => {
@@ -297,9 +314,9 @@ describe('before the first byte of a write', () => {
       const [backup] = [...bench.store.backups.records.values()];
       kept.push(unfinished, backup);
     };
-    const written = bench.write.start();
+    bench.write.goOn();
     await idle(1000);
-    await run(written);
+    await asked(bench);
     expect(kept).toMatchObject([
       { kind: 'write', before: { memory: 0 }, goal: { memory: 0 } },
       { reason: 'write', simulated: false, program: { memory: 0 } },
@@ -310,23 +327,24 @@ describe('before the first byte of a write', () => {
   });
 
   it('a browser that keeps nothing is reported, and this page remembers', async () => {
-    const { bench, written } = await writing('SETTIMERS', true);
+    const bench = await writing('SETTIMERS', true);
     await idle();
     expect([bench.session.runner.job.value?.asking, sets(bench)]).toEqual([true, []]);
     bench.session.runner.answer(true);
-    await run(written);
+    await asked(bench);
     bench.write.dismiss();
     bench.timer.core.onAnswer = undefined;
     expect(bench.store.unfinished.records.size).toBe(0);
     bench.timer.core.press();
     await idle();
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
-    await run(finishWrite(bench.session, bench.write, 'before'));
+    void finishWrite(bench.session, bench.write, 'before');
+    await asked(bench);
     bench.session.safety.confirm();
-    const back = bench.write.start();
+    bench.write.goOn();
     await idle();
     bench.session.runner.answer(true);
-    await run(back);
+    await asked(bench);
     expect([held(bench), offer(bench)]).toEqual([BEFORE, null]);
   });
 });

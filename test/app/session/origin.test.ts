@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { Draft, SettingRecord } from '../../../src/app/storage/index.js';
 import { fieldKey } from '../../../src/program/index.js';
-import { type AppBench, idle, reloaded, run } from '../bench/bench.js';
+import { type AppBench, goOn, idle, reloaded, review, run } from '../bench/bench.js';
 import {
   BACKUP,
   CALM,
@@ -261,13 +261,13 @@ describe('where a saved program comes from', () => {
     const bench = await lancerConnected();
     const { at } = bench.session.standing.value;
     type(bench, DT, '2:00');
-    await run(bench.write.open());
+    await review(bench);
     const readAt = bench.session.standing.value.at;
     bench.session.safety.confirm();
     bench.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') bench.timer.core.sleep();
     };
-    await run(bench.write.start());
+    await goOn(bench);
     expect(bench.session.standing.value).toEqual({ sure: 'not', at: readAt });
     expect(readAt).toBeGreaterThanOrEqual(at ?? Infinity);
     expect((await saved(bench)).from).toBe('typed');

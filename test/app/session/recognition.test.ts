@@ -3,7 +3,17 @@ import type { ModelRecord } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { exampleMemories } from '../../../src/simulator/index.js';
 import { MODEL } from '../../program/library-examples.js';
-import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+import {
+  type AppBench,
+  appBench,
+  connectedBench,
+  goOn,
+  idle,
+  MemoryStore,
+  reloaded,
+  review,
+  run,
+} from '../bench/bench.js';
 
 const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
 const THEN = 1_795_000_000_000;
@@ -91,10 +101,10 @@ describe('a timer that holds what a model held', () => {
     await run(bench.session.timer.connect());
     bench.editor.type({ kind: 'position', servo: 1, slot: 4 }, '77');
     for (let slot = 1; slot < 10; slot++) bench.editor.type({ kind: 'position', servo: 0, slot }, String(80 + slot));
-    await run(bench.write.open());
+    await review(bench);
     bench.session.safety.confirm();
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
     expect([kindOf(bench), nameOf(bench)]).toEqual(['same', 'Lancer 07']);
     await run(bench.session.timer.disconnect());
     const again = await reloaded(bench);
@@ -113,9 +123,9 @@ it('a timer is like a model when few values differ, until a verified write names
   // Nothing is taught by what is not certain.
   expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(lancer.verified);
   bench.editor.type({ kind: 'time', slot: 10 }, '5:00');
-  await run(bench.write.open());
+  await review(bench);
   bench.session.safety.confirm();
-  await run(bench.write.start());
+  await goOn(bench);
   await idle();
   expect(kindOf(bench)).toBe('said');
   expect(bench.store.models.records.get('Lancer 07')?.verified[0]?.program.times[10]).toBe(30_000);

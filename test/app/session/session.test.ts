@@ -3,7 +3,17 @@ import { setValues } from '../../../src/app/editing/edit.js';
 import { groupOf } from '../../../src/app/editing/history.js';
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
 import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
-import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+import {
+  type AppBench,
+  appBench,
+  connectedBench,
+  goOn,
+  idle,
+  MemoryStore,
+  reloaded,
+  review,
+  run,
+} from '../bench/bench.js';
 import { FaultyStore } from '../faults.js';
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
@@ -527,8 +537,8 @@ describe('after a reload', () => {
 
     bench.editor.type(S1, '8');
     bench.session.safety.confirm();
-    await run(bench.write.open());
-    await run(bench.write.start());
+    await review(bench);
+    await goOn(bench);
     await idle();
     const written = await reloaded(bench);
     expect([notice(written), written.editor.working.value]).toEqual([undefined, null]);

@@ -38,8 +38,7 @@ it.each<[dialog: string, open: (app: AppBench) => Promise<void>]>([
       await press('Disconnect');
     },
   ],
-  ['Copy M1 to M3', () => press('Copy M1 to M3…')],
-  ['Read and keep all memories', () => press('Read and keep all…')],
+  ['Copy M1 to M3', () => press('Copy M1 to M3')],
   ['Share', () => press('Share…')],
   [
     en.erase.open,
@@ -76,5 +75,5 @@ it('Escape changes nothing: a write in progress goes on to its end', async () =>
   app.timer.core.onAnswer = undefined;
   app.timer.core.press();
   await idle();
-  expect(app.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+  expect(app.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
 });

@@ -4,7 +4,7 @@ import type { Backup, ModelRecord } from '../../../src/app/storage/index.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import { exampleMemories } from '../../../src/simulator/index.js';
 import { MODEL, SETTING } from '../../program/library-examples.js';
-import { type AppBench, appBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+import { type AppBench, appBench, goOn, idle, MemoryStore, reloaded, review, run } from '../bench/bench.js';
 import { drawn } from '../screen.js';
 
 const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
@@ -52,7 +52,7 @@ async function lancer(store = new MemoryStore()): Promise<AppBench> {
 function shown({ write }: AppBench) {
   const step = write.current.value;
   if (step?.step !== 'review') throw new Error(`the dialog shows no difference, its step is ${step?.step}`);
-  const { crossing, model } = step.shown;
+  const { crossing, model } = step;
   return { moved: step.moved, from: crossing?.from.name, to: crossing?.to.map(({ name }) => name), model: model?.name };
 }
 
@@ -64,7 +64,7 @@ describe('a write into the timer of the model that the values are of', () => {
   it('needs no tick, and says whose timer it is', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench)).toEqual({ moved: null, from: undefined, to: undefined, model: 'Lancer' });
     bench.session.safety.confirm();
     expect(bench.write.ready.value).toBe(true);
@@ -75,7 +75,7 @@ describe('a write into the timer of the model that the values are of', () => {
     bench.editor.type(S2, '77');
     const magpie = bench.session.recognition.choices.value.find(({ name }) => name === 'Magpie');
     bench.session.recognition.say(magpie as typeof MODEL);
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench)).toMatchObject({ from: undefined, model: 'Magpie' });
   });
 });
@@ -85,17 +85,17 @@ describe('a write into the timer of another model', () => {
     const bench = await drawn(await lancer());
     bench.session.onScreen.showBackup(BACKUP);
     bench.session.safety.confirm();
-    await run(bench.write.open());
+    await review(bench);
     await idle(0);
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'], model: 'Lancer' });
     expect(screen.getByText('These are values of Magpie, but this timer looks like that of Lancer.')).toBeTruthy();
     expect(bench.write.ready.value).toBe(false);
-    await run(bench.write.start());
+    await goOn(bench);
     expect(sets(bench)).toBe(0);
     fireEvent.click(screen.getByRole('checkbox', { name: 'Write values of Magpie into the timer of Lancer.' }));
     expect(bench.write.ready.value).toBe(true);
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
     // It is still the timer of the Lancer.
     expect(bench.session.origin.timer.value?.name).toBe('Lancer');
   });
@@ -105,11 +105,11 @@ describe('a write into the timer of another model', () => {
     bench.editor.type(S2, '77');
     bench.session.onScreen.showBackup(BACKUP);
     bench.editor.undo();
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench).from, 'the edits made before the backup belong to the connected timer').toBeUndefined();
     bench.write.dismiss();
     bench.editor.redo();
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
     bench.write.dismiss();
     bench.editor.undo();
@@ -117,7 +117,7 @@ describe('a write into the timer of another model', () => {
     await run(bench.session.reader.read().then(() => {}));
     bench.editor.redo();
     bench.editor.redo();
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
   });
 
@@ -129,7 +129,7 @@ describe('a write into the timer of another model', () => {
     hold(bench, LANCER);
     bench.session.onScreen.showBackup(BACKUP);
     await run(bench.session.timer.connect());
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
   });
 
@@ -138,12 +138,12 @@ describe('a write into the timer of another model', () => {
     const program = programOf(MAGPIE[0] as Content);
     await run(bench.session.library.keepSetting({ ...SETTING, id: 'calm', model: 'Magpie', program }).then(() => {}));
     await run(bench.session.opened.show(bench.session.library.settings.get('calm')?.setting as typeof SETTING));
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
     bench.write.dismiss();
     bench.editor.undo();
     bench.editor.type(S2, '77');
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench).from).toBeUndefined();
   });
 
@@ -151,17 +151,17 @@ describe('a write into the timer of another model', () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     hold(bench, MAGPIE);
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Lancer', to: ['Magpie'], model: 'Magpie' });
   });
 
   it('needs a tick when the timer is exchanged while the dialog is open', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
-    await run(bench.write.open());
+    await review(bench);
     bench.session.safety.confirm();
     hold(bench, MAGPIE);
-    await run(bench.write.start());
+    await goOn(bench);
     expect(sets(bench)).toBe(0);
     expect(shown(bench)).toMatchObject({ moved: 'timer', from: 'Lancer', to: ['Magpie'], model: 'Magpie' });
     expect(bench.write.ready.value).toBe(false);
@@ -173,7 +173,7 @@ describe('a write into the timer of another model', () => {
     await run(bench.session.timer.disconnect());
     hold(bench, MAGPIE);
     await run(bench.session.timer.connect());
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
   });
 
@@ -184,7 +184,7 @@ describe('a write into the timer of another model', () => {
     const again = await reloaded(bench);
     hold(again, MAGPIE);
     await run(again.session.timer.connect());
-    await run(again.write.open());
+    await review(again);
     expect(shown(again)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
   });
 
@@ -192,12 +192,12 @@ describe('a write into the timer of another model', () => {
     const bench = await lancer();
     bench.session.onScreen.showBackup(BACKUP);
     bench.session.safety.confirm();
-    await run(bench.write.open());
+    await review(bench);
     bench.write.cross(true);
     const { library } = bench.session;
     const { model } = library.models.get('Magpie') as ModelRecord;
     await run(library.keepModel({ ...model, name: 'Magpie 2' }));
-    await run(bench.write.start());
+    await goOn(bench);
     expect(sets(bench)).toBe(0);
     expect(shown(bench)).toMatchObject({ moved: 'model', from: 'Magpie 2', to: ['Lancer'] });
     expect([bench.write.crossed.value, bench.write.ready.value]).toEqual([false, false]);
@@ -208,12 +208,12 @@ describe('a write into the timer of another model', () => {
     store.models.records.set('Twin', record('Twin', LANCER[0] as Content));
     const bench = await lancer(store);
     bench.session.onScreen.showBackup(BACKUP);
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer', 'Twin'], model: undefined });
     bench.write.dismiss();
     bench.editor.undo();
     bench.session.onScreen.showBackup({ ...BACKUP, model: 'Twin' });
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench).from).toBeUndefined();
   });
 
@@ -221,22 +221,23 @@ describe('a write into the timer of another model', () => {
     const bench = await lancer();
     bench.session.onScreen.showBackup(BACKUP);
     await run(bench.session.library.change({ models: { gone: ['Magpie'] } }));
-    await run(bench.write.open());
+    await review(bench);
     expect(shown(bench).from).toBeUndefined();
   });
 
   it('needs a tick when several backups of another model are restored', async () => {
     const bench = await lancer();
     const backups = [{ ...BACKUP, reason: 'memories' as const }];
-    await run(bench.memories.jobs.open({ kind: 'restore', backups }));
+    await review(bench, { kind: 'restore', backups });
     bench.session.safety.confirm();
-    const { jobs } = bench.memories;
-    expect(jobs.current.value).toMatchObject({ crossing: { from: { name: 'Magpie' }, to: [{ name: 'Lancer' }] } });
-    expect(jobs.ready.value).toBe(false);
-    await run(jobs.start());
+    expect(bench.write.current.value).toMatchObject({
+      crossing: { from: { name: 'Magpie' }, to: [{ name: 'Lancer' }] },
+    });
+    expect(bench.write.ready.value).toBe(false);
+    await goOn(bench);
     expect(sets(bench)).toBe(0);
-    jobs.cross(true);
-    await run(jobs.start());
-    expect(jobs.current.value).toMatchObject({ step: 'done', outcome: { ends: [{ state: 'verified' }] } });
+    bench.write.cross(true);
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
   });
 });

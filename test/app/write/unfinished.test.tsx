@@ -44,17 +44,16 @@ const CUT: readonly [job: string, said: string, start: (app: AppBench) => Promis
     `Reading all memories was interrupted. Another memory than M1 of ${OTHER} may fly next.`,
     async () => {
       await press(en.overview.readAll);
-      await press(en.memories.start['back-up']);
     },
   ],
-  ['a copy', `A copy was interrupted. Another memory than M1 of ${OTHER} may fly next.`, () => press('Copy M1 to M3…')],
+  ['a copy', `A copy was interrupted. Another memory than M1 of ${OTHER} may fly next.`, () => press('Copy M1 to M3')],
   [
     'a restore',
     `A restore was interrupted. Another memory than M1 of ${OTHER} may fly next.`,
-    async ({ memories, editor }) => {
+    async ({ write, editor }) => {
       const program = { ...(editor.baseline.value as NonNullable<typeof editor.baseline.value>), memory: 2 };
       const backup = { key: '1', savedAt: 1, reason: 'write', program, simulated: false } as const;
-      void memories.jobs.open({ kind: 'restore', backups: [backup] });
+      void write.open({ kind: 'restore', backups: [backup] });
       await idle();
     },
   ],
@@ -68,7 +67,7 @@ describe('a job that was cut while another memory was current', () => {
       cutAtM3(app);
       await start(app);
       expect(app.timer.core.memory).toBe(2);
-      app.memories.jobs.dismiss();
+      app.write.dismiss();
       await act(() => run(app.session.timer.disconnect()));
       await idle();
       expect(band(), 'after Disconnect').toContain(said);

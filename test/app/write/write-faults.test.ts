@@ -79,15 +79,15 @@ class Witness {
   judge(why: string): void {
     const { session, write } = this.#bench;
     const { value } = write.current;
-    if (value?.step === 'done' && value.report.result === 'verified') {
+    if (value?.step === 'done' && value.ends[0]?.state === 'verified') {
       expect(
         [this.said.times, this.said.positions],
         `the page says verified, but the timer does not hold the goal: ${why}`,
       ).toEqual([this.goal.times, this.goal.positions]);
       expect(this.said.identity, `the page says verified of another timer: ${why}`).toEqual(this.goal.identity);
     }
-    if (value?.step === 'done' && value.report.held) {
-      const { times, positions } = value.report.held;
+    if (value?.step === 'done' && value.ends[0]?.report?.held) {
+      const { times, positions } = value.ends[0].report.held;
       expect([times, positions], `the timer did not say what the report calls read back: ${why}`).toEqual([
         this.said.times,
         this.said.positions,
@@ -101,7 +101,11 @@ class Witness {
       ).toEqual([this.goal.times, this.goal.positions]);
     }
     const isAsking = session.runner.job.value?.asking;
-    if (session.notices.current.value?.code === 'nothing-written' || value?.step === 'refused' || isAsking) {
+    if (
+      session.notices.current.value?.code === 'nothing-written' ||
+      (value?.step === 'done' && value.ends[0]?.state === 'untouched') ||
+      isAsking
+    ) {
       expect(this.sets, `the page says that nothing was written, but a SET went out: ${why}`).toBe(0);
     }
     if (value?.step === 'review' && value.moved === 'timer')
@@ -169,9 +173,9 @@ describe('a write', () => {
   async function requests(): Promise<number> {
     const bench = await reviewed(new FaultyStore());
     const witness = new Witness(bench, 'nothing', 0);
-    void bench.write.start();
+    void bench.write.goOn();
     await idle();
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+    expect(bench.write.current.value).toMatchObject({ ends: [{ state: 'verified' }] });
     vi.useRealTimers();
     return witness.answers;
   }
@@ -195,7 +199,7 @@ describe('a write', () => {
           storage && calls++ === storage[0]
             ? STORAGE_FAULTS[storage[1]]()
             : scheduler.schedule(Promise.resolve(), door);
-        void bench.write.start();
+        void bench.write.goOn();
         for (const count of releases) {
           for (let i = 0; i < count && scheduler.count() > 0; i++) await scheduler.waitOne();
           await idle(1000);
@@ -208,7 +212,7 @@ describe('a write', () => {
         witness.judge(why);
         const { value } = bench.write.current;
         expect(value?.step, `the write has not come to an end: ${why}`).not.toBe('running');
-        const isSeen = value?.step === 'done' && value.report.held !== null && !value.report.stopped;
+        const isSeen = value?.step === 'done' && value.ends[0]?.report?.held && !value.stopped;
         if (witness.sets > 0 && !isSeen) {
           // Until a reading has explained it.
           const { uncertain, writes } = bench.session.knowledge;
@@ -219,7 +223,7 @@ describe('a write', () => {
           ).toBe(true);
         }
         expect(isTyped(bench, store), `what was typed is lost: ${why}`).toBe(true);
-        const isVerified = value?.step === 'done' && value.report.result === 'verified';
+        const isVerified = value?.step === 'done' && value.ends[0]?.state === 'verified';
         await readAgain(bench);
         witness.judgeRead(why);
         expect(isVerified || isTyped(bench, store), `what was typed is neither verified nor kept: ${why}`).toBe(true);

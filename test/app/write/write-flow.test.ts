@@ -1,8 +1,8 @@
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { finishWrite } from '../../../src/app/write/finish-write.js';
+import { finishWrite } from '../../../src/app/memories/finish-write.js';
 import type { ValueReport, WriteReport } from '../../../src/client/index.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
-import { type AppBench, connectedBench, idle, reloaded, run, sets } from '../bench/bench.js';
+import { type AppBench, asked, connectedBench, goOn, idle, reloaded, review, run, sets } from '../bench/bench.js';
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
 const STOP: ProgramField = { kind: 'time', slot: 0 };
@@ -15,7 +15,7 @@ async function reviewed(): Promise<AppBench> {
   bench.editor.type(DT, '4:00');
   bench.editor.type(S1, '7');
   bench.editor.type(S3, '8');
-  await run(bench.write.open());
+  await review(bench);
   bench.session.safety.confirm();
   return bench;
 }
@@ -23,11 +23,12 @@ async function reviewed(): Promise<AppBench> {
 describe('a write', () => {
   it('sends the difference, reads back, and has no changes left', async () => {
     const bench = await reviewed();
-    const writing = bench.write.start();
+    bench.write.goOn();
+    await idle(0);
     expect([bench.write.current.value?.step, bench.write.held]).toEqual(['running', true]);
-    await run(writing);
+    await asked(bench);
     expect(bench.write.held, 'the result of a verified write may be left').toBe(false);
-    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
     expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
     expect(bench.timer.core.content.times[10]).toBe(24000);
     expect([bench.editor.dirty.value, bench.editor.textOf(S1)]).toEqual([false, '7']);
@@ -39,7 +40,7 @@ describe('a write', () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     (bench.timer.core.content.positions[2] as number[])[4] = 99;
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
     expect(bench.editor.textOf(S3)).toBe('99');
     expect(bench.session.notices.current.value?.code).toBe('moved');
@@ -49,10 +50,10 @@ describe('a write', () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     (bench.timer.core.content.positions[0] as number[])[2] = 99;
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.editor.conflicts.value.size).toBe(1);
     bench.session.safety.confirm();
-    await run(bench.write.start());
+    await goOn(bench);
     bench.editor.type(S1, '8');
     expect([bench.editor.changes.value.length, bench.editor.conflicts.value.size]).toEqual([1, 0]);
   });
@@ -61,7 +62,7 @@ describe('a write', () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.timer.core.memory = 2;
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.session.notices.current.value?.code).toBe('kept');
     expect(bench.write.current.value).toBeNull();
   });
@@ -70,20 +71,20 @@ describe('a write', () => {
     const bench = await reviewed();
     bench.session.safety.withdraw();
     expect(bench.write.ready.value).toBe(false);
-    await run(bench.write.start());
+    await goOn(bench);
     expect(sets(bench)).toEqual([]);
   });
 
   it('asks for the safety once in each connection', async () => {
     const bench = await reviewed();
-    await run(bench.write.start());
+    await goOn(bench);
     bench.write.dismiss();
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.write.ready.value).toBe(true);
     bench.write.dismiss();
     await run(bench.session.timer.disconnect());
     await run(bench.session.timer.connect());
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.write.ready.value).toBe(false);
   });
 
@@ -91,60 +92,62 @@ describe('a write', () => {
     const bench = await reviewed();
     bench.editor.type(STOP, '5:00');
     expect(bench.write.serious.value).toMatchObject([{ code: 'motor-stop-after-dt' }]);
-    await run(bench.write.start());
+    await goOn(bench);
     expect(sets(bench)).toEqual([]);
     bench.write.acknowledge(true);
     bench.write.dismiss();
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.write.ready.value).toBe(false);
     bench.write.acknowledge(true);
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
   });
 
   it('cannot be opened while a text is not a value, during a reading, or without a timer', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, 'x');
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.write.current.value).toBeNull();
     bench.editor.revertAll();
     const reading = bench.session.reader.read();
-    await bench.write.open();
+    await review(bench);
     expect(bench.write.current.value).toBeNull();
     await run(reading);
-    const opening = bench.write.open();
+    void bench.write.open();
     bench.editor.type(S1, 'x');
-    await run(opening);
+    await asked(bench);
     expect(bench.write.current.value, 'a text without a value, typed during the reading, stops the write').toBeNull();
     bench.editor.revertAll();
     bench.adapter.unplug();
     await idle();
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.write.current.value).toBeNull();
   });
 
   it('is done once by a double click', async () => {
     const bench = await reviewed();
-    await run(Promise.all([bench.write.start(), bench.write.start()]));
+    bench.write.goOn();
+    await goOn(bench);
     expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
   });
 
   it('is not called verified when it is stopped, and can be finished later', async () => {
     const bench = await reviewed();
     bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.write.dismiss();
-    await run(bench.write.start());
+    await goOn(bench);
     expect(bench.write.current.value).toMatchObject({
       step: 'done',
-      report: { result: 'unknown', stopped: { code: 'aborted' } },
+      ends: [{ state: 'unknown' }],
+      stopped: { code: 'aborted' },
     });
     expect(sets(bench)).toEqual(['SETTIMERS']);
     bench.write.dismiss();
     await run(bench.session.reader.read());
     expect(bench.editor.changes.value.map(({ field }) => field)).toEqual([S1, S3]);
-    await run(bench.write.open());
-    await run(bench.write.start());
+    await review(bench);
+    await goOn(bench);
     expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+    expect(bench.write.current.value).toMatchObject({ ends: [{ state: 'verified' }] });
   });
 
   it('is verified when it is stopped after its end, and the result stays visible', async () => {
@@ -155,14 +158,14 @@ describe('a write', () => {
       if (name === 'GETSWVER' && sets(bench).length === 3) asked++;
       if (asked === 2) bench.write.dismiss();
     };
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ step: 'done', stays: true, report: { result: 'verified' } });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', stays: true, ends: [{ state: 'verified' }] });
   });
 
   it('that is stopped before its first byte says that nothing was written', async () => {
     const bench = await reviewed();
     bench.timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && bench.write.dismiss();
-    await run(bench.write.start());
+    await goOn(bench);
     expect([bench.write.current.value, bench.session.notices.current.value]).toEqual([
       null,
       { kind: 'note', code: 'nothing-written' },
@@ -178,7 +181,7 @@ describe('a write', () => {
   ] as const)('keeps the edits for the next one when the plug is pulled at %s', async (name, written, extent) => {
     const bench = await reviewed();
     bench.timer.core.onAnswer = (request) => request.name === name && bench.adapter.unplug();
-    await run(bench.write.start());
+    await goOn(bench);
     await idle();
     expect(bench.session.link.state.value.status).toBe('away');
     expect(bench.session.notices.current.value).toBeNull();
@@ -187,7 +190,8 @@ describe('a write', () => {
       expect(bench.write.current.value).toMatchObject({
         step: 'done',
         stays: true,
-        report: { result: 'unknown', stopped: { code: 'port-lost' } },
+        ends: [{ state: 'unknown' }],
+        stopped: { code: 'port-lost' },
       });
     } else {
       expect(bench.write.current.value, 'nothing was sent, so there is no result of a write').toBeNull();
@@ -206,17 +210,17 @@ describe('a write', () => {
     }
     expect(bench.editor.changes.value).toHaveLength(3 - written);
     bench.write.dismiss();
-    await run(bench.write.open());
+    await review(bench);
     bench.session.safety.confirm();
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ ends: [{ state: 'verified' }] });
     expect(bench.session.recovery.offer.value).toBeNull();
     expect(bench.timer.core.content.positions[2]?.[4]).toBe(8);
   });
 
   it.each([
-    ['GETMEMORY', [], { step: 'refused', error: { code: 'stood-still' } }],
-    ['SETTIMERS', ['SETTIMERS'], { step: 'done', report: { result: 'unknown', stopped: { code: 'stood-still' } } }],
+    ['GETMEMORY', [], { ends: [{ state: 'untouched' }], stopped: { code: 'stood-still' } }],
+    ['SETTIMERS', ['SETTIMERS'], { step: 'done', ends: [{ state: 'unknown' }], stopped: { code: 'stood-still' } }],
   ] as const)('sends nothing more when the page stands still at %s, and can be finished', async (name, sent, end) => {
     const bench = await reviewed();
     const { core } = bench.timer;
@@ -225,16 +229,16 @@ describe('a write', () => {
     core.onAnswer = (request) => {
       if (request.name === name) vi.spyOn(performance, 'now').mockImplementation(() => now() + 60_000);
     };
-    await run(bench.write.start());
+    await goOn(bench);
     core.onAnswer = undefined;
     expect(bench.write.current.value).toMatchObject(end);
     expect([sets(bench), bench.session.link.state.value.status]).toEqual([sent, 'on']);
     expect(bench.session.standing.value.sure).toBe(sent.length > 0 ? 'not' : 'now');
     bench.write.dismiss();
-    await run(bench.write.open());
+    await review(bench);
     bench.session.safety.confirm();
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ ends: [{ state: 'verified' }] });
     expect([core.content.times[10], bench.editor.changes.value]).toEqual([24000, []]);
   });
 
@@ -242,7 +246,7 @@ describe('a write', () => {
     const bench = await reviewed();
     bench.adapter.unplug();
     await idle();
-    await run(bench.write.start());
+    await goOn(bench);
     expect(bench.write.current.value, 'the difference is no longer shown').toBeNull();
     expect(bench.session.link.state.value).toMatchObject({ status: 'away', unplugged: true });
     expect([sets(bench), bench.editor.changes.value.length]).toEqual([[], 3]);
@@ -252,16 +256,19 @@ describe('a write', () => {
     const bench = await reviewed();
     const { client } = bench.session.connection.value ?? {};
     if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
-    await run(bench.write.start());
-    expect([bench.write.current.value, bench.session.notices.current.value?.code]).toEqual([null, 'unexpected']);
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ stays: true, stopped: { code: 'unexpected' } });
     expect(bench.editor.textOf(S1)).toBe('7');
   });
 
   it('into another memory than the one on the screen is refused', async () => {
     const bench = await reviewed();
     bench.timer.core.memory = 2;
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ step: 'refused', error: { code: 'other-memory' } });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({
+      ends: [{ state: 'untouched' }],
+      stopped: { code: 'other-memory' },
+    });
     expect(sets(bench)).toEqual([]);
     expect(bench.editor.changes.value).toHaveLength(3);
   });
@@ -274,7 +281,7 @@ describe('a write', () => {
     core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') core.memory = 1;
     };
-    await run(bench.write.start());
+    await goOn(bench);
     expect(core.memories[1]?.positions[0]?.[2], 'the position is in the other memory').toBe(7);
     expect([0, 1, 2].map((memory) => knowledge.of(memory).state)).toEqual(['uncertain', 'unread', 'read']);
   });
@@ -282,11 +289,11 @@ describe('a write', () => {
   it('that the timer does not take shows what it holds, and keeps the edit', async () => {
     const bench = await connectedBench({ quirks: { servoNeedsMove: true } });
     bench.editor.type(S1, '7');
-    await run(bench.write.open());
+    await review(bench);
     bench.session.safety.confirm();
-    await run(bench.write.start());
+    await goOn(bench);
     expect(bench.write.current.value).toMatchObject({
-      report: { result: 'differs', values: [{ field: S1, wanted: 7, held: 35, status: 'differs' }] },
+      ends: [{ state: 'differs', report: { values: [{ field: S1, wanted: 7, held: 35, status: 'differs' }] } }],
     });
     expect([bench.editor.textOf(S1), bench.editor.confirmed.value.size]).toEqual(['7', 0]);
   });
@@ -299,20 +306,20 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   async function notHeld(): Promise<AppBench> {
     const bench = await connectedBench({ quirks: { servoNeedsMove: true } });
     bench.editor.type(S1, '7');
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.session.servoMoves.needed, 'before the write nothing says that positions need a move').toBe(false);
     bench.session.safety.confirm();
-    await run(bench.write.start());
+    await goOn(bench);
     expect(bench.write.current.value).toMatchObject({ step: 'done', notHeld: true });
     return bench;
   }
 
   it('moves nothing unasked, also when the timer is known to need it', async () => {
     const bench = await notHeld();
-    await run(bench.write.again());
+    await goOn(bench);
     expect([bench.write.current.value?.step, bench.session.servoMoves.allowed.value]).toEqual(['review', false]);
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'differs' }, notHeld: true });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ ends: [{ state: 'differs' }], notHeld: true });
     expect(moves(bench)).toBe(0);
   });
 
@@ -322,34 +329,34 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     await run(bench.models.bench.moveTo(9));
     expect(bench.models.bench.done.value).not.toBeNull();
     const before = moves(bench);
-    await run(bench.write.again());
+    await review(bench);
     bench.session.servoMoves.allow(true);
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' }, notHeld: false });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ ends: [{ state: 'verified' }], notHeld: false });
     expect([moves(bench) - before, bench.timer.core.content.positions[0]?.[2]]).toEqual([1, 7]);
     expect(bench.models.bench.done.value, 'the bench no longer says where the servos stand').toBeNull();
     bench.write.dismiss();
     bench.editor.type(S1, '8');
-    await run(bench.write.open());
+    await review(bench);
     expect(bench.session.servoMoves.allowed.value).toBe(false);
   });
 
   it('moves nothing when the pilot had agreed and left the dialog', async () => {
     const bench = await notHeld();
-    await run(bench.write.again());
+    await goOn(bench);
     bench.session.servoMoves.allow(true);
     bench.write.dismiss();
-    await run(bench.write.open());
-    await run(bench.write.start());
+    await review(bench);
+    await goOn(bench);
     expect(moves(bench)).toBe(0);
   });
 
   it('does not begin, and moves nothing, without the safety', async () => {
     const bench = await notHeld();
-    await run(bench.write.again());
+    await goOn(bench);
     bench.session.servoMoves.allow(true);
     bench.session.safety.withdraw();
-    await run(bench.write.start());
+    await goOn(bench);
     expect([bench.write.current.value?.step, moves(bench), bench.session.servoMoves.take()]).toEqual([
       'review',
       0,
@@ -360,8 +367,8 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   it('moves nothing when the pilot had agreed and the connected timer does not need it', async () => {
     const bench = await reviewed();
     bench.session.servoMoves.allow(true);
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
     expect([moves(bench), bench.session.servoMoves.allowed.value]).toEqual([0, false]);
   });
 
@@ -394,21 +401,22 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   it('asks the same when it finishes an interrupted write, or goes back', async () => {
     const bench = await notHeld();
     bench.editor.type(S3, '8');
-    await run(bench.write.again());
+    await goOn(bench);
     bench.session.servoMoves.allow(true);
     bench.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && bench.adapter.unplug();
-    await run(bench.write.start());
+    await goOn(bench);
     bench.write.dismiss();
     bench.timer.core.onAnswer = undefined;
     bench.adapter.replug();
     await idle();
     expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent: 'part' } });
-    await run(finishWrite(bench.session, bench.write, 'goal'));
+    void finishWrite(bench.session, bench.write, 'goal');
+    await asked(bench);
     expect([bench.session.servoMoves.needed, bench.session.servoMoves.allowed.value]).toEqual([true, false]);
     bench.session.servoMoves.allow(true);
     bench.session.safety.confirm();
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ ends: [{ state: 'verified' }] });
   });
 });
 
@@ -430,7 +438,7 @@ describe('what was confirmed is what is written', () => {
   it('on the connection where it was shown: a write delayed by the storage does not go out on another one', async () => {
     const bench = await reviewed();
     const release = heldUp(bench);
-    const writing = bench.write.start();
+    bench.write.goOn();
     await idle(10);
     bench.adapter.unplug();
     await idle(10);
@@ -438,7 +446,7 @@ describe('what was confirmed is what is written', () => {
     await idle(4000);
     expect(bench.session.link.state.value.status).toBe('on');
     release();
-    await run(writing);
+    await asked(bench);
     await idle();
     expect([sets(bench), bench.session.knowledge.uncertain.value]).toEqual([[], []]);
     expect(bench.editor.changes.value).toHaveLength(3);
@@ -448,11 +456,11 @@ describe('what was confirmed is what is written', () => {
     for (const change of [(b: AppBench) => b.write.dismiss(), (b: AppBench) => b.session.safety.withdraw()]) {
       const bench = await reviewed();
       const release = heldUp(bench);
-      const writing = bench.write.start();
+      bench.write.goOn();
       await idle(10);
       change(bench);
       release();
-      await run(writing);
+      await asked(bench);
       expect([bench.session.notices.current.value?.code, sets(bench)]).toEqual(['nothing-written', []]);
       expect([bench.session.knowledge.uncertain.value, bench.store.unfinished.records.size]).toEqual([[], 0]);
     }
@@ -461,17 +469,17 @@ describe('what was confirmed is what is written', () => {
   it('and it is shown once more when the program has changed', async () => {
     const bench = await reviewed();
     bench.editor.type(S1, '9');
-    await run(bench.write.start());
+    await goOn(bench);
     expect(bench.write.current.value).toMatchObject({ step: 'review', moved: 'edits' });
     expect(sets(bench)).toEqual([]);
-    await run(bench.write.start());
+    await goOn(bench);
     expect(bench.timer.core.content.positions[0]?.[2]).toBe(9);
   });
 
   it('of the timer whose content was shown: other content is shown, and asked again', async () => {
     const bench = await reviewed();
     (bench.timer.core.content.positions[0] as number[])[2] = 99;
-    await run(bench.write.start());
+    await goOn(bench);
     const { value } = bench.write.current;
     expect(value).toMatchObject({ step: 'review', moved: 'timer' });
     expect([sets(bench), bench.session.knowledge.uncertain.value, bench.store.unfinished.records.size]).toEqual([
@@ -479,17 +487,20 @@ describe('what was confirmed is what is written', () => {
       [],
       0,
     ]);
-    expect(value?.step === 'review' && value.shown.changes).toContainEqual({ field: S1, from: 99, to: 7 });
-    await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    expect(value?.step === 'review' && value.changes[0]?.changes).toContainEqual({ field: S1, from: 99, to: 7 });
+    await goOn(bench);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
   });
 
   it('of the kind of timer that was shown: another one is identified and read', async () => {
     const bench = await reviewed();
     Object.assign(bench.timer.core.identity, { timerClass: 'B' });
-    await run(bench.write.start());
+    await goOn(bench);
     await idle();
-    expect(bench.write.current.value).toMatchObject({ step: 'refused', error: { code: 'other-timer' } });
+    expect(bench.write.current.value).toMatchObject({
+      ends: [{ state: 'untouched' }],
+      stopped: { code: 'other-timer' },
+    });
     expect([sets(bench), bench.session.connection.value?.identity.timerClass]).toEqual([[], 'B']);
     expect(bench.editor.identity.value?.timerClass).toBe('B');
     expect(bench.session.notices.current.value?.code).toBe('other-kind');
@@ -505,20 +516,20 @@ describe('what was confirmed is what is written', () => {
 });
 
 describe('where this device keeps no copy of what the timer holds', () => {
-  async function asked(): Promise<{ bench: AppBench; writing: Promise<void> }> {
+  async function unkept(): Promise<AppBench> {
     const bench = await reviewed();
     bench.store.broken = true;
-    const writing = bench.write.start();
+    bench.write.goOn();
     await idle();
     expect([bench.session.runner.job.value?.asking, sets(bench)]).toEqual([true, []]);
-    return { bench, writing };
+    return bench;
   }
 
   it('the page says so, and writes without one only when the pilot agrees', async () => {
-    const { bench, writing } = await asked();
+    const bench = await unkept();
     bench.session.runner.answer(true);
-    await run(writing);
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+    await asked(bench);
+    expect(bench.write.current.value).toMatchObject({ ends: [{ state: 'verified' }] });
   });
 
   it.each<[string, (bench: AppBench) => void]>([
@@ -526,9 +537,9 @@ describe('where this device keeps no copy of what the timer holds', () => {
     ['presses Escape', ({ write }) => write.dismiss()],
     ['pulls the plug', ({ adapter }) => adapter.unplug()],
   ])('nothing is written when the pilot %s, and nothing is uncertain', async (_, act) => {
-    const { bench, writing } = await asked();
+    const bench = await unkept();
     act(bench);
-    await run(writing);
+    await asked(bench);
     await idle();
     expect([sets(bench), bench.session.knowledge.uncertain.value, bench.write.current.value]).toEqual([[], [], null]);
     expect(bench.editor.changes.value).toHaveLength(3);
@@ -537,13 +548,13 @@ describe('where this device keeps no copy of what the timer holds', () => {
   it('the page waits 5 s for a storage that hangs', async () => {
     const bench = await reviewed();
     bench.store.backups.save = () => new Promise(() => {});
-    const writing = bench.write.start();
+    bench.write.goOn();
     await idle(4990);
     expect(bench.write.current.value?.step).toBe('running');
     await idle(20);
     expect([bench.session.runner.job.value?.asking, sets(bench)]).toEqual([true, []]);
     bench.session.runner.answer(false);
-    await run(writing);
+    await asked(bench);
   });
 });
 
@@ -551,7 +562,7 @@ describe('what a write leaves unknown', () => {
   it('is everything sent when the cable was pulled before the answer, until a fresh reading', async () => {
     const bench = await reviewed();
     bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
-    await run(bench.write.start());
+    await goOn(bench);
     bench.timer.core.onAnswer = undefined;
     const { knowledge } = bench.session;
     expect(knowledge.uncertain.value).toMatchObject([{ before: { memory: 0 } }]);
@@ -573,13 +584,13 @@ describe('what a write leaves unknown', () => {
     const bench = await reviewed();
     const { client } = bench.session.connection.value ?? {};
     if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
-    await run(bench.write.start());
+    await goOn(bench);
     expect(bench.session.knowledge.of(0).state).toBe('uncertain');
   });
 
   it('is nothing after a verified write', async () => {
     const bench = await reviewed();
-    await run(bench.write.start());
+    await goOn(bench);
     expect(bench.session.knowledge.of(0)).toMatchObject({ state: 'read', verified: true });
     await run(bench.session.reader.read());
     expect(bench.session.knowledge.of(0), 'a plain reading after the write is not called verified').toMatchObject({

@@ -8,16 +8,15 @@ import type { Session } from '../session/session.js';
 
 /** A memory round trip: notes on the way which memory to restore, and at the end what is known. */
 export class NotedRoundTrip {
-  /** Whether the browser has kept which memory to restore. */
-  kept = true;
-  /** What is done on it. Set before it begins. */
-  trip: RoundTrip = { job: 'back-up', memory: null };
   readonly #session: Session;
+  readonly #trip: RoundTrip;
   /** The memory to restore, while another one is selected. */
   #original: number | null = null;
 
-  constructor(session: Session) {
+  /** @param trip what is done on it. */
+  constructor(session: Session, trip: RoundTrip) {
     this.#session = session;
+    this.#trip = trip;
   }
 
   /** Reads some or all memories, then restores the current one. */
@@ -42,7 +41,7 @@ export class NotedRoundTrip {
   async leave(identity: Identity, original: number): Promise<void> {
     const { recovery, simulated, nextFlight } = this.#session;
     this.#original = original;
-    if (!(await recovery.leave(this.trip, identity, original, simulated.value))) this.kept = false;
+    await recovery.leave(this.#trip, identity, original, simulated.value);
     nextFlight.leave(null);
   }
 

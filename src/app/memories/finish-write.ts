@@ -1,13 +1,13 @@
 import type { TimerProgram } from '../../program/index.js';
 import { replaceAll } from '../editing/edit.js';
 import type { Session } from '../session/session.js';
-import type { WriteFlow } from './write-flow.js';
+import type { WriteJob } from '../write/write-job.js';
 
 /**
  * What the pilot can do after an interrupted write: write the values that are still missing (`goal`), or put back the
  * values from before. Shows the difference first, like any other write.
  */
-export async function finishWrite(session: Session, write: WriteFlow, end: 'goal' | 'before'): Promise<void> {
+export async function finishWrite(session: Session, write: WriteJob, end: 'goal' | 'before'): Promise<void> {
   const program = programOf(session, end);
   if (!program) return;
   session.editor.apply(replaceAll({ code: 'open', params: { what: 'backup' } }, program));

@@ -7,14 +7,14 @@ import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import type { OpenTrial } from '../session/trials.js';
 import type { OpenJob } from '../session/unfinished-work.js';
+import { graveText, isHere, triedElsewhere, triedText, type Where, whereOf } from '../write/unfinished-text.js';
+import type { WriteJob } from '../write/write-job.js';
 import { Recovery } from './recovery-panel.js';
-import { graveText, isHere, triedElsewhere, triedText, type Where, whereOf } from './unfinished-text.js';
-import type { WriteFlow } from './write-flow.js';
-import './unfinished-band.css';
+import '../write/unfinished-band.css';
 
 interface UnfinishedProps {
   readonly session: Session;
-  readonly write: WriteFlow;
+  readonly write: WriteJob;
   /** Reads a memory that is not current. */
   readonly onLook: (memory: number) => void;
   /** Makes a memory fly next. */

@@ -3,15 +3,15 @@ import { dateText, messages } from '../messages/index.js';
 import type { InterruptedJobs, Offer } from '../session/interrupted-jobs.js';
 import { memoryOf } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
+import { interruptedText } from '../write/unfinished-text.js';
+import { ValueTable } from '../write/value-table.js';
+import type { WriteJob } from '../write/write-job.js';
 import { finishWrite, takeGoal } from './finish-write.js';
-import { interruptedText } from './unfinished-text.js';
-import { ValueTable } from './value-table.js';
-import type { WriteFlow } from './write-flow.js';
 import './recovery-panel.css';
 
 interface RecoveryProps {
   readonly session: Session;
-  readonly write: WriteFlow;
+  readonly write: WriteJob;
   readonly offer: Offer;
 }
 
