@@ -44,15 +44,13 @@ it('a pilot keeps a setting, finds it after a reload, changes and deletes it, an
   await app.reload();
   await open(app, '#library');
   await app.page.getByRole('searchbox').fill('LANCER calm');
-  // In the wide column, beside the models.
-  const found = app.page.locator('.library-detail').getByRole('link', { name: /fly-off, calm/ });
+  const list = app.page.getByRole('region', { name: libraryMessages.models.title });
+  const found = list.getByRole('link', { name: /fly-off, calm/ });
   await expect.poll(() => found.count()).toBe(1);
-  await app.page.getByRole('link', { name: /^Lancer 07/ }).waitFor();
   await expect.poll(() => found.innerText()).toContain('DT 2:30 min');
   await found.click();
   const page = app.page.getByRole('article', { name: 'fly-off, calm' });
   await page.getByRole('textbox', { name: 'Note' }).fill('opens well');
-  await app.page.getByRole('searchbox').fill('');
   await page.getByRole('button', { name: 'Delete' }).click();
   await page.waitFor({ state: 'hidden' });
   await app.says(en.removed(en.counted({ settings: 1 })));
@@ -92,7 +90,7 @@ it('models are made with the keyboard alone', async () => {
     await app.page.getByRole('dialog').waitFor();
     await keys.type(name);
     await keys.press('Enter');
-    await app.page.getByRole('heading', { name, level: 2 }).first().waitFor();
+    await app.page.getByRole('heading', { name, level: 1 }).waitFor();
     await app.page.evaluate(() => document.querySelector<HTMLElement>('main')?.focus());
     await open(app, '#library');
   }

@@ -95,7 +95,7 @@ class Device {
     const { app } = this;
     await app.page.evaluate(() => location.assign('#library'));
     await app.page
-      .locator('.library-models')
+      .getByRole('region', { name: libraryMessages.models.title })
       .getByRole('link', { name: new RegExp(`^${model}`) })
       .click();
     const column = app.page.getByRole('region', { name: model, exact: true });
@@ -188,9 +188,11 @@ class Device {
   /** What the pilot sees: models and settings, and what was typed about them. */
   async showsTheSeason(): Promise<void> {
     const { page } = this.app;
+    const names = async (list: string) => (await page.locator(`${list} b`).allInnerTexts()).sort();
+    await page.evaluate(() => location.assign('#library'));
+    const models = '.library-list:not(.library-settings, .library-more .library-list)';
+    await expect.poll(() => names(models)).toEqual(['Lancer 07', 'Ridge 3', 'Vega 12']);
     const about = await this.goTo('Lancer 07');
-    const names = async (list: string) => (await page.locator(`${list} .library-item b`).allInnerTexts()).sort();
-    await expect.poll(() => names('.library-models > .library-list')).toEqual(['Lancer 07', 'Ridge 3', 'Vega 12']);
     await expect
       .poll(() => names('.library-settings'))
       .toEqual(['calm', 'fly-off', 'morning', 'new propeller', 'windy']);
@@ -311,7 +313,8 @@ test('a season of three models is flown, and a lost device comes back on another
   await first.tag('Vega 12', VEGA);
 
   // Ridge 3: typed by hand; its timer comes later.
-  await app.button('New model…').click();
+  await page.evaluate(() => location.assign('#library'));
+  await app.button(libraryMessages.models.make).click();
   const make = page.getByRole('dialog', { name: 'New model' });
   await make.getByRole('textbox', { name: 'Name' }).fill('Ridge 3');
   await make.getByText('F1E', { exact: true }).click();

@@ -25,33 +25,22 @@ export interface LibraryViewProps {
   readonly onGo: (path: string) => void;
 }
 
-/** From this width on, models, settings and one setting stand side by side; from the second width on, two of them. */
-const WIDE = '(min-width: 1100px) and (min-height: 480px)';
-const MIDDLE = '(min-width: 760px)';
+/** From this width on, two parts stand side by side: the models and one of them, or its settings and one of those. */
+const WIDE = '(min-width: 760px)';
 
-/**
- * The pilot's models and settings. Side by side where there is room: the models, the settings of one, and what is
- * chosen. On a phone one of these, with a way back.
- */
+/** The pilot's models and settings. On a phone one part at a time, with a way back. */
 export function LibraryView({ session, browse, path, places, onProgram, onGo }: LibraryViewProps) {
   const { views, parts } = messages.value;
   const { library } = session;
   useEffect(() => void library.load(), [library]);
   const isWide = useQuery(WIDE).value;
-  const isMiddle = useQuery(MIDDLE).value;
   const isLoaded = library.models.loaded.value && library.settings.loaded.value;
   const place = placeOf(path);
   const model = library.models.get(place.model) ?? null;
-  const setting = library.settings.get(place.setting) ?? null;
-  const depth = place.setting !== null ? 2 : place.model !== null ? 1 : 0;
-  const columns = isWide ? 3 : isMiddle ? 2 : 1;
-  const shows = (level: 0 | 1 | 2): boolean =>
-    columns === 3 || (columns === 2 ? (depth === 0 ? level !== 1 : level !== 0) : level === depth);
-  const one = columns === 1;
-  usePlaces(path, one && isLoaded);
+  usePlaces(path, !isWide && isLoaded);
   if (!isLoaded) {
     return (
-      <section class="library-coming" aria-busy="true">
+      <section class="stack gap-3" aria-busy="true">
         <h1>{views.names.library}</h1>
         <p class="hint" role="status">
           {parts.coming}
@@ -60,46 +49,36 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
     );
   }
   const unread = library.unread.value;
+  const modelPage = model && <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />;
+  const settingPage = place.setting !== null && (
+    <SettingPage
+      key={place.setting}
+      {...{ session, places, onProgram, onGo }}
+      setting={library.settings.get(place.setting) ?? null}
+      back={isWide ? null : place.model}
+    />
+  );
   return (
     <>
       {unread && <Unread library={library} />}
-      <div class={`library columns-${columns} ${place.model === null ? 'no-model' : ''}`}>
-        {shows(0) && (
-          <ModelList
-            {...{ session, browse, places, onGo }}
-            alone={one}
-            foundBeside={!one && depth === 0 && !unread}
-            chosen={place.model}
-            setting={place.setting}
-          />
+      <div class={isWide ? 'library library-pair' : 'library'}>
+        {place.model === null ? (
+          <ModelList {...{ session, browse, places, onGo }} alone={!isWide} />
+        ) : (
+          (isWide || !settingPage) && (
+            <ModelColumn
+              {...{ session, browse, places, model, onGo }}
+              key={place.model}
+              isLoose={place.model === NO_MODEL}
+              chosen={place.setting}
+            >
+              {!isWide && modelPage}
+            </ModelColumn>
+          )
         )}
-        {shows(1) && (columns < 3 || place.model !== null) && (
-          <ModelColumn
-            {...{ session, browse, places, model, onGo }}
-            key={place.model}
-            isLoose={place.model === NO_MODEL}
-            chosen={place.setting}
-            back={columns < 3}
-          >
-            {one && model && <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />}
-          </ModelColumn>
-        )}
-        {shows(2) && !one && depth < 2 && (
-          <section class="library-detail">
-            {model ? (
-              <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />
-            ) : (
-              !unread && <LibraryBeginning {...{ session, browse }} />
-            )}
-          </section>
-        )}
-        {shows(2) && depth === 2 && (
-          <section class="library-detail">
-            <SettingPage
-              key={place.setting}
-              {...{ session, setting, places, onProgram, onGo }}
-              back={one ? place.model : null}
-            />
+        {(isWide || settingPage) && (
+          <section class="stack gap-3 library-detail">
+            {settingPage || modelPage || (!unread && <LibraryBeginning {...{ session, browse }} />)}
           </section>
         )}
       </div>

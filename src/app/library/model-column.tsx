@@ -19,8 +19,6 @@ interface ModelColumnProps {
   readonly isLoose: boolean;
   /** The id of the setting that is chosen. */
   readonly chosen: string | null;
-  /** Whether to show a way back to the models, because they are not in sight. */
-  readonly back: boolean;
   readonly onGo: (path: string) => void;
   /** What belongs to the model and has no other place. */
   readonly children?: ComponentChildren;
@@ -28,32 +26,26 @@ interface ModelColumnProps {
 
 /** One model with its settings. */
 export function ModelColumn(props: ModelColumnProps) {
-  const { session, browse, places, model, isLoose, chosen, back, onGo, children } = props;
+  const { session, browse, places, model, isLoose, chosen, onGo, children } = props;
   const words = libraryMessages;
   const making = useSignal(false);
   const records = browse.byModel.value.get(model?.key ?? null) ?? [];
   const name = model?.model.name ?? messages.value.noModel;
-  // With a way back, the list with the heading of the page is not beside it.
-  const Heading = back ? 'h1' : 'h2';
   return (
-    <section class="library-model" aria-label={name}>
-      {back && (
-        <a class="library-back" href="#library">
-          <BackSign />
-          {words.models.all}
-        </a>
-      )}
+    <section class="stack gap-3" aria-label={name}>
+      <a class="library-back" href="#library">
+        <BackSign />
+        {words.models.all}
+      </a>
       {!model && !isLoose ? (
         !session.library.unread.value && <p class="hint">{words.setting.gone}</p>
       ) : (
         <>
-          <div class="library-head">
-            <div>
-              <Heading>{name}</Heading>
-              {model && model.model.timerClass !== null && (
-                <p class="hint">{timerName({ timerClass: model.model.timerClass })}</p>
-              )}
-            </div>
+          <div class="row">
+            <h1>{name}</h1>
+            {model && model.model.timerClass !== null && (
+              <p class="hint">{timerName({ timerClass: model.model.timerClass })}</p>
+            )}
           </div>
           {records.length === 0 && <p class="hint">{words.model.noSettings}</p>}
           <SettingList {...{ session, records, chosen }} />

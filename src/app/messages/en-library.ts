@@ -29,7 +29,6 @@ export const libraryMessages = {
     make: 'New model…',
     settings: (count: number) => plural(count, 'program', 'programs'),
     archive: (count: number) => `Archive (${count})`,
-    hideArchive: 'Hide the archive',
     archived: 'archived',
     latest: 'Last changed',
   },
