@@ -18,7 +18,7 @@ import { SettingLine } from '../../src/app/shell/setting-line.js';
 import { StripModel } from '../../src/app/shell/strip-model.js';
 import type { ModelRecord } from '../../src/app/storage/index.js';
 import { BackupList } from '../../src/app/write/backup-list.js';
-import { decodeLink } from '../../src/program/index.js';
+import { decodeLink, fieldsOf } from '../../src/program/index.js';
 import { type AppBench, goOn, review, run } from './bench/bench.js';
 import { BACKUP, CALM, DT, LANCER_HELD, lancerBench, type, WIND } from './two-models.js';
 
@@ -220,11 +220,8 @@ describe('every place that names a model or says what a timer holds', () => {
     const isCrossing = isConnected && held === 'Lancer' && model === 'Magpie';
     const crossing = modelMessages.crossing.title('Magpie', ['Lancer']).replace(/\.$/, '');
     expect(sheet?.origin.includes(crossing)).toBe(isCrossing);
-    const marks = sheet?.rows.flatMap(({ was }) => [was.time, ...was.positions]).filter(Boolean).length ?? 0;
-    if (changes > 0)
-      expect(marks, 'each changed value is marked').toBe(
-        editor.changes.value.filter(({ field }) => field.kind !== 'idleThrottle').length,
-      );
+    const marks = sheet ? fieldsOf(sheet.program.identity).filter(sheet.was).length : 0;
+    if (changes > 0) expect(marks, 'each changed value is marked').toBe(editor.changes.value.length);
     if (changes === 0 && !isMade) expect(marks).toBe(0);
     if (sentence.includes('now') || sentence.includes('verified')) expect(marks).toBe(0);
     for (const shared of [places.code, places.link]) {

@@ -135,7 +135,7 @@ test('a copy of a memory shows all three servos on a small phone in the sun', as
   await app.page.getByText('memories were read').waitFor();
   await app.button('Copy to…: M1').click();
   await app.button('Copy M1 to M3').click();
-  const grid = app.page.getByRole('dialog').locator('.comparison-grid');
+  const grid = app.page.getByRole('dialog').locator('.program-grid');
   await grid.waitFor();
   expect(await grid.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
 });

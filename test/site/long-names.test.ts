@@ -49,7 +49,7 @@ test('long names of models and memories leave room for what they name, on a smal
   await app.button(en.overview.readAll).click();
   await app.page.getByText('memories were read').waitFor();
   await app.button('Compare with M1: M2').click();
-  const grid = app.page.locator('.comparison-grid');
+  const grid = app.page.locator('.program-grid');
   await grid.getByText(MEMORY).first().waitFor();
   expect(await grid.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
   await app.expectNoSidewaysScrolling();

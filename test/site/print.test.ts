@@ -90,7 +90,7 @@ test('sheets of several programs: each page names its model, and every row is on
       return {
         name,
         pages: own.length,
-        lost: rows.filter(({ row, part }) => !new RegExp(`${row}[\\d.:]+?${part}`).test(said)),
+        lost: rows.filter(({ row, part }) => !new RegExp(`${row}[\\d.:smin]+?${part}`).test(said)),
       };
     });
     expect(

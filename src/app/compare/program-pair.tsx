@@ -2,9 +2,9 @@ import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useMemo } from 'preact/hooks';
 import { type Change, differences, type TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
+import { ProgramGrid } from '../timeline/program-grid.js';
 import { Timeline } from '../timeline/timeline.js';
 import { TimelineModel } from '../timeline/view-model.js';
-import { ComparisonGrid } from '../write/comparison-grid.js';
 import { LONG_LIST } from '../write/difference.js';
 import { ValueTable } from '../write/value-table.js';
 import './program-pair.css';
@@ -24,7 +24,7 @@ interface ProgramPairProps {
 
 /** Two programs: what differs, in figures and over time. */
 export function ProgramPair({ first, second, names, title, actionOf, children }: ProgramPairProps) {
-  const { overview: words } = messages.value;
+  const { overview: words, write } = messages.value;
   const changes = differences(first, second);
   const grid = changes.length > LONG_LIST && !actionOf;
   const servo = firstServo(changes);
@@ -38,7 +38,7 @@ export function ProgramPair({ first, second, names, title, actionOf, children }:
           <strong>{changes.length === 0 ? words.same : words.differs(changes.length)}</strong>
         </p>
         {children}
-        {grid && <ComparisonGrid first={first} second={second} names={names} />}
+        {grid && <ProgramGrid program={first} other={second} caption={write.sideBySide(names)} names={names} />}
         {!grid && changes.length > 0 && (
           <ValueTable
             identity={first.identity}

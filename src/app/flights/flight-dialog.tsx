@@ -6,10 +6,10 @@ import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { dtText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { ProgramGrid } from '../timeline/program-grid.js';
 import { Select } from '../ui/choice.js';
 import { Modal } from '../ui/modal.js';
 import { Problem } from '../ui/problem.js';
-import { TimesTable } from '../ui/slot-table.js';
 import { TimeQuestion } from '../ui/time-question.js';
 import { FlightForm } from './flight-form.js';
 import { placesOf, ROUND_MAXIMUM } from './flight-list.js';
@@ -311,7 +311,7 @@ function Flown({ form }: { readonly form: FlightForm }) {
   return (
     <details>
       <summary>{words.flown}</summary>
-      <TimesTable program={program} caption={messages.value.program.tableCaption} />
+      <ProgramGrid program={program} caption={messages.value.program.tableCaption} />
     </details>
   );
 }

@@ -1,9 +1,9 @@
 import type { ComponentChildren } from 'preact';
 import type { TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
+import { ProgramGrid } from '../timeline/program-grid.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
 import { KeyFigures } from '../ui/key-figures.js';
-import { TimesTable } from '../ui/slot-table.js';
 import './program-facts.css';
 
 interface ProgramFactsProps {
@@ -26,7 +26,7 @@ export function ProgramFacts({ program, names, children }: ProgramFactsProps) {
       {children}
       {/* With many servos it scrolls, also by keyboard. */}
       <section class="facts-table" tabindex={0} aria-label={tableCaption}>
-        <TimesTable program={program} caption={tableCaption} />
+        <ProgramGrid program={program} caption={tableCaption} />
       </section>
     </>
   );

@@ -3,8 +3,8 @@ import { keyFigures } from '../messages/key-figures.js';
 import { type Known, openValues } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
+import { ProgramGrid } from '../timeline/program-grid.js';
 import { Timeline } from '../timeline/timeline.js';
-import { TimesTable } from '../ui/slot-table.js';
 import { ValueTable } from '../write/value-table.js';
 import type { Memories } from './memories.js';
 import './memory-look.css';
@@ -66,7 +66,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
               );
             })}
           </p>
-          <TimesTable program={known.program} caption={program.tableCaption} />
+          <ProgramGrid program={known.program} caption={program.tableCaption} />
         </>
       )}
       {known.state === 'uncertain' && (

@@ -12,7 +12,6 @@ export const print = {
 
   /** The words on the paper. */
   simulated: 'simulated timer',
-  positions: 'Times in seconds, from 1\u00a0minute on in min:s. Positions in steps.',
   warnings: 'Look at this before you fly',
   notes: 'Notes',
   codeHint: 'The camera of a phone opens this program, without its note.',

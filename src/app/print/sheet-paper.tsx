@@ -1,9 +1,11 @@
+import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
 import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { print } from '../messages/en-print.js';
 import { messages } from '../messages/index.js';
 import { onPaper } from '../timeline/geometry.js';
 import { Picture } from '../timeline/picture.js';
+import { ProgramGrid } from '../timeline/program-grid.js';
 import { TimelineNotes } from '../timeline/timeline-notes.js';
 import { QrCode } from '../ui/qr-code.js';
 import type { SheetPart } from './print.js';
@@ -88,7 +90,7 @@ function SheetHead({ sheet }: { readonly sheet: Sheet }) {
             <dt>{label}</dt>
             <dd>
               {text}
-              <Was text={was} />
+              {was && <small class="leaf-was">{was}</small>}
               {isShort && <strong class="leaf-loud">{messages.value.program.shortDt}</strong>}
             </dd>
           </div>
@@ -116,11 +118,6 @@ function Blank({ label, text }: { readonly label: string; readonly text: string 
   );
 }
 
-/** The mark of a changed value: what it was. */
-function Was({ text }: { readonly text: string }) {
-  return text === '' ? null : <small class="leaf-was">{text}</small>;
-}
-
 /** How many servos stand beside each other in a table. */
 const SERVOS = 8;
 
@@ -133,72 +130,31 @@ export function servoGroups(servos: number): readonly (readonly number[])[] {
   );
 }
 
-/** With more servos their names stand below the table: above the columns there is no room. */
-const NAMED_IN_HEAD = 4;
-
-interface SheetTableProps {
+interface GroupProps {
   readonly sheet: Sheet;
-  /** The servos in this table. */
+  /** The servos that stand beside each other. */
   readonly group: readonly number[];
 }
 
-/** Functions with their times and the positions of servos; below them the units. */
-function SheetTable({ sheet, group }: SheetTableProps) {
-  const { program: words, servoName } = messages.value;
-  const isNamed = group.length <= NAMED_IN_HEAD;
-  const names = group.flatMap((servo) => (sheet.servos[servo] ? [`${servoName(servo)} ${sheet.servos[servo]}`] : []));
-  const isAbsolute = ['B', 'E'].includes(sheet.program.identity.timerClass);
+/** Functions with their times and the positions of servos. */
+function SheetTable({ sheet: { program, servos, was }, group }: GroupProps) {
+  const { tableCaption, absolute } = messages.value.program;
   return (
-    <>
-      <table class={`leaf-table of-${group.length}`}>
-        <caption class="visually-hidden">{words.tableCaption}</caption>
-        <thead>
-          <tr>
-            <th scope="col">{words.slot}</th>
-            <th scope="col">{words.time}</th>
-            <th scope="col">{messages.value.edits.table.interval}</th>
-            {group.map((servo) => (
-              <th scope="col" key={servo}>
-                {servoName(servo)} {isNamed && sheet.servos[servo] && <small>{sheet.servos[servo]}</small>}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {sheet.rows.map(({ key, kind, label, time, after, positions, was }) => (
-            <tr key={key} class={`leaf-${kind}`}>
-              <th scope="row">{label}</th>
-              <td>
-                {time}
-                <Was text={was.time} />
-              </td>
-              <td>{after}</td>
-              {kind === 'motor' ? (
-                <td colSpan={group.length} />
-              ) : (
-                group.map((servo) => (
-                  <td key={servo}>
-                    {positions[servo]}
-                    <Was text={was.positions[servo] ?? ''} />
-                  </td>
-                ))
-              )}
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      <div class="leaf-legend">
-        {!isNamed && names.length > 0 && <p>{dotted(names)}</p>}
-        <p>
-          {print.positions} {isAbsolute && words.absolute}
-        </p>
-      </div>
-    </>
+    <div class={`leaf-table of-${group.length}`}>
+      <ProgramGrid
+        program={program}
+        caption={tableCaption}
+        columns={[TIME_COLUMN, INTERVAL_COLUMN, ...group.map((servo) => FIRST_SERVO_COLUMN + servo)]}
+        uses={servos}
+        below={(value) => (value.kind === 'interval' ? '' : was(value))}
+      />
+      {['B', 'E'].includes(program.identity.timerClass) && <p>{absolute}</p>}
+    </div>
   );
 }
 
 /** The program over time. Each lane has its name, so no colour is needed. */
-function SheetTimeline({ sheet: { program, servos }, group }: SheetTableProps) {
+function SheetTimeline({ sheet: { program, servos }, group }: GroupProps) {
   const positions = group.map((servo) => program.positions[servo] ?? []);
   const isNamed = group.some((servo) => servos[servo]);
   const geometry = onPaper({ ...program, positions }, isNamed);

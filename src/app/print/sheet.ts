@@ -5,23 +5,11 @@ import {
   type Model,
   type ProgramField,
   type ServoUse,
-  slotKind,
   type TimerProgram,
 } from '../../program/index.js';
-import { intervalAt } from '../editing/grid.js';
-import { formatInterval, formatTime } from '../editing/units.js';
+import { formatTime } from '../editing/units.js';
 import { libraryMessages } from '../messages/en-library.js';
-import {
-  dutyName,
-  fieldLabel,
-  fieldName,
-  figureOf,
-  findingText,
-  messages,
-  slotLabel,
-  timerName,
-  valueText,
-} from '../messages/index.js';
+import { dutyName, fieldLabel, fieldName, findingText, messages, timerName, valueText } from '../messages/index.js';
 import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
 
 /** The source of a sheet. */
@@ -47,20 +35,6 @@ export interface Marks {
   readonly text: (old: string) => string;
 }
 
-/** A row of the table: a slot, or the motor stop at its place in the order of time. */
-export interface SheetRow {
-  readonly key: string;
-  readonly kind: 'start' | 'function' | 'dt' | 'motor';
-  readonly label: string;
-  readonly time: string;
-  /** The time since the row above; empty without one. */
-  readonly after: string;
-  /** The positions of all servos; none for the motor stop. */
-  readonly positions: readonly string[];
-  /** The marks of what has changed: of the time, and of each position; empty texts otherwise. */
-  readonly was: { readonly time: string; readonly positions: readonly string[] };
-}
-
 /** One program as it is printed, in words. */
 export interface Sheet extends Pick<SheetSource, 'key' | 'program' | 'name' | 'origin' | 'simulated' | 'link'> {
   /** Empty when the model is not known: there is room to write its name. */
@@ -72,7 +46,8 @@ export interface Sheet extends Pick<SheetSource, 'key' | 'program' | 'name' | 'o
   readonly figures: readonly (KeyFigure & { readonly isShort: boolean; readonly was: string })[];
   /** Values beside the table: the idle throttle, if the timer has told it, and times without a meaning. */
   readonly others: readonly { readonly label: string; readonly text: string }[];
-  readonly rows: readonly SheetRow[];
+  /** The mark of a value that has changed: what it was. Empty for others. */
+  readonly was: (field: ProgramField) => string;
   /** What each servo moves, as the pilot says; empty texts otherwise. */
   readonly servos: readonly string[];
   /** What may cost a model, in sentences. */
@@ -106,7 +81,7 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
       was: was(figure.field),
     })),
     others: othersOf(program, was),
-    rows: rowsOf(program, was),
+    was,
     servos: program.positions.map((_, servo) => useName(model?.servos[servo])),
     warnings: findings
       .filter(({ severity }) => severity !== 'warning')
@@ -126,25 +101,18 @@ function wasIn(identity: TimerProgram['identity'], marks: Marks | undefined): (f
   };
 }
 
-function othersOf(
-  { identity, idleThrottle, times: [first = 0] }: TimerProgram,
-  was: (field: ProgramField) => string,
-): Sheet['others'] {
+function othersOf(program: TimerProgram, was: (field: ProgramField) => string): Sheet['others'] {
   const { program: words, seconds } = messages.value;
+  const { identity, idleThrottle } = program;
+  const first = program.times[0] ?? 0;
+  const start = { kind: 'time', slot: 0 } as const;
   const marked = (text: string, field: ProgramField): string => [text, was(field)].filter(Boolean).join(' ');
-  const isReserved = identity.timerClass !== 'Q' && first !== 0;
+  const idle = idleThrottle !== null && marked(String(idleThrottle), { kind: 'idleThrottle' });
+  const reserved =
+    identity.timerClass !== 'Q' && first !== 0 && marked(words.reserved(seconds(formatTime(first))), start);
   return [
-    ...(idleThrottle === null
-      ? []
-      : [{ label: words.idleThrottle, text: marked(String(idleThrottle), { kind: 'idleThrottle' }) }]),
-    ...(isReserved
-      ? [
-          {
-            label: fieldLabel(identity, { kind: 'time', slot: 0 }),
-            text: marked(words.reserved(seconds(formatTime(first))), { kind: 'time', slot: 0 }),
-          },
-        ]
-      : []),
+    ...(idle ? [{ label: words.idleThrottle, text: idle }] : []),
+    ...(reserved ? [{ label: fieldLabel(identity, start), text: reserved }] : []),
   ];
 }
 
@@ -156,40 +124,4 @@ export function memoryText(memory: number, name: string): string {
 
 function useName(use: ServoUse | undefined): string {
   return use ? dutyName(use) : '';
-}
-
-function rowsOf(program: TimerProgram, was: (field: ProgramField) => string): SheetRow[] {
-  const { identity, times, positions } = program;
-  const { program: words } = messages.value;
-  const slots = times.map((time, slot): SheetRow => {
-    const kind = slotKind(identity, slot);
-    const after = intervalAt(program, slot);
-    return {
-      key: String(slot),
-      kind,
-      label: slotLabel(identity, slot),
-      time: slot === 0 ? '0' : formatTime(time),
-      after: after === null ? '' : formatInterval(after),
-      positions: positions.map((row) => String(row[slot] ?? '')),
-      was: {
-        time: slot === 0 ? '' : was({ kind: 'time', slot }),
-        positions: positions.map((_, servo) => was({ kind: 'position', servo, slot })),
-      },
-    };
-  });
-  const [stop = 0] = times;
-  if (identity.timerClass !== 'Q') return slots;
-  // A function at the same time comes after it, as in the table on the screen.
-  const next = times.findIndex((time, slot) => slot > 0 && time >= stop);
-  const motor: SheetRow = {
-    key: 'motor',
-    kind: 'motor',
-    label: words.motorStop,
-    time: figureOf(identity, { kind: 'time', slot: 0 }, stop).text,
-    after: '',
-    positions: [],
-    was: { time: was({ kind: 'time', slot: 0 }), positions: [] },
-  };
-  const at = next < 0 ? slots.length : next;
-  return [...slots.slice(0, at), motor, ...slots.slice(at)];
 }

@@ -1,6 +1,6 @@
 import { type Change, type TimerProgram, valueAt } from '../../program/index.js';
 import { messages } from '../messages/index.js';
-import { ComparisonGrid } from './comparison-grid.js';
+import { ProgramGrid } from '../timeline/program-grid.js';
 import { ValueTable } from './value-table.js';
 
 /** More values are easier to find at their places in the program. */
@@ -15,13 +15,13 @@ interface DifferenceProps {
 
 /** What a write would change: as a list, and when that is long, in the grid of the program. */
 export function Difference({ before, goal, changes }: DifferenceProps) {
-  const { from, to } = messages.value.write;
+  const { from, to, sideBySide } = messages.value.write;
   // The grid cannot show a value that is not known.
   const isKnown = changes.every((change) => change.from !== null && change.from === valueAt(before, change.field));
   if (changes.length > LONG_LIST && isKnown) {
     // A goal without an idle throttle leaves it as it is.
     const held = { ...goal, idleThrottle: goal.idleThrottle ?? before.idleThrottle };
-    return <ComparisonGrid first={held} second={before} names={[to, from]} replaces />;
+    return <ProgramGrid program={held} other={before} caption={sideBySide([to, from])} names={[to, from]} replaces />;
   }
   return (
     <ValueTable

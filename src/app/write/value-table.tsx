@@ -2,6 +2,7 @@ import type { ComponentChildren } from 'preact';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { fieldName, figureText, messages } from '../messages/index.js';
+import '../timeline/program-grid.css';
 import './value-table.css';
 
 interface ValueTableProps {
@@ -25,7 +26,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
   const last = names.length - 1;
   const hasNotes = rows.some(({ note }) => note);
   return (
-    <table class="difference">
+    <table class="value-grid difference">
       <caption class="visually-hidden">{write.sideBySide(names)}</caption>
       <thead>
         <tr>
@@ -45,11 +46,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
               const text = value === null ? write.status.unknown : figureText(identity, field, value);
               return (
                 <td key={names[index]} class={lastCounts && index < last ? 'earlier' : undefined}>
-                  {lastCounts && index === last ? (
-                    <strong class="figure-text">{text}</strong>
-                  ) : (
-                    <span class="figure-text">{text}</span>
-                  )}
+                  {lastCounts && index === last ? <strong>{text}</strong> : <span>{text}</span>}
                 </td>
               );
             })}

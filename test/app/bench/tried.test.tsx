@@ -62,8 +62,7 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
   const tried = sheet();
   expect(tried?.origin).toContain(benchWords.triedAndWaiting(1, 0));
   expect(tried?.origin).not.toContain(words.lastReadAt(null));
-  const row = tried?.rows.find(({ key }) => key === '4');
-  expect([row?.positions[1], row?.was.positions[1]]).toEqual(['77', words.marks.now('52')]);
+  expect([tried?.program.positions[1]?.[4], tried?.was(S2)]).toEqual([77, words.marks.now('52')]);
   expect(session.opened.source().from, 'nobody has read it').toBe('typed');
 
   await run(bench.follow.stop());

@@ -1,13 +1,14 @@
 import fc from 'fast-check';
+import { h, render } from 'preact';
 import { describe, expect, it } from 'vitest';
 import { withValues } from '../../../src/app/editing/edit.js';
-import { type GridRange, intervalAt } from '../../../src/app/editing/grid.js';
+import { type GridRange, gridColumns, intervalAt } from '../../../src/app/editing/grid.js';
 import { pasted, previewPaste } from '../../../src/app/editing/paste.js';
 import { columnNamed, rowNamed } from '../../../src/app/editing/paste-names.js';
 import type { PasteAnswer } from '../../../src/app/editing/paste-questions.js';
 import { formatInterval, formatTime } from '../../../src/app/editing/units.js';
 import { messages } from '../../../src/app/messages/index.js';
-import { sheetOf } from '../../../src/app/print/sheet.js';
+import { ProgramGrid } from '../../../src/app/timeline/program-grid.js';
 import { slotKind, type TimerProgram } from '../../../src/program/index.js';
 import { slotCount } from '../../../src/protocol/index.js';
 import { anyProgram, valuesOf } from './grid-programs.js';
@@ -315,14 +316,13 @@ describe('any program', () => {
   it('as it is printed pastes back to exactly that program', () => {
     fc.assert(
       fc.property(settable, (program) => {
-        const sheet = sheetOf({
-          ...{ key: '', program, model: null, name: 'calm', note: '', origin: '', simulated: false, link: null },
-        });
-        const lines = sheet.rows.map(({ label, time, after, positions }) => [label, time, after, ...positions]);
-        const servos = program.positions.map((_, servo) => messages.value.servoName(servo));
-        const { program: words, edits } = messages.value;
-        const heads = [words.slot, words.time, edits.table.interval, ...servos];
-        const text = [heads, ...lines].map((cells) => cells.join('\t')).join('\n');
+        const columns = Array.from({ length: gridColumns(program.identity) }, (_, column) => column);
+        const page = document.createElement('div');
+        render(h(ProgramGrid, { program, caption: '', columns }), page);
+        const lines = [...page.querySelectorAll('tr')].map((row) =>
+          [...row.children].map((cell) => cell.textContent.trim()),
+        );
+        const text = lines.map((cells) => cells.join('\t')).join('\n');
         const shown = previewPaste(program, at(1, 0), text);
         expect([shown.problems, shown.questions, shown.ignored, shown.changes]).toEqual([[], [], 0, []]);
       }),

@@ -67,8 +67,8 @@ describe('the memories', () => {
       null,
     ]);
     const held = within(screen.getByRole('table', { name: en.program.tableCaption }));
-    const row = held.getByRole('rowheader', { name: 'DT min' }).parentElement;
-    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00');
+    const row = held.getByRole('rowheader', { name: en.program.dt }).parentElement;
+    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00 min');
     expect(held.queryAllByRole('textbox')).toEqual([]);
     expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
     expect([app.session.notices.current.value, app.session.nextFlight.word.value]).toEqual([null, null]);

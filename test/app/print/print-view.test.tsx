@@ -41,7 +41,7 @@ describe('the print view', () => {
     expect(sheets()).toHaveLength(1);
     const rows = rowsOf(sheet as HTMLElement);
     expect(rows).toHaveLength(13);
-    expect(rows.at(-1)).toMatch(/^DT 2:30was 3:00/);
+    expect(rows.at(-1)).toMatch(/^DT 2:30 min was 3:00/);
     expect(sheet?.querySelector('.leaf-origin')?.textContent).toMatch(
       /^1\schange\. Marked fields differ from what was last read, \d+\sNov/,
     );
@@ -200,7 +200,7 @@ describe('the print view', () => {
     choose(/^M1\s· As\slast\sread/);
     expect(sheets().map(values)).toEqual([
       ['M3', 'As last read', dtOf(2)],
-      ['M1', '1 change', '2:30was'],
+      ['M1', '1 change', '2:30'],
     ]);
     expect(screen.queryByRole('checkbox', { name: /^M2/ }), 'nobody has read M2').toBeNull();
     act(() => printOrder.choose(['memory 1']));

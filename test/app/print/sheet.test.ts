@@ -18,11 +18,6 @@ const sourceOf = (program: TimerProgram, changes: Partial<SheetSource> = {}): Sh
   link: null,
   ...changes,
 });
-const linesOf = (program: TimerProgram): string[] =>
-  sheetOf(sourceOf(program)).rows.map(({ label, time, after, positions }) =>
-    [label, time, after, ...positions].join(' ').trim(),
-  );
-
 describe('a setting sheet', () => {
   it('names model, memory, timer, and gives DT and motor stop', () => {
     const sheet = sheetOf(sourceOf(SETTING.program));
@@ -45,28 +40,6 @@ describe('a setting sheet', () => {
       servos: ['', ''],
       memory: 'M2',
     });
-  });
-
-  it('has a row for each slot, and the motor stop where it comes in the order of time', () => {
-    expect(linesOf(SETTING.program)).toEqual([
-      'Start 0  15 15',
-      'Function 1 0.30 0.30 25 15',
-      'Motor stop 10.0',
-      'Function 2 10.50 10.20 40 60',
-      'Function 3 13.00 2.50 55 70',
-      'DT 3:00 2:47 115 115',
-    ]);
-    const late = programOf('Q', [20_000, 30, 18_000], [[1, 2, 3]]);
-    expect(linesOf(late)).toEqual(['Start 0  1', 'Function 1 0.30 0.30 2', 'DT 3:00 2:59.70 3', 'Motor stop 3:20']);
-    const same = programOf('Q', [30, 30, 18_000], [[1, 2, 3]]);
-    expect(linesOf(same), 'at an equal time the motor stop comes first').toEqual([
-      'Start 0  1',
-      'Motor stop 0.3',
-      'Function 1 0.30 0.30 2',
-      'DT 3:00 2:59.70 3',
-    ]);
-    const falling = programOf('B', [0, 300, 200, 18_000], [[1, 2, 3, 4]]);
-    expect(linesOf(falling)[2]).toBe('Function 2 2.00 -1.00 3');
   });
 
   it('says what may cost a model, and a DT that is short', () => {

@@ -85,12 +85,13 @@ describe('a setting that comes by link', () => {
       .getAllByRole('row')
       .map((row) => [...row.children].map((cell) => cell.textContent).join(' '));
     expect(rows).toEqual([
-      'Function Time\u00a0s S1 S2',
+      'Function Time S1 S2',
       'Start 0 15 15',
-      'Function 1 0.30 25 15',
-      'Function 2 10.50 40 60',
-      'Function 3 13.00 55 70',
-      'DT min 3:00 115 115',
+      'Function 1 0.3 s 25 15',
+      'Motor stop 10.0 s  ',
+      'Function 2 10.5 s 40 60',
+      'Function 3 13.0 s 55 70',
+      'DT 3:00 min 115 115',
     ]);
     await press('Do not keep');
     expect(isOpen()).toBe(false);
