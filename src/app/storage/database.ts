@@ -1,4 +1,4 @@
-import { type DBSchema, deleteDB, type IDBPDatabase, openDB } from 'idb';
+import { deleteDB, type IDBPDatabase, openDB } from 'idb';
 import type { BaseIssue, BaseSchema } from 'valibot';
 import * as v from 'valibot';
 import { on } from '../browser/lifecycle.js';
@@ -7,21 +7,11 @@ import { whenIdle } from '../browser/when-idle.js';
 import { withPresentNames } from './former-names.js';
 import type { AsideRecord } from './records.js';
 
-const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside', 'models', 'settings', 'flights'] as const;
-
 /** The shelves of the browser's storage. Each record has its own key. */
-export type StoreName = (typeof STORES)[number];
+export const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside', 'models', 'settings', 'flights'] as const;
+type StoreName = (typeof STORES)[number];
 
-interface Schema extends DBSchema {
-  drafts: { key: string; value: unknown };
-  unfinished: { key: string; value: unknown };
-  backups: { key: string; value: unknown };
-  ports: { key: string; value: unknown };
-  aside: { key: string; value: unknown };
-  models: { key: string; value: unknown };
-  settings: { key: string; value: unknown };
-  flights: { key: string; value: unknown };
-}
+type Schema = Record<StoreName, { key: string; value: unknown }>;
 
 /** Records of one shelf to put there, and the keys of those to delete. */
 export interface Change<T> {
