@@ -45,8 +45,6 @@ export function inWindow(matches: (query: string) => boolean): void {
 
 export async function press(name: string | RegExp): Promise<void> {
   if (/^(Copy M\d to|Read and keep all)/.test(String(name))) await goTo('memories');
-  const [, from] = /^Copy (M\d) to/.exec(String(name)) ?? [];
-  if (from) act(() => void fireEvent.click(button(`Copy to…: ${from}`)));
   fireEvent.click(button(name));
   await idle();
 }

@@ -87,7 +87,7 @@ export class Pilot {
 
   /** Whether the page offers to go on with an earlier write. */
   async isOffered(): Promise<boolean> {
-    return await this.page.getByRole('heading', { name: en.recovery.title }).isVisible();
+    return await this.page.getByRole('region', { name: en.recovery.title }).isVisible();
   }
 
   /** Takes the offer to finish an earlier write, and writes what is missing. */

@@ -99,7 +99,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
   await app.page.getByText(en.notes['backed-up'].title).waitFor();
   expect(await memories(), 'a backup changes no memory').toEqual(before);
 
-  await app.button('Copy to…: M1').click();
+  await app.page.getByLabel('Copy to…: M1').click();
   await app.button('Copy M1 to M3').click();
   const copy = job('Copy M1 to M3');
   expect(await copy.getByRole('button', { name: /^Write/ }).isDisabled(), 'a copy can start only after the tick').toBe(
@@ -116,7 +116,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
   await app.button('Restore all 4…').click();
   const restore = job(en.memories.restore);
   await restore.getByRole('button', { name: /^(Write|Read back)/ }).click();
-  await restore.getByText(/^M4 verified /).waitFor();
+  await restore.getByText(/^M4\sverified\s/).waitFor();
   await app.button('Close').click();
   expect(await memories()).toEqual(before);
   expect(await app.bench(({ adapter }) => adapter.timer.core.memory)).toBe(0);

@@ -668,7 +668,7 @@ export const states = {
     reach: async (page) => {
       await connect(page);
       await goTo(page, 'memories');
-      await press(page, 'Copy to…: M1');
+      await page.getByLabel('Copy to…: M1').click();
       await press(page, /^Copy M1 to M/);
       await page.getByRole('dialog').getByRole('checkbox').first().waitFor();
     },

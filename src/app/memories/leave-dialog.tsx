@@ -2,7 +2,6 @@ import { dtText, messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
-import { RunningStep } from '../write/dialog-steps.js';
 import { nextFlightText } from '../write/next-flight-text.js';
 import { UncertainNote } from '../write/uncertain-note.js';
 import type { WriteJob } from '../write/write-job.js';
@@ -17,7 +16,6 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
       open={question !== null}
       title={messages.value.nextFlight.leaving.title}
       head={<UncertainNote session={session} />}
-      held={question?.goingBack === true}
       onEscape={() => leaving.answer('stay')}
     >
       <Question session={session} leaving={leaving} />
@@ -26,19 +24,10 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
 }
 
 function Question({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
-  const { nextFlight: words, header, program, shortDt, cancel } = messages.value;
+  const { nextFlight: words, header, shortDt, cancel } = messages.value;
   const question = leaving.question.value;
   const { original, word } = session.nextFlight;
   if (!question) return null;
-  if (question.goingBack) {
-    return (
-      <RunningStep
-        label={program.selecting}
-        progress={session.runner.job.value?.progress ?? null}
-        onStop={() => leaving.answer('stay')}
-      />
-    );
-  }
   const originalName = original.value === null ? null : memoryText(session, original.value);
   const canGoBack = word.value !== null && originalName !== null && session.runner.ready.value;
   const short = session.shortDt.held.value;
@@ -48,7 +37,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
   const blocked = session.editor.blocked.value;
   return (
     <>
-      {question.failed && originalName && (
+      {question === 'failed' && originalName && (
         <p class="notice bad" role="alert">
           {words.leaving.failed(originalName)}
         </p>

@@ -5,14 +5,6 @@ import { putBackDt } from '../write/put-back.js';
 import type { WriteJob } from '../write/write-job.js';
 import type { Memories } from './memories.js';
 
-/** What the pilot is asked before the connection ends. */
-export interface LeavingQuestion {
-  /** Whether the memory that is meant is being made current again. */
-  readonly goingBack: boolean;
-  /** Whether that was tried and failed. */
-  readonly failed: boolean;
-}
-
 /**
  * `leave`: as it is. `back`: only after the memory that is meant is current again. `put-back`: only after a write that
  * puts DT back.
@@ -24,16 +16,17 @@ const SELECTING: ReadonlySet<JobKind> = new Set(['select', 'look', 'memories']);
 
 /** Ends the connection only after the pilot knows which memory will fly and whether its DT is short. */
 export class Leaving {
-  /** Null while there is nothing to ask. */
-  readonly question: ReadonlySignal<LeavingQuestion | null>;
+  /** Set while the pilot is asked; `failed` after the way back to the memory that is meant has failed. */
+  readonly question: ReadonlySignal<'asked' | 'failed' | null>;
   /** Whether the pilot wanted to leave, and the write on the screen puts DT back first. */
   readonly puttingBack: ReadonlySignal<boolean>;
-  readonly #question = signal<LeavingQuestion | null>(null, { name: 'leaving' });
+  readonly #question = signal<'asked' | 'failed' | null>(null, { name: 'leaving' });
   readonly #puttingBack = signal(false, { name: 'puttingBack' });
   readonly #session: Session;
   readonly #memories: Memories;
   readonly #write: WriteJob;
   #answer: (answer: LeavingAnswer) => void = () => {};
+  #isLeaving = false;
 
   constructor(session: Session, memories: Memories, write: WriteJob) {
     this.#session = session;
@@ -48,43 +41,44 @@ export class Leaving {
 
   /** Disconnects. Asks first when another memory than the one that is meant flies next, or one with a short DT. */
   async disconnect(): Promise<void> {
-    const { runner, nextFlight, timer } = this.#session;
+    const { runner, timer } = this.#session;
     const job = runner.job.value;
     // A job that has selected another memory gets the time to come back; otherwise the port would close on its way.
     if (job && SELECTING.has(job.kind) && !job.stopping) await runner.stop();
+    // It goes on where it is.
+    if (this.#isLeaving) return;
+    this.#isLeaving = true;
+    if (await this.#mayLeave()) await timer.disconnect();
+    this.#isLeaving = false;
+  }
+
+  /** What the pilot says. */
+  answer(answer: LeavingAnswer): void {
+    this.#question.value = null;
+    this.#answer(answer);
+  }
+
+  /** Asks as long as there is something to ask. @returns whether the connection may end. */
+  async #mayLeave(): Promise<boolean> {
+    const { nextFlight, link } = this.#session;
     let failed = false;
     while (this.#hasToAsk()) {
       const answer = await this.#ask(failed);
       const { value: original } = nextFlight.original;
-      if (answer === 'leave') break;
-      if (answer === 'put-back') {
-        this.#question.value = null;
-        if (!(await this.#putBack())) return;
-      } else if (answer === 'back' && original !== null) {
-        this.#question.value = { goingBack: true, failed: false };
+      if (answer === 'leave') return true;
+      if (answer === 'stay') return false;
+      if (answer === 'put-back' && !(await this.#putBack())) return false;
+      if (answer === 'back' && original !== null) {
         await this.#memories.fly(original);
-        // The connection may have ended in the meantime.
-        if (!this.#question.peek()) return;
+        if (link.state.value.status === 'off') return false;
         failed = nextFlight.word.value !== null;
-      } else {
-        return;
       }
     }
-    await timer.disconnect();
-    this.#question.value = null;
-  }
-
-  /** What the pilot says. To stay stops the way back to the first memory, too. */
-  answer(answer: LeavingAnswer): void {
-    const isGoingBack = this.#question.peek()?.goingBack;
-    const isOff = this.#session.link.state.peek().status === 'off';
-    if (isGoingBack && !isOff) void this.#session.runner.stop();
-    else if (answer === 'stay') this.#question.value = null;
-    this.#answer(answer);
+    return true;
   }
 
   #ask(failed: boolean): Promise<LeavingAnswer> {
-    this.#question.value = { goingBack: false, failed };
+    this.#question.value = failed ? 'failed' : 'asked';
     return new Promise((resolve) => {
       this.#answer = resolve;
     });

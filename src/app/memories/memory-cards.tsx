@@ -1,5 +1,4 @@
-import { useSignal } from '@preact/signals';
-import { useEffect, useId, useRef } from 'preact/hooks';
+import { useId } from 'preact/hooks';
 import type { TimerProgram } from '../../program/index.js';
 import { clockText, figureText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
@@ -12,7 +11,6 @@ import { useHandedFocus } from '../ui/use-handed-focus.js';
 import type { WriteJob } from '../write/write-job.js';
 import type { Memories } from './memories.js';
 import { MemoryName } from './memory-name.js';
-import { Picks } from './memory-picks.js';
 import './memory-cards.css';
 
 interface MemoryCardsProps {
@@ -99,7 +97,7 @@ interface FiguresProps extends Pick<CardProps, 'session' | 'known'> {
 
 /** “DT 3:00 min · motor stop 10.0 s”. After an interrupted write there may be two of each. */
 function Figures({ session, known, program: { identity } }: FiguresProps) {
-  const { overview: words, program: names } = messages.value;
+  const { look, program: names } = messages.value;
   return (
     <p class="card-figures">
       {keyFields(identity).map((field, at) => {
@@ -110,7 +108,7 @@ function Figures({ session, known, program: { identity } }: FiguresProps) {
         const name = isShort ? names.shortDt : (keyName(identity, field) ?? '');
         return (
           <span key={keyName(identity, field)} class={isShort ? 'bad-text' : ''}>
-            {name} {texts.join(words.or)}
+            {name} {texts.join(` ${look.or} `)}
           </span>
         );
       })}
@@ -151,87 +149,61 @@ interface ActionsProps extends Omit<CardProps, 'known' | 'scale'> {
 }
 
 function Actions({ session, memories, write, memory, current, count, isRead, onProgram, onCompare }: ActionsProps) {
-  const { overview: words, memories: all, memoryName } = messages.value;
-  const copying = useSignal(false);
+  const { overview: words, memories: all, look, memoryName, of, open } = messages.value;
   const ready = session.runner.ready.value;
   const name = memoryName(memory);
-  // Says which card it belongs to, for screen readers.
-  const label = (text: string): string => messages.value.of(text, name);
   const others = Array.from({ length: count }, (_, other) => other).filter((other) => other !== memory);
   // With the memory that flies next; that one with the first of the others.
   const against = memory === current || current === null ? others[0] : current;
   // What is not certain has no one program to compare.
   const canCompare = (each: number): boolean => session.standings.of(each).known.state === 'read';
-  const isCopying = copying.value;
-  const box = useRef<HTMLDivElement>(null);
-  const drawn = useRef(isCopying);
-  useEffect(() => {
-    if (drawn.current === isCopying) return;
-    drawn.current = isCopying;
-    // The button with the focus has gone.
-    box.current?.querySelector<HTMLElement>(isCopying ? '.picks button' : '.copy-to')?.focus();
-  }, [isCopying]);
   return (
-    <div class="row card-actions" ref={box}>
-      {isCopying ? (
-        <>
-          <Picks
-            label={all.copyTo(name)}
-            picks={others}
-            disabled={!ready}
-            nameOf={(to) => all.copy(name, memoryName(to))}
-            onPick={(to) => void write.open({ kind: 'copy', from: memory, to })}
-          />
-          <button type="button" class="quiet" onClick={() => (copying.value = false)}>
-            {messages.value.cancel}
-          </button>
-        </>
-      ) : (
-        <>
-          {(isRead || memory === current) && (
-            <button
-              type="button"
-              aria-label={label(messages.value.open)}
-              onClick={() => {
-                memories.show(memory);
-                onProgram();
-              }}
-            >
-              {messages.value.open}
-            </button>
-          )}
-          {memory !== current && (
-            <button
-              type="button"
-              aria-label={label(words.fly)}
-              aria-disabled={!ready}
-              onClick={() => void (ready && memories.fly(memory))}
-            >
-              {words.fly}
-            </button>
-          )}
-          {against !== undefined && canCompare(memory) && canCompare(against) && (
-            <button
-              type="button"
-              class="quiet"
-              aria-label={label(words.compareWith(memoryName(against)))}
-              onClick={() => onCompare(memory, against)}
-            >
-              {words.compareWith(memoryName(against))}
-            </button>
-          )}
-          {others.length > 0 && (
-            <button
-              type="button"
-              class="quiet copy-to"
-              aria-label={label(words.copyTo)}
-              disabled={!ready || current === null}
-              onClick={() => (copying.value = true)}
-            >
-              {words.copyTo}
-            </button>
-          )}
-        </>
+    <div class="row card-actions">
+      {(isRead || memory === current) && (
+        <button
+          type="button"
+          aria-label={of(open, name)}
+          onClick={() => {
+            memories.show(memory);
+            onProgram();
+          }}
+        >
+          {open}
+        </button>
+      )}
+      {memory !== current && (
+        <button type="button" aria-disabled={!ready} onClick={() => void (ready && memories.fly(memory))}>
+          {look.fly(name)}
+        </button>
+      )}
+      {against !== undefined && canCompare(memory) && canCompare(against) && (
+        <button
+          type="button"
+          class="quiet"
+          aria-label={of(words.compareWith(memoryName(against)), name)}
+          onClick={() => onCompare(memory, against)}
+        >
+          {words.compareWith(memoryName(against))}
+        </button>
+      )}
+      {others.length > 0 && (
+        <details class="copy-to">
+          <summary aria-label={of(words.copyTo, name)}>{words.copyTo}</summary>
+          {/* A timer may have 255 memories. */}
+          <div class="segments">
+            {others.map((to) => (
+              <button
+                type="button"
+                key={to}
+                aria-label={all.copy(name, memoryName(to))}
+                disabled={!ready || current === null}
+                onClick={() => void write.open({ kind: 'copy', from: memory, to })}
+              >
+                {memoryName(to)}
+              </button>
+            ))}
+          </div>
+        </details>
       )}
     </div>
   );

@@ -38,7 +38,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
           disabled={noWayBack}
           onClick={() => void (!isBusy && memories.look(memory))}
         >
-          {known.state === 'read' ? words.again(name) : words.look(name)}
+          {words.look(name)}
         </button>
         {noWayBack && <p class="hint">{timer['memory-unknown'].advice}</p>}
         {current !== null && <p class="hint">{words.hint(name, memoryName(current))}</p>}
@@ -82,17 +82,17 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
 
 /** The last reading of a memory over time, without handles. */
 export function MemoryPicture({ session, memory }: Pick<MemoryLookProps, 'session' | 'memory'>) {
-  const { look: words, memoryName } = messages.value;
+  const { look: words, timeline } = messages.value;
   const { known } = session.standings.of(memory);
   if (known.state === 'unread') return null;
-  const title = words.picture(memoryName(memory));
+  const { title } = timeline;
   if (known.state === 'read') return <Timeline program={known.program} title={title} />;
   return <Timeline program={known.before} overlay={{ program: known.goal, name: words.or }} title={title} />;
 }
 
 /** “M3, read 14:32”. */
 function headline(known: Known, name: string): string {
-  const { look: words } = messages.value;
+  const { look: words, knowledge } = messages.value;
   if (known.state === 'read') return words.read(name, clockText(known.at));
-  return known.state === 'unread' ? words.notRead(name) : words.uncertain(name);
+  return known.state === 'unread' ? words.notRead(name) : knowledge.unknown(name);
 }

@@ -24,25 +24,19 @@ export const nextFlight = {
 export const look = {
   read: (memory: string, time: string) => `${memory}, read ${time}`,
   notRead: (memory: string) => `${memory} has not been read`,
-  uncertain: (memory: string) => `It is not known what ${memory} holds`,
   /** Above the two values that a field may have after an interrupted write. */
   either: 'Either',
   or: 'or',
   /** @param current the memory that flies next. */
   lead: (current: string) => `For looking only. You change and write ${current}, which flies next.`,
   look: (memory: string) => `Look at ${memory}`,
-  /** Where its reading is shown. */
-  again: (memory: string) => `Read ${memory} again`,
   hint: (memory: string, current: string) => `This selects ${memory}, reads it and goes back to ${current}.`,
   fly: (memory: string) => `Make ${memory} fly next`,
-  looking: (memory: string) => `Looking at ${memory}`,
   show: (memory: string) => `Show ${memory}`,
-  picture: (memory: string) => `Timeline of ${memory}`,
 };
 
 /** Jobs over several memories, and the backups. */
 export const memories = {
-  copyTo: (from: string) => `Copy ${from} to`,
   copy: (from: string, to: string) => `Copy ${from} to ${to}`,
   restore: 'Restore a backup',
   restoreAll: (count: number) => `Restore all ${count}…`,
@@ -65,11 +59,9 @@ export const backedUp = { title: 'All memories were read, and a backup of each i
 /** All memories of a timer at a glance. */
 export const overview = {
   readAll: 'Read and keep all',
-  fly: 'Make it fly next',
   copyTo: 'Copy to…',
   compareWith: (memory: string) => `Compare with ${memory}`,
   readAt: (time: string) => `read ${time}`,
-  or: ' or ',
   notCertain: 'Not certain: a write into it was interrupted. Shown as before that write.',
   edited: 'Shown and copied as the timer holds it, without your changes.',
   same: 'They hold the same.',

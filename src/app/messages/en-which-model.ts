@@ -37,9 +37,7 @@ const recognition = {
 /** The names of the memories, in the place where they are typed. */
 const memoryNames = {
   label: (memory: string) => `Name of ${memory}`,
-  give: 'Name it',
-  /** A button that shows the name. */
-  change: (memory: string, name: string) => `${apart(name)}, the name of ${memory}: change it`,
+  give: 'Name',
 };
 
 /** Values of one model that are about to be written into the timer of another. */

@@ -56,17 +56,18 @@ export function Header({
   );
 }
 
-const SAID_HERE: ReadonlySet<JobKind> = new Set(['read', 'select', 'look']);
+const SAID_HERE: ReadonlySet<JobKind> = new Set(['read', 'select', 'look', 'memories']);
 
 function JobProgress({ runner }: { readonly runner: JobRunner }) {
-  const { program, look, memoryName } = messages.value;
+  const { program, write, memoryName } = messages.value;
   const job = runner.job.value;
   // Other jobs are shown where they were begun.
   if (!job || !SAID_HERE.has(job.kind) || runner.claimed.value) return null;
-  const looking = job.kind === 'look' && job.memory !== null && look.looking(memoryName(job.memory));
+  const memory = job.memory ?? job.progress?.memory ?? null;
+  const reading = memory === null ? program.reading : `${write.stages.read} ${memoryName(memory)}`;
   return (
     <ProgressLine
-      label={looking || (job.kind === 'select' ? program.selecting : program.reading)}
+      label={job.kind === 'select' ? program.selecting : reading}
       progress={job.progress}
       onStop={() => void runner.stop()}
     />

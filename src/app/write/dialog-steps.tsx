@@ -1,31 +1,8 @@
-import type { ComponentProps } from 'preact';
 import type { Progress } from '../../client/index.js';
 import { messages } from '../messages/index.js';
 import type { JobRunner } from '../session/job-runner.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
-
-interface RunningStepProps extends Pick<ComponentProps<typeof ProgressLine>, 'label' | 'progress'> {
-  /** Whether the pilot has asked to stop. The request in progress still comes to its end. */
-  readonly stopping?: boolean;
-  readonly onStop: () => void;
-}
-
-/** A job in progress in a dialog, with a button that stops it. */
-export function RunningStep({ label, progress, stopping = false, onStop }: RunningStepProps) {
-  const { write, header } = messages.value;
-  return (
-    <>
-      <ProgressLine label={stopping ? write.stopping : label} progress={progress} />
-      <div class="buttons">
-        {/* Not disabled: it would lose the focus. */}
-        <button type="button" aria-disabled={stopping} onClick={onStop}>
-          {header.stop}
-        </button>
-      </div>
-    </>
-  );
-}
 
 interface JobStepProps {
   readonly runner: JobRunner;
@@ -38,8 +15,21 @@ interface JobStepProps {
 export function JobStep({ runner, label, onStop }: JobStepProps) {
   const job = runner.job.value;
   if (job?.asking) return <UnkeptStep onAnswer={(goOn) => runner.answer(goOn)} />;
+  const { write, header } = messages.value;
   const progress = job?.progress ?? null;
-  return <RunningStep label={label(progress)} progress={progress} stopping={job?.stopping ?? false} onStop={onStop} />;
+  // The request in progress still comes to its end.
+  const isStopping = job?.stopping ?? false;
+  return (
+    <>
+      <ProgressLine label={isStopping ? write.stopping : label(progress)} progress={progress} />
+      <div class="buttons">
+        {/* Not disabled: it would lose the focus. */}
+        <button type="button" aria-disabled={isStopping} onClick={onStop}>
+          {header.stop}
+        </button>
+      </div>
+    </>
+  );
 }
 
 /** The browser cannot keep a copy of a memory. Nothing is written into it before the pilot has answered. */

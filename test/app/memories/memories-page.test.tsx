@@ -1,4 +1,4 @@
-import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
+import { act, cleanup, screen, within } from '@testing-library/preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { comparingMessages } from '../../../src/app/messages/en-compare.js';
@@ -32,6 +32,7 @@ function said(memory: string): (string | undefined)[] {
 function buttons(memory: string): (string | null)[] {
   return within(card(memory))
     .getAllByRole('button')
+    .filter((each) => !each.closest('.copy-to'))
     .map((each) => each.getAttribute('aria-label') ?? each.textContent);
 }
 
@@ -42,8 +43,8 @@ describe('the memories', () => {
     expect(said('M1')).toEqual(['flies next', 'DT 3:00 min', 'motor stop 10.0 s', now]);
     expect(said('M2')).toEqual(['DT 3:30 min', 'motor stop 10.0 s', now]);
     expect(document.querySelectorAll('.memory-card .small-lanes')).toHaveLength(4);
-    expect(buttons('M1')).toEqual(['Open: M1', 'Compare with M2: M1', 'Copy to…: M1']);
-    expect(buttons('M3')).toEqual(['Open: M3', 'Make it fly next: M3', 'Compare with M1: M3', 'Copy to…: M3']);
+    expect(buttons('M1')).toEqual(['Open: M1', 'Compare with M2: M1']);
+    expect(buttons('M3')).toEqual(['Open: M3', 'Make M3 fly next', 'Compare with M1: M3']);
   });
 
   it('have one time axis: the later DT lies further on, and motor runs of one length are as long', async () => {
@@ -81,7 +82,7 @@ describe('the memories', () => {
   it('say when they were not read; one click reads one, goes back, and leaves the program as it was', async () => {
     const { timer, memories } = await atMemories();
     expect(said('M3')[0]).toBe(en.look.notRead('M3'));
-    expect(buttons('M3')).toEqual(['Look at M3', 'Make it fly next: M3', 'Copy to…: M3']);
+    expect(buttons('M3')).toEqual(['Look at M3', 'Make M3 fly next']);
     const look = button('Look at M3');
     look.focus();
     const focus = vi.spyOn(HTMLElement.prototype, 'focus');
@@ -97,12 +98,12 @@ describe('the memories', () => {
 
   it('can be made to fly next there', async () => {
     const { timer } = await read();
-    button('Make it fly next: M3').focus();
-    await press('Make it fly next: M3');
+    button('Make M3 fly next').focus();
+    await press('Make M3 fly next');
     expect(document.activeElement).toBe(button('Open: M3'));
     expect(timer.core.memory).toBe(2);
     expect([said('M1')[0], said('M3')[0]]).toEqual(['DT 3:00 min', 'flies next']);
-    expect(buttons('M3')).not.toContain('Make it fly next: M3');
+    expect(buttons('M3')).not.toContain('Make M3 fly next');
   });
 
   it('are opened in the program: the current one to be edited, another to be looked at', async () => {
@@ -132,7 +133,7 @@ describe('the memories', () => {
     expect(screen.getAllByText(en.timer['memory-unknown'].advice).length).toBeGreaterThan(0);
     await press('Look at M2');
     expect(timer.core.answered.filter(({ name }) => name === 'SETMEMORY')).toEqual([]);
-    await press('Make it fly next: M2');
+    await press('Make M2 fly next');
     expect(timer.core.memory).toBe(1);
   });
 
@@ -157,17 +158,6 @@ describe('the memories', () => {
     await goTo('memories');
     expect(screen.queryByRole('article')).toBeNull();
     expect(screen.getByRole('heading', { name: 'Backups' })).toBeTruthy();
-  });
-});
-
-describe('Copy to', () => {
-  it('asks where to, and gives the focus back on cancel', async () => {
-    await read();
-    await press('Copy to…: M2');
-    expect(document.activeElement?.getAttribute('aria-label')).toBe('Copy M2 to M1');
-    fireEvent.click(within(card('M2')).getByRole('button', { name: 'Cancel' }));
-    await idle(0);
-    expect(document.activeElement).toBe(button('Copy to…: M2'));
   });
 });
 

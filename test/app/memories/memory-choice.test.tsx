@@ -13,7 +13,7 @@ function choices(): string[] {
   return radios.map((radio) => `${radio.checked ? '* ' : ''}${radio.getAttribute('aria-label')}`);
 }
 
-const said = () => screen.getAllByRole('alert').map(({ textContent }) => textContent);
+const said = () => [...document.querySelectorAll('.unfinished strong')].map(({ textContent }) => textContent);
 const dialog = () => within(screen.getByRole('dialog', { name: en.nextFlight.leaving.title }));
 
 describe('the memories', () => {
@@ -62,10 +62,7 @@ describe('the memories', () => {
       'after going back, the timer is asked which memory is current',
     ).toContain('GETMEMORY');
     expect(screen.getByRole('heading', { name: /^M3, read \d+:\d\d/ })).toBeTruthy();
-    expect([button('Read M3 again').disabled, screen.queryByRole('button', { name: 'Look at M3' })]).toEqual([
-      false,
-      null,
-    ]);
+    expect(button('Look at M3').disabled).toBe(false);
     const held = within(screen.getByRole('table', { name: en.program.tableCaption }));
     const row = held.getByRole('rowheader', { name: en.program.dt }).parentElement;
     expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00 min');
@@ -160,7 +157,7 @@ describe('the memories', () => {
     await session.knowledge.begin(before, { ...before, times });
     session.knowledge.jobOver();
     await lookAt('M3');
-    expect(screen.getByRole('heading', { name: 'It is not known what M3 holds' })).toBeTruthy();
+    expect(screen.getByRole('heading', { name: en.knowledge.unknown('M3') })).toBeTruthy();
     const row = screen.getByRole('rowheader', { name: 'DT' }).parentElement;
     expect([...(row?.children ?? [])].map(({ textContent }) => textContent)).toEqual(['DT', '3:00 min', '6:00 min']);
   });

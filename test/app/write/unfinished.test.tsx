@@ -136,7 +136,7 @@ describe('a job that was cut while another memory was current', () => {
     expect([band(), app.store.unfinished.records.size]).toEqual([null, 0]);
     cutAtM3(app);
     await lookAt('M3');
-    await press(en.look.again('M3'));
+    await press(en.look.look('M3'));
     await loadedAgain(app);
     await press(en.knowledge.forget);
     await press(en.knowledge.forgetNow);

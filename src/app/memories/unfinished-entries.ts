@@ -1,0 +1,193 @@
+import type { ComponentProps } from 'preact';
+import { type TimerProgram, valueAt } from '../../program/index.js';
+import { setValues } from '../editing/edit.js';
+import { dateText, messages } from '../messages/index.js';
+import type { Offer } from '../session/interrupted-jobs.js';
+import { isSimulated } from '../session/knowledge.js';
+import { memoryOf, memoryText } from '../session/memory-names.js';
+import type { Session } from '../session/session.js';
+import type { OpenTrial } from '../session/trials.js';
+import type { OpenJob } from '../session/unfinished-work.js';
+import {
+  graveText,
+  interruptedText,
+  isHere,
+  triedElsewhere,
+  triedText,
+  type Where,
+  whereOf,
+} from '../write/unfinished-text.js';
+import type { ValueTable } from '../write/value-table.js';
+import type { WriteJob } from '../write/write-job.js';
+import { finishWrite, takeGoal } from './finish-write.js';
+
+export interface UnfinishedProps {
+  readonly session: Session;
+  readonly write: WriteJob;
+  /** Reads a memory that is not current. */
+  readonly onLook: (memory: number) => void;
+  /** Makes a memory fly next. */
+  readonly onFly: (memory: number) => void;
+  /** Keeps the positions that were tried in the connected timer. */
+  readonly onKeep: () => void;
+}
+
+/** Something that the pilot can do about it. */
+export interface Way {
+  readonly label: string;
+  readonly look?: 'primary' | 'quiet';
+  readonly disabled?: boolean;
+  readonly run?: () => void;
+  /** What is asked before it is done. */
+  readonly sure?: { readonly said: string; readonly label: string; readonly run: () => void };
+}
+
+/** Something unfinished, as the band shows it. */
+export interface Entry {
+  /** Of its region. */
+  readonly name: string;
+  /** Whether a flight is in danger. */
+  readonly isGrave: boolean;
+  readonly title: string;
+  readonly said?: string;
+  readonly hint?: string;
+  readonly table?: Omit<ComponentProps<typeof ValueTable>, 'lastCounts'>;
+  readonly ways: readonly Way[];
+}
+
+/** What is said of an unfinished job. What can be done about a write waits while the dialog of another one is open. */
+export function entriesOf(props: UnfinishedProps, job: OpenJob): readonly Entry[] {
+  const { session, write, onFly } = props;
+  const { knowledge: words, nextFlight } = messages.value;
+  if (job.kind === 'offer') return [offered(props, job.offer)];
+  if (job.kind === 'tried') return [tried(props, job.trial)];
+  const grave = { name: words.title, isGrave: true, title: graveText(session, job) ?? '' };
+  if (job.kind === 'flight') {
+    const { original } = job.word;
+    const canGoBack = original !== null && session.connection.value !== null;
+    const back = (memory: number): Way => ({
+      label: nextFlight.back(memoryText(session, memory)),
+      run: () => onFly(memory),
+    });
+    return [{ ...grave, ways: canGoBack ? [back(original)] : [] }];
+  }
+  const when = dateText(job.record.startedAt);
+  const where = whereOf(job.record);
+  const said = job.kind === 'left' ? when : words.since(when);
+  const entry: Entry = { ...grave, said, ways: [...waysToRead(props, where), ...waysToForget(session, where)] };
+  const offer = job.kind === 'uncertain' && !write.current.value ? job.offer : null;
+  return [entry, ...(offer ? [offered(props, offer)] : [])];
+}
+
+/** What makes it certain, where that is possible from here. */
+function waysToRead({ session, onLook }: UnfinishedProps, where: Where): readonly Way[] {
+  const { knowledge: words, program, look, memoryName } = messages.value;
+  const { memory } = where;
+  const disabled = session.runner.busy.value;
+  if (isHere(session, where)) {
+    return memory === null || session.editor.working.value?.memory === memory
+      ? [{ label: program.read, disabled, run: () => void session.reader.read() }]
+      : [{ label: look.look(memoryName(memory)), disabled, run: () => onLook(memory) }];
+  }
+  if (session.link.state.value.status !== 'off' || session.link.unavailable || isSimulated(where)) return [];
+  return [{ label: words.connect, disabled: session.engaged.value, run: () => void session.timer.connect() }];
+}
+
+/** While the page waits for an adapter, this would be the only button, and the wrong thing to do. */
+function waysToForget({ link, knowledge }: Session, { key }: Where): readonly Way[] {
+  const { knowledge: words } = messages.value;
+  if (!['off', 'on'].includes(link.state.value.status)) return [];
+  const run = (): void => void knowledge.forget(key);
+  return [{ label: words.forget, look: 'quiet', sure: { said: words.forgetSure, label: words.forgetNow, run } }];
+}
+
+/** What an earlier job left behind on a timer of this kind, and what can be done about it. */
+function offered({ session, write: job }: UnfinishedProps, offer: Offer): Entry {
+  const { recovery: words, write, look, timer, memoryName } = messages.value;
+  const { recovery } = session;
+  const disabled = session.runner.busy.value;
+  const otherTimer: Way = { label: words.otherTimer, run: () => recovery.setAside() };
+  const leave: Way = { label: words.leave, look: 'quiet', run: () => void recovery.settle() };
+  const fly = (memory: number): Way => ({
+    label: look.fly(memoryName(memory)),
+    disabled,
+    run: () => void session.reader.selectMemory(memory),
+  });
+  if (offer.kind === 'elsewhere') {
+    const { memory } = offer;
+    const said = words.elsewhere(memoryName(memory));
+    return { name: words.title, isGrave: false, title: words.title, said, ways: [fly(memory), otherTimer, leave] };
+  }
+  if (offer.kind === 'memories') {
+    const { title } = timer['memory-left'];
+    const { original } = offer.record;
+    const said = words.left(interruptedText(offer.record), memoryName(original), memoryOf(null, offer.current));
+    const back: Way = { ...fly(original), look: 'primary' };
+    return { name: title, isGrave: false, title, said, ways: [back, otherTimer, leave] };
+  }
+  const { record, part, read } = offer;
+  const far = {
+    nothing: words.nothing(part.missing.length),
+    part: words.part(part.written.length, part.missing.length),
+    foreign: words.foreign(part.foreign.length),
+    all: '',
+  }[part.extent];
+  const finish = (label: string, end: 'goal' | 'before'): Way => ({
+    label,
+    disabled: !session.runner.ready.value,
+    run: () => void finishWrite(session, job, end),
+  });
+  const isForeign = part.extent === 'foreign';
+  const sameTimer: Way = { ...finish(words.sameTimer, 'goal'), run: () => void takeGoal(session) };
+  const before = part.extent === 'part' ? [finish(words.goBack, 'before')] : [];
+  return {
+    name: words.title,
+    isGrave: false,
+    title: words.title,
+    said: `${words.when(memoryOf(null, record.goal.memory), dateText(record.startedAt))} ${far}`,
+    table: {
+      identity: read.identity,
+      names: [words.before, write.wanted, write.from],
+      rows: rows(offer, read),
+    },
+    ...(isForeign ? {} : { hint: words.sure }),
+    ways: isForeign
+      ? [otherTimer, sameTimer, leave]
+      : [{ ...finish(words.finish, 'goal'), look: 'primary' }, ...before, otherTimer, leave],
+  };
+}
+
+/** Each value that the write was to change, or that nothing explains: before, wanted, held. */
+function rows({ record: { before, goal }, part }: Extract<Offer, { kind: 'write' }>, read: TimerProgram) {
+  return [...part.foreign, ...part.missing, ...part.written].map(({ field }) => ({
+    field,
+    values: [valueAt(before, field), valueAt(goal, field), valueAt(read, field)],
+  }));
+}
+
+/** Positions that were tried: to keep them, or to put back what the timer held before. */
+function tried(props: UnfinishedProps, trial: OpenTrial): Entry {
+  const { session, write, onFly, onKeep } = props;
+  const { bench: words, look, memoryName } = messages.value;
+  const { trials, editor, runner } = session;
+  const where = whereOf(trial);
+  const { memory } = where;
+  const entry = { name: words.decide, isGrave: false, said: words.decide };
+  if (trials.current.value?.before === trial.before && session.connection.value !== null) {
+    const putBack = (): void => {
+      editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, trials.takeBack()));
+      void write.open();
+    };
+    const ways: Way[] = [
+      { label: words.keep, look: 'primary', run: onKeep },
+      { label: words.putBack, disabled: runner.busy.value || editor.blocked.value, run: putBack },
+    ];
+    return { ...entry, title: triedText(trial.before.identity, trials.tried.value), ways };
+  }
+  const toIt: readonly Way[] =
+    memory !== null && isHere(session, where)
+      ? [{ label: look.fly(memoryName(memory)), disabled: runner.busy.value, run: () => onFly(memory) }]
+      : waysToRead(props, where);
+  const keep: Way = { label: words.keep, look: 'quiet', run: () => trials.forget(trial.key) };
+  return { ...entry, title: triedElsewhere(session, trial), ways: [...toIt, keep] };
+}
