@@ -2,8 +2,8 @@ import { describe, expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { HOLD } from '../../src/app/ui/press-and-hold.js';
 import { COMMANDS, type CommandName, encodeFrame } from '../../src/protocol/index.js';
-import { Pilot } from './pilot.js';
-import { Rig, type RigOptions } from './rig.js';
+import { connected, type Pilot } from './pilot.js';
+import type { Rig, RigOptions } from './rig.js';
 
 const BAUD_RATE = 9600;
 /** A byte on the line: start bit, eight bits, stop bit. */
@@ -11,10 +11,7 @@ const BITS = 10;
 
 /** A pilot at the bench, with an F1Q at a line of 9600 baud, who has said that it is safe. */
 async function atTheBench(options: RigOptions = {}): Promise<{ rig: Rig; pilot: Pilot }> {
-  const rig = await Rig.start({ timer: { identity: { timerClass: 'Q' }, baudRate: BAUD_RATE }, ...options });
-  const pilot = new Pilot(await rig.open());
-  await pilot.clickConnect();
-  await pilot.isConnected();
+  const { rig, pilot } = await connected({ timer: { identity: { timerClass: 'Q' }, baudRate: BAUD_RATE }, ...options });
   await pilot.goTo('bench');
   await pilot.page.getByRole('checkbox', { name: en.write.safety }).check();
   return { rig, pilot };

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { exchangeSize } from '../../src/protocol/index.js';
 import { fromHex, toHex } from '../tools/bytes.js';
-import { Pilot } from './pilot.js';
+import { connected, Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 
 const identity = { timerClass: 'B', firmware: '536', functions: 10, memories: 4, servos: 3 } as const;
@@ -21,10 +21,7 @@ const capture = [
 test('the page shows what a real timer has sent', async () => {
   const before = (['GETSWVER', 'GETMEMORY', 'GETTIMERS'] as const).map((name) => exchangeSize(name, identity).reply);
   const chunks = [...before, ...capture.map(({ length }) => length)];
-  const rig = await Rig.start({ timer: { identity, baudRate: 9600, fromTimer: { chunks } } });
-  const pilot = new Pilot(await rig.open());
-  await pilot.clickConnect();
-  await pilot.isConnected();
+  const { rig, pilot } = await connected({ timer: { identity, baudRate: 9600, fromTimer: { chunks } } });
 
   await pilot.sees('F1B');
   await pilot.sees('firmware 536');
@@ -38,10 +35,7 @@ test('the page shows what a real timer has sent', async () => {
 });
 
 test('a time and two positions are written with one SETTIMERS and two SETSERVO, and verified', async () => {
-  const rig = await Rig.start({ timer: { identity } });
-  const pilot = new Pilot(await rig.open());
-  await pilot.clickConnect();
-  await pilot.isConnected();
+  const { rig, pilot } = await connected({ timer: { identity } });
   const { core } = rig.timer;
   const times = [...core.content.times.slice(0, 10), 15_000];
   const asked = core.answered.length;

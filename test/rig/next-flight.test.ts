@@ -1,16 +1,12 @@
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
-import { Pilot } from './pilot.js';
-import { Rig } from './rig.js';
+import { connected } from './pilot.js';
 
 const identity = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 } as const;
 
 test('a look leaves the timer as it was, and what flies next is what the pilot was told', async () => {
-  const rig = await Rig.start({ timer: { identity } });
+  const { rig, pilot } = await connected({ timer: { identity } });
   const { core } = rig.timer;
-  const pilot = new Pilot(await rig.open());
-  await pilot.clickConnect();
-  await pilot.isConnected();
   const before = structuredClone(core.memories);
   const selected = (): number[] =>
     core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));

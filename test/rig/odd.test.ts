@@ -1,7 +1,7 @@
 import { expect, onTestFinished, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { encodeFrame } from '../../src/protocol/index.js';
-import { Pilot } from './pilot.js';
+import { connected, Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 
 test.for([900, 2000])('a timer that answers after %i ms is read and written, and not called noisy', async (latency) => {
@@ -32,10 +32,7 @@ test('a device that sends lines of text is not called a timer, and the timer is 
 });
 
 test('the answers of another timer are noticed, and the values shown are those of this one', async () => {
-  const rig = await Rig.start();
-  const pilot = new Pilot(await rig.open());
-  await pilot.clickConnect();
-  await pilot.isConnected();
+  const { rig, pilot } = await connected();
   rig.timer.core.onAnswer = ({ name }) => {
     if (name !== 'GETMEMORY') return;
     rig.timer.core.onAnswer = undefined;

@@ -1,5 +1,6 @@
 import type { Locator, Page } from 'playwright';
 import { en } from '../../src/app/messages/en.js';
+import { Rig, type RigOptions } from './rig.js';
 
 /** What a pilot does on the page, and sees there; all of it found by role and name. */
 export class Pilot {
@@ -106,4 +107,13 @@ export class Pilot {
     await this.page.getByRole('dialog').waitFor({ state: 'hidden' });
     return text;
   }
+}
+
+/** A pilot whose timer is connected and read. */
+export async function connected(options?: RigOptions): Promise<{ rig: Rig; pilot: Pilot }> {
+  const rig = await Rig.start(options);
+  const pilot = new Pilot(await rig.open());
+  await pilot.clickConnect();
+  await pilot.isConnected();
+  return { rig, pilot };
 }

@@ -1,8 +1,8 @@
 import { stdout } from 'node:process';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
-import { Pilot } from './pilot.js';
-import { type Direction, Rig, type RigOptions } from './rig.js';
+import { connected, Pilot } from './pilot.js';
+import { type Direction, Rig } from './rig.js';
 
 /** What is written in these tests: one SETTIMERS and three SETSERVO. */
 const values = (round: number) => ({
@@ -18,14 +18,6 @@ const held = ({ timer: { core } }: Rig) => {
   return [times[10], positions[0]?.[3], positions[1]?.[5], positions[2]?.[10]];
 };
 const wanted = (round: number) => [100 * (130 + round), round, 30 + round, 80 + round];
-
-async function connected(options?: RigOptions): Promise<{ rig: Rig; pilot: Pilot }> {
-  const rig = await Rig.start(options);
-  const pilot = new Pilot(await rig.open());
-  await pilot.clickConnect();
-  await pilot.isConnected();
-  return { rig, pilot };
-}
 
 /** Milliseconds that `work` takes. */
 async function timed(work: () => Promise<void>): Promise<number> {

@@ -1,20 +1,13 @@
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
-import { Pilot } from './pilot.js';
-import { Rig } from './rig.js';
+import { connected } from './pilot.js';
 
 const HOLDS = 'holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
 
-async function connected(): Promise<{ rig: Rig; pilot: Pilot }> {
-  const rig = await Rig.start({ timer: { identity: { timerClass: 'Q' } } });
-  const pilot = new Pilot(await rig.open());
-  await pilot.clickConnect();
-  await pilot.isConnected();
-  return { rig, pilot };
-}
+const Q = { timer: { identity: { timerClass: 'Q' } } } as const;
 
 test('unplugged after the last byte of a write: the memory stays uncertain until the timer is read', async () => {
-  const { rig, pilot } = await connected();
+  const { rig, pilot } = await connected(Q);
   const { page } = pilot;
   const band = page.getByRole('region', { name: en.knowledge.title });
   await pilot.type({ 'DT time': '6:00' });
@@ -43,7 +36,7 @@ test('unplugged after the last byte of a write: the memory stays uncertain until
 });
 
 test('another timer under the head between dialog and Write: nothing is written to it, and the head names it', async () => {
-  const { rig, pilot } = await connected();
+  const { rig, pilot } = await connected(Q);
   const { core } = rig.timer;
   await pilot.type({ 'DT time': '6:00' });
   await pilot.review();
@@ -57,7 +50,7 @@ test('another timer under the head between dialog and Write: nothing is written 
 });
 
 test('another content under the head between dialog and Write: it is shown, and asked again', async () => {
-  const { rig, pilot } = await connected();
+  const { rig, pilot } = await connected(Q);
   const { core } = rig.timer;
   await pilot.type({ 'DT time': '6:00' });
   await pilot.review();

@@ -56,25 +56,6 @@ test('the policy gives the page the port, and the timer answers at 9600 baud, 1 
   expect(rig.timer.core.answered).toEqual([{ name: 'GETSWVER' }]);
 });
 
-test('opened and closed twenty times in a row it answers each time', async () => {
-  const rig = await Rig.start();
-  const page = await rig.open();
-  for (let times = 0; times < 20; times++) expect(await exchange(page)).toEqual(identity);
-  await expect.poll(() => rig.sessions, PATIENCE).toEqual({ opened: 20, closed: 20 });
-});
-
-test('unplugged and plugged in again, the page is told, and the port answers as before', async () => {
-  const rig = await Rig.start();
-  const page = await rig.open();
-  const told = await listen(page);
-  await rig.unplug();
-  await expect.poll(told, PATIENCE).toEqual(['disconnect']);
-  expect(await ports(page)).toEqual([]);
-  await rig.plug();
-  await expect.poll(told, PATIENCE).toEqual(['disconnect', 'connect']);
-  expect(await exchange(page)).toEqual(identity);
-});
-
 test('the plug can be pulled after any byte, and no later byte arrives', async () => {
   const rig = await Rig.start();
   const page = await rig.open();
