@@ -23,6 +23,12 @@ export function bench(timerOptions: VirtualTimerOptions = {}, clientOptions: Tim
   return { clock, timer, client, line, run: (promise) => clock.run(promise) };
 }
 
+/** The same after the first reading, which is the baseline of a write. */
+export async function readBench(...options: Parameters<typeof bench>): Promise<Bench & { baseline: TimerProgram }> {
+  const made = bench(...options);
+  return { ...made, baseline: await made.run(made.client.readProgram()) };
+}
+
 export function names(requests: readonly Request[]): string[] {
   return requests.map(({ name }) => name);
 }

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { LineEntry, TimerClient, TimerClientOptions } from '../../src/client/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
-import { bench, contentOf, edited } from './bench.js';
+import { bench, contentOf, edited, readBench } from './bench.js';
 
 type Callback = Required<Pick<TimerClientOptions, 'onLine'>>['onLine'];
 type OnProgress = (() => void) | undefined;
@@ -26,8 +26,10 @@ async function outcome(job: Job, onLine: Callback | undefined, onProgress: OnPro
     sent.push(byte);
     return [byte];
   };
-  const { client, timer, run } = bench({ identity: { timerClass: 'Q' }, toTimer: { fault } }, { onLine });
-  const baseline = await run(client.readProgram());
+  const { client, timer, run, baseline } = await readBench(
+    { identity: { timerClass: 'Q' }, toTimer: { fault } },
+    { onLine },
+  );
   const report = await run(job(client, baseline, onProgress)).catch((error: unknown) => error);
   return { sent, report, held: contentOf(timer), memories: timer.core.memories };
 }

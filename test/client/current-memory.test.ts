@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { isNoAnswer, policyFor } from '../../src/client/current-memory.js';
 import { TimerError } from '../../src/client/index.js';
 import { COMMANDS } from '../../src/protocol/index.js';
-import { answering, type Bench, bench, contentOf, edited, names } from './bench.js';
+import { answering, type Bench, bench, contentOf, edited, names, readBench } from './bench.js';
 
 /** How often the timer was asked which memory is current. */
 function counting({ line }: Bench): () => number {
@@ -50,16 +50,14 @@ describe('a timer that does not answer which memory is current', () => {
 
 describe('an answer that names another memory than the one that was read', () => {
   it('is not believed when it comes once', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [1] : undefined));
     const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report.result).toBe('verified');
   });
 
   it('is believed when it comes twice, and the error names both memories', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     answering(timer, 'GETMEMORY', () => [1]);
     const writing = run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     await expect(writing).rejects.toMatchObject({
@@ -71,8 +69,7 @@ describe('an answer that names another memory than the one that was read', () =>
   });
 
   it('stops a write before its first value when it no longer names a memory', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     answering(timer, 'GETMEMORY', () => []);
     const writing = run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     await expect(writing).rejects.toMatchObject({ code: 'memory-unknown', details: { expected: 0, found: null } });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { answering, bench, contentOf, edited, memoryOf, names } from './bench.js';
+import { answering, bench, contentOf, edited, memoryOf, names, readBench } from './bench.js';
 
 const Q = { identity: { timerClass: 'Q' } };
 
@@ -113,8 +113,7 @@ describe('a memory that is left', () => {
 
 describe('a program for another timer', () => {
   it('is refused, and the error says which timer is there', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const other = { ...baseline, identity: { ...baseline.identity, timerClass: 'E' } };
     await expect(run(client.writeProgram(other, { baseline: other }))).rejects.toMatchObject({
       code: 'other-timer',

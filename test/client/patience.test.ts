@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { TimerClient, WriteOptions } from '../../src/client/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
-import { bench, contentOf, edited, names } from './bench.js';
+import { bench, contentOf, edited, names, readBench } from './bench.js';
 import { everyValueChanged } from './matrix.js';
 
 type Write = (
@@ -49,8 +49,7 @@ describe('giving up', () => {
   });
 
   it('a request that this timer does not answer goes out ten times, each after a fence', async () => {
-    const { client, run, timer } = bench({ quirks: { servoFirst: true } });
-    const baseline = await run(client.readProgram());
+    const { client, run, timer, baseline } = await readBench({ quirks: { servoFirst: true } });
     timer.core.answered.length = 0;
     const report = await run(client.writeProgram(edited(baseline, [1, 7, 99]), { baseline }));
     expect(report).toMatchObject({
@@ -100,8 +99,9 @@ describe('giving up', () => {
   });
 
   it('after a write that was given up for damage, what the timer holds is read back', async () => {
-    const { client, run, timer } = bench({ fromTimer: { fault: (byte) => [byte === 0x66 ? 0x67 : byte] } });
-    const baseline = await run(client.readProgram());
+    const { client, run, timer, baseline } = await readBench({
+      fromTimer: { fault: (byte) => [byte === 0x66 ? 0x67 : byte] },
+    });
     const goal = edited(baseline, [10, 30000]);
     const report = await run(client.writeProgram(goal, { baseline }));
     // The timer holds it all the same.
@@ -133,8 +133,7 @@ describe('giving up', () => {
     // Only each twentieth reply that says which memory is current comes through, and the first of them says another.
     let asked = 0;
     const fault = (byte: number): number[] => [hurt && byte === 0x45 ? asked % 60 : byte];
-    const { client, run, timer, line } = bench({ fromTimer: { fault } });
-    const baseline = await run(client.readProgram());
+    const { client, run, timer, line, baseline } = await readBench({ fromTimer: { fault } });
     asked = 0;
     timer.core.onAnswer = ({ name }) => {
       if (name === 'GETMEMORY') asked++;
@@ -168,8 +167,7 @@ describe('the time that a job may take', () => {
     ['several', (client, goal, _, how) => client.writeMemories([goal], how)],
   ])('is longer when the servos move: %s', async (_, write) => {
     const time = async (moveServos: boolean): Promise<number> => {
-      const { client, run, clock } = bench();
-      const baseline = await run(client.readProgram());
+      const { client, run, clock, baseline } = await readBench();
       const goal = edited(baseline, [0, 3, 70]);
       const begin = clock.now();
       const told: number[] = [];

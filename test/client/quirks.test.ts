@@ -12,7 +12,7 @@ import {
   type Reply,
 } from '../../src/protocol/index.js';
 import type { TimerQuirks, VirtualTimer } from '../../src/simulator/index.js';
-import { answering, bench, contentOf, edited, names } from './bench.js';
+import { answering, bench, contentOf, edited, names, readBench } from './bench.js';
 
 const found = (client: { quirksFound: ReadonlyMap<QuirkCode, unknown> }): QuirkCode[] => [...client.quirksFound.keys()];
 
@@ -105,8 +105,10 @@ describe('a timer that differs from the usual one', () => {
   });
 
   it('the length in the sum of SETTIMERS and GETMEMORY: read without its memory, written by what is read back', async () => {
-    const { client, timer, run } = bench({ quirks: { lengthInSum: ['SETTIMERS', 'GETMEMORY'] }, baudRate: 9600 });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({
+      quirks: { lengthInSum: ['SETTIMERS', 'GETMEMORY'] },
+      baudRate: 9600,
+    });
     expect(baseline).toEqual({ ...contentOf(timer), memory: null });
     const both = edited(baseline, [10, 30000], [1, 4, 9]);
     const report = await run(client.writeProgram(both, { baseline }));
@@ -126,8 +128,7 @@ describe('a timer that differs from the usual one', () => {
   });
 
   it('a reply without a memory means unknown, never memory 0; reading and writing go on', async () => {
-    const { client, timer, run } = bench({ quirks: { memoryReplyEmpty: true } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ quirks: { memoryReplyEmpty: true } });
     expect(baseline.memory).toBeNull();
     expect(found(client)).toEqual(['memory-unknown']);
     const goal = edited(baseline, [10, 30000]);
@@ -195,8 +196,7 @@ describe('a timer that differs from the usual one', () => {
   });
 
   it('rounded times: the report says which, and to what', async () => {
-    const { client, run } = bench({ quirks: { timeStep: 10 } });
-    const baseline = await run(client.readProgram());
+    const { client, run, baseline } = await readBench({ quirks: { timeStep: 10 } });
     const report = await run(client.writeProgram(edited(baseline, [3, 255]), { baseline }));
     expect(report.result).toBe('differs');
     expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 3, sent: 255, held: 250 });
@@ -250,8 +250,7 @@ describe('an answer that makes no sense', () => {
   });
 
   it('SETTIMERS may be acknowledged without times', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     answering(timer, 'SETTIMERS', () => []);
     const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report).toMatchObject({ result: 'verified', acknowledged: 1, repeats: 0 });
@@ -259,8 +258,7 @@ describe('an answer that makes no sense', () => {
   });
 
   it('SETSERVO is not acknowledged by a reply with data, and what the timer holds is still read', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     answering(timer, 'SETSERVO', () => [1, 2, 3]);
     const goal = edited(baseline, [0, 3, 70]);
     const report = await run(client.writeProgram(goal, { baseline }));
@@ -315,8 +313,7 @@ describe('an identity with bytes that nobody knows', () => {
 
 describe('a timer that wants four zeros', () => {
   it('gets them in front of each request', async () => {
-    const { client, timer, line, run } = bench({}, { quirks: { fourZeros: true } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, line, run, baseline } = await readBench({}, { quirks: { fourZeros: true } });
     await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(contentOf(timer).times[10]).toBe(30000);
     const sent = line.filter(({ direction }) => direction === 'out').map(({ bytes }) => bytes);
@@ -385,8 +382,7 @@ describe('times with their high byte first', () => {
 
 describe('servo before function', () => {
   it('is found when reading back; the other cell is put back and reported', async () => {
-    const { client, timer, run } = bench({ quirks: { servoFirst: true } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ quirks: { servoFirst: true } });
     const goal = edited(baseline, [2, 1, 99]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report.result).toBe('differs');
@@ -402,8 +398,7 @@ describe('servo before function', () => {
   });
 
   it('is disproved in the same way: the other cell is put back in the usual order', async () => {
-    const { client, timer, run } = bench({}, { quirks: { servoFirst: true } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({}, { quirks: { servoFirst: true } });
     const goal = edited(baseline, [2, 1, 99]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report.values).toMatchObject([
@@ -421,8 +416,7 @@ describe('servo before function', () => {
       ['no-answer', ({ core }) => core.sleep(), 'MOVETOFUNC'],
     ];
     for (const [code, happen, at] of cases) {
-      const { client, timer, run } = bench();
-      const baseline = await run(client.readProgram());
+      const { client, timer, run, baseline } = await readBench();
       const stop = new AbortController();
       const moveServos = at === 'MOVETOFUNC';
       const goal = moveServos ? edited(baseline, [1, 5, 99]) : edited(baseline, [10, 30000], [1, 5, 99]);
@@ -437,8 +431,7 @@ describe('servo before function', () => {
   });
 
   it('is suspected when a function number without a servo gets no answer, and nothing is reported as written', async () => {
-    const { client, timer, run } = bench({ quirks: { servoFirst: true } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ quirks: { servoFirst: true } });
     const goal = edited(baseline, [1, 3, 99]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report).toMatchObject({ result: 'differs', stopped: { code: 'no-answer' } });
@@ -455,8 +448,7 @@ describe('servo before function', () => {
 
 describe('positions that are kept only where the servos stand', () => {
   it('are found unchanged, and nothing moves', async () => {
-    const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ quirks: { servoNeedsMove: true } });
     const report = await run(client.writeProgram(edited(baseline, [0, 1, 99]), { baseline }));
     expect(report.result).toBe('differs');
     expect(found(client)).toEqual(['positions-unchanged']);
@@ -466,15 +458,13 @@ describe('positions that are kept only where the servos stand', () => {
   });
 
   it('are not suspected by a write of times only', async () => {
-    const { client, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, run, baseline } = await readBench();
     await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect([found(client), client.quirksAssumed]).toEqual([[], {}]);
   });
 
   it('do not make servos move just because they are known', async () => {
-    const { client, timer, run } = bench({}, { quirks: { positionsNeedMove: true } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({}, { quirks: { positionsNeedMove: true } });
     const report = await run(client.writeProgram(edited(baseline, [0, 1, 99]), { baseline }));
     expect([report.result, names(timer.core.answered).includes('MOVETOFUNC')]).toEqual(['verified', false]);
   });
@@ -486,8 +476,7 @@ describe('positions that are kept only where the servos stand', () => {
   ])(
     'are suspected no longer once two functions kept theirs unmoved (moved: %s, functions %o: %s)',
     async (moveServos, slots, dropped) => {
-      const { client, timer, run } = bench();
-      const baseline = await run(client.readProgram());
+      const { client, timer, run, baseline } = await readBench();
       const kept = structuredClone(timer.core.content.positions);
       timer.core.onAnswer = ({ name }) => {
         if (name === 'SETSERVO') timer.core.content.positions = structuredClone(kept);
@@ -504,8 +493,7 @@ describe('positions that are kept only where the servos stand', () => {
   );
 
   it('are written when the pilot has agreed that the servos move once to each function', async () => {
-    const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ quirks: { servoNeedsMove: true } });
     const goal = edited(baseline, [0, 1, 99], [0, 4, 98], [2, 1, 97]);
     timer.core.answered.length = 0;
     const report = await run(client.writeProgram(goal, { baseline, moveServos: true }));
@@ -551,8 +539,7 @@ describe('what was found of a timer', () => {
 
 describe('what a version reply may say', () => {
   it('another letter: works as a timer of unknown class', async () => {
-    const { client, timer, run } = bench({ identity: { timerClass: 'X' } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ identity: { timerClass: 'X' } });
     const goal = edited(baseline, [10, 30000]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     expect(contentOf(timer)).toEqual(goal);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { TimerError } from '../../src/client/index.js';
-import { type Bench, bench, contentOf, edited, names } from './bench.js';
+import { type Bench, contentOf, edited, names, readBench } from './bench.js';
 
 /** Lets the timer change something else once, with its first reply to a request of this name. */
 function disturbOnce({ core }: Bench['timer'], name: string, change: () => void): void {
@@ -21,8 +21,7 @@ describe('a position that changed without being asked', () => {
   ])(
     'is no exchange of servo and function when it %s: it is put back, and nothing is assumed',
     async (_, s, slot, to) => {
-      const { client, timer, run } = bench();
-      const baseline = await run(client.readProgram());
+      const { client, timer, run, baseline } = await readBench();
       const goal = edited(baseline, [2, 1, 99]);
       disturbOnce(timer, 'SETSERVO', () => void timer.core.content.positions[s]?.splice(slot, 1, to));
       const report = await run(client.writeProgram(goal, { baseline }));
@@ -36,8 +35,7 @@ describe('a position that changed without being asked', () => {
   );
 
   it('does not count as exchanged where servo and function have the same number', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const goal = edited(baseline, [1, 1, 99]);
     disturbOnce(timer, 'SETSERVO', () => void timer.core.content.positions[0]?.splice(5, 1, 99));
     const report = await run(client.writeProgram(goal, { baseline }));
@@ -49,8 +47,7 @@ describe('a position that changed without being asked', () => {
 
 describe('a time that changed without being asked', () => {
   it('is put back by one more SETTIMERS, also when only a position was to change', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const goal = edited(baseline, [2, 4, 99]);
     disturbOnce(timer, 'SETSERVO', () => void timer.core.content.times.splice(7, 1, 4321));
     const report = await run(client.writeProgram(goal, { baseline }));
@@ -69,8 +66,7 @@ describe('a time that changed without being asked', () => {
 
 describe('an exception that is not an error of the line', () => {
   it('ends a write as it is, and is not called an answer that did not come', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const broken = { ...baseline, positions: baseline.positions.map((row) => [...row]) };
     // Such as a program that somebody takes away while it is written.
     const goal = edited(broken, [10, 30_000]);
@@ -90,8 +86,9 @@ describe('an exception that is not an error of the line', () => {
 describe('what is counted and noted for each write', () => {
   it('repeats are those of this write alone, not of the ones before', async () => {
     let isDeaf = false;
-    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (isDeaf ? [] : [byte]) } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({
+      fromTimer: { fault: (byte) => (isDeaf ? [] : [byte]) },
+    });
     const first = edited(baseline, [0, 3, 40]);
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETSERVO') isDeaf = true;
@@ -106,16 +103,14 @@ describe('what is counted and noted for each write', () => {
   });
 
   it('a rounded time is noted at the first slot, too', async () => {
-    const { client, run } = bench({ identity: { timerClass: 'Q' }, quirks: { timeStep: 10 } });
-    const baseline = await run(client.readProgram());
+    const { client, run, baseline } = await readBench({ identity: { timerClass: 'Q' }, quirks: { timeStep: 10 } });
     // A position after it says nothing of times.
     await run(client.writeProgram(edited(baseline, [0, 1005], [0, 3, 70]), { baseline }));
     expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 0, sent: 1005, held: 1000 });
   });
 
   it('the error that stopped it is an error of the client', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();
     const report = await run(client.writeProgram(edited(baseline, [10, 30_000]), { baseline }));
     expect(report.result).toBe('unknown');

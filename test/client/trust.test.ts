@@ -4,7 +4,7 @@ import { VirtualClock } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
 import { COMMANDS, type Identity } from '../../src/protocol/index.js';
 import { type TimerQuirks, VirtualTimer } from '../../src/simulator/index.js';
-import { bench, contentOf, edited, names } from './bench.js';
+import { contentOf, edited, names, readBench } from './bench.js';
 import { everyValueChanged } from './matrix.js';
 
 const SMALL = { functions: 2, memories: 2, servos: 1 };
@@ -150,8 +150,7 @@ describe('another memory, from any answer of the reading back on', () => {
     'with %s content is never verified while it can be noticed, and never written',
     async (content) => {
       for (let at = 0; at < VERIFY; at++) {
-        const { client, timer, run } = bench({ identity: SMALL });
-        const baseline = await run(client.readProgram());
+        const { client, timer, run, baseline } = await readBench({ identity: SMALL });
         const goal = goalOf(baseline);
         if (content === 'same') Object.assign(timer.core.memories[1] as object, structuredClone(goal));
         const before = structuredClone(timer.core.memories[1]);
@@ -178,8 +177,7 @@ describe('an acknowledgement that comes twice', () => {
   ])('at once, or before or after one of the next two replies%s: is never taken for a reading', async (_, quirks) => {
     for (let hit = 0; hit < FRESH + SETS + VERIFY; hit++) {
       for (const place of ['at once', 'before 1', 'after 1', 'before 2', 'after 2'] as const) {
-        const { client, timer, run } = bench({ identity: SMALL, quirks });
-        const baseline = await run(client.readProgram());
+        const { client, timer, run, baseline } = await readBench({ identity: SMALL, quirks });
         const goal = goalOf(baseline);
         const answer = timer.core.answer.bind(timer.core);
         let count = 0;
@@ -204,8 +202,7 @@ describe('an acknowledgement that comes twice', () => {
 
 describe('a second reply to the first reading', () => {
   it('does not count as the second reading of what has changed meanwhile', async () => {
-    const { client, timer, run } = bench({ identity: SMALL });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ identity: SMALL });
     const answer = timer.core.answer.bind(timer.core);
     let copy = new Uint8Array(0);
     let asked = 0;

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { wireTime } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
 import { exchangeSize, type Request } from '../../src/protocol/index.js';
-import { type Bench, bench, contentOf, edited, names } from './bench.js';
+import { type Bench, bench, contentOf, edited, names, readBench } from './bench.js';
 import { everyValueChanged } from './matrix.js';
 
 function sets(requests: readonly Request[]): Request[] {
@@ -16,8 +16,7 @@ const VERIFY = ['GETSWVER', 'GETMEMORY', ...CONTENT, ...CONTENT, 'GETMEMORY', 'G
 
 describe('write program', () => {
   it('sends one SETTIMERS and one SETSERVO for each position, reads back, and says verified', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const goal = edited(baseline, [10, 30000], [0, 3, 70], [2, 10, 0]);
     timer.core.answered.length = 0;
     const report = await run(client.writeProgram(goal, { baseline }));
@@ -41,24 +40,21 @@ describe('write program', () => {
   });
 
   it('writes the idle throttle of a Q timer', async () => {
-    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ identity: { timerClass: 'Q' } });
     const report = await run(client.writeProgram({ ...baseline, idleThrottle: 12 }, { baseline }));
     expect(report.result).toBe('verified');
     expect(timer.core.idleThrottle).toBe(12);
   });
 
   it('reads back even when nothing differs, sends no SET, and says that nothing was asked for', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const report = await run(client.writeProgram(baseline, { baseline }));
     expect(report).toMatchObject({ result: 'verified', asked: 0, values: [] });
     expect(sets(timer.core.answered)).toEqual([]);
   });
 
   it('refuses what the wire cannot carry before anything is sent', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     timer.core.answered.length = 0;
     const bad = edited(baseline, [1, 40], [0, 0, 131]);
     await expect(run(client.writeProgram(bad, { baseline }))).rejects.toMatchObject({
@@ -74,8 +70,7 @@ describe('write program', () => {
   });
 
   it('refuses what may cost a model before anything is sent, unless the pilot wants it all the same', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     timer.core.answered.length = 0;
     // 180 was meant in seconds.
     const short = edited(baseline, [10, 180]);
@@ -91,8 +86,7 @@ describe('write program', () => {
   });
 
   it('refuses to write into another memory than the one that was read', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     timer.core.memory = 2;
     const goal = edited(baseline, [10, 30000]);
     await expect(run(client.writeProgram(goal, { baseline }))).rejects.toMatchObject({
@@ -118,8 +112,7 @@ describe('write program', () => {
   });
 
   it('stops as soon as another memory is current after the reading', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     timer.core.answered.length = 0;
     timer.core.onAnswer = ({ name }) => {
       if (name === 'GETSERVOPOS') timer.core.memory = 2;
@@ -135,8 +128,7 @@ describe('write program', () => {
   });
 
   it('puts nothing back when another memory was selected during the write', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const goal = edited(baseline, [10, 30000]);
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') timer.core.memory = 1;
@@ -149,15 +141,13 @@ describe('write program', () => {
   });
 
   it('refuses a program for another kind of timer', async () => {
-    const { client, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, run, baseline } = await readBench();
     const other = { ...baseline, identity: { ...baseline.identity, timerClass: 'E' } };
     await expect(run(client.writeProgram(other, { baseline }))).rejects.toMatchObject({ code: 'other-timer' });
   });
 
   it('says what differs when the timer rounds, and does not send it again', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') timer.core.content.times = timer.core.content.times.map((time) => time - (time % 10));
     };
@@ -169,8 +159,7 @@ describe('write program', () => {
   });
 
   it('puts back what changed without being asked, and says so', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     let once = true;
     timer.core.onAnswer = ({ name }) => {
       if (name !== 'SETTIMERS' || !once) return;
@@ -195,8 +184,7 @@ describe('write program', () => {
   });
 
   it('puts nothing back when more changed than it can have disturbed: it may be another timer', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const foreign = timer.core.content.positions.map((row) => row.map((position) => position + 1));
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS') timer.core.content.positions = structuredClone(foreign);
@@ -212,8 +200,7 @@ describe('write program', () => {
     ['a position', ({ content }) => void content.positions[2]?.splice(4, 1, 1)],
     ['the idle throttle', (core) => void Object.assign(core, { idleThrottle: 31 })],
   ])('writes nothing when %s has changed since the reading, and gives what the timer holds', async (_, change) => {
-    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ identity: { timerClass: 'Q' } });
     change(timer.core);
     const held = structuredClone(contentOf(timer));
     const goal = { ...edited(baseline, [10, 30000], [2, 4, 99]), idleThrottle: 40 };
@@ -245,8 +232,7 @@ describe('write program', () => {
   });
 
   it('does not claim what a timer holds that fell asleep, and finishes when it is awake again', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const goal = edited(baseline, [0, 1, 70], [1, 1, 71]);
     timer.core.onAnswer = (request) => {
       if (request.name === 'SETSERVO') timer.core.sleep();
@@ -263,8 +249,7 @@ describe('write program', () => {
 
   it('stops after silence when something has changed that this write cannot have changed', async () => {
     let lose = false;
-    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
     let first = true;
     timer.core.onAnswer = ({ name }) => {
       lose = name === 'SETTIMERS';
@@ -286,8 +271,7 @@ describe('write program', () => {
 
   it('does not take a change for its own before it has sent that value', async () => {
     let lose = false;
-    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
     timer.core.onAnswer = ({ name }) => {
       lose = name === 'SETTIMERS';
       // The value of the SETSERVO that is still to come, where a timer puts it that takes the servo first.
@@ -301,8 +285,10 @@ describe('write program', () => {
   it('goes on after silence with a timer that rounds, or takes the servo first', async () => {
     for (const quirks of [{ timeStep: 10 }, { servoFirst: true }]) {
       let lose = false;
-      const { client, timer, run } = bench({ quirks, fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
-      const baseline = await run(client.readProgram());
+      const { client, timer, run, baseline } = await readBench({
+        quirks,
+        fromTimer: { fault: (byte) => (lose ? [] : [byte]) },
+      });
       let lost = 0;
       timer.core.onAnswer = ({ name }) => {
         lose = name.startsWith('SET') && lost++ % 2 === 0;
@@ -316,8 +302,7 @@ describe('write program', () => {
   it('says verified when the timer holds all that was wanted, although a reply was missing', async () => {
     // All replies to SETSERVO are lost; the timer has carried it out.
     let lose = false;
-    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
     timer.core.onAnswer = ({ name }) => {
       lose = name === 'SETSERVO';
     };
@@ -328,8 +313,7 @@ describe('write program', () => {
   });
 
   it('stops within one reply when asked to, and says what is not known', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const goal = edited(baseline, [10, 30000], [0, 3, 70]);
     const stop = new AbortController();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && stop.abort();
@@ -342,8 +326,7 @@ describe('write program', () => {
   });
 
   it('is refused when stopped before the first value went out', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     const stop = new AbortController();
     timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && stop.abort();
     const writing = client.writeProgram(edited(baseline, [10, 30000]), { baseline, signal: stop.signal });
@@ -352,8 +335,7 @@ describe('write program', () => {
   });
 
   it('does not say verified when the cable is pulled while reading back', async () => {
-    const { client, timer, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, timer, run, baseline } = await readBench();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.cut();
     const report = await run(client.writeProgram(edited(baseline, [10, 30000]), { baseline }));
     expect(report).toMatchObject({ result: 'unknown', stopped: { code: 'port-lost' } });
@@ -361,8 +343,7 @@ describe('write program', () => {
   });
 
   it('reports its progress from nothing to all over the whole job', async () => {
-    const { client, run } = bench();
-    const baseline = await run(client.readProgram());
+    const { client, run, baseline } = await readBench();
     const seen: string[] = [];
     const onProgress = ({ stage, done, total }: { stage: string; done: number; total: number }): void => {
       seen.push(`${stage} ${done}/${total}`);
@@ -392,8 +373,7 @@ describe('write program', () => {
   });
 
   it.each([false, true])('sends exactly what was planned on a good line, servos moved: %s', async (moveServos) => {
-    const { client, run } = bench({ identity: { timerClass: 'Q' } });
-    const baseline = await run(client.readProgram());
+    const { client, run, baseline } = await readBench({ identity: { timerClass: 'Q' } });
     const seen: number[] = [];
     const left: number[] = [];
     const onProgress = ({ done, total }: { done: number; total: number }): void => {
@@ -408,8 +388,7 @@ describe('write program', () => {
   });
 
   it.each([9600, 115_200])('takes no longer at %i baud than its bytes do', async (baudRate) => {
-    const { client, run, clock } = bench({ baudRate }, { baudRate });
-    const baseline = await run(client.readProgram());
+    const { client, run, clock, baseline } = await readBench({ baudRate }, { baudRate });
     const positions = baseline.positions.flatMap((row, servo) =>
       row.map((p, slot): [number, number, number] => [servo, slot, p + 1]),
     );
