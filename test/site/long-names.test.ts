@@ -39,7 +39,6 @@ test('long names of models and memories leave room for what they name, on a smal
     .evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.textContent));
   expect(cut, 'the two names differ at their ends').toEqual([]);
   await line.getByRole('button', { name: `${NAME} neu` }).click();
-  await app.page.locator('.strip-memory small').waitFor();
   expect(
     await app.page.locator('.strip-line').evaluate((strip) => (strip as HTMLElement).offsetHeight),
     'the strip has two lines at most',

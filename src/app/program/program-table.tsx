@@ -46,7 +46,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given }: P
   const intervals = useSignal(false);
   const table = useRef<HTMLTableElement>(null);
   const foot = useRef<HTMLDivElement>(null);
-  useHeight(foot, '--range', { usual: 0 });
+  useHeight(foot, '--range', 0);
   const identity = editor.identity.value;
   const servos = useMemo(() => Array.from({ length: identity?.servos ?? 0 }, (_, servo) => servo), [identity]);
 

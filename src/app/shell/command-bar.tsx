@@ -31,7 +31,7 @@ export function CommandBar({ session, write, bench, follow, saveSetting, onShift
   const { editor } = session;
   const bar = useRef<HTMLElement>(null);
   // The buttons of a phone are a little higher.
-  useHeight(bar, '--bar', { likely: picture ? 53 : 52 });
+  useHeight(bar, '--bar', picture ? 53 : 52);
   return (
     <section class="actions" ref={bar}>
       <FollowNote session={session} bench={bench} follow={follow} />

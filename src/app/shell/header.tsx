@@ -7,6 +7,7 @@ import { messages } from '../messages/index.js';
 import type { JobKind, JobRunner } from '../session/job-runner.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
+import { LOW, useQuery } from '../ui/use-query.js';
 import type { WriteJob } from '../write/write-job.js';
 import { NoticeBar, type NoticeBarProps } from './notice-bar.js';
 import { StatusStrip, type StatusStripProps } from './status-strip.js';
@@ -32,7 +33,7 @@ export function Header({
   ...notices
 }: HeaderProps) {
   const top = useRef<HTMLElement>(null);
-  useHeight(top, '--top');
+  useHeight(top, useQuery(LOW).value ? null : '--top');
   return (
     <header class="top" ref={top}>
       <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting, staged }} />

@@ -3,12 +3,14 @@ import type { Follow } from '../bench/follow.js';
 import { clockText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { hintText, madeAs, standingText } from '../session/standing-text.js';
+import { NARROW, useQuery } from '../ui/use-query.js';
 import './known-line.css';
 
 /** How the program on the screen differs from the timer; or that it equals the last reading, and when that was. */
 export function KnownLine({ session, follow }: { readonly session: Session; readonly follow: Follow }) {
   const { strip } = messages.value;
   const { editor } = session;
+  const isNarrow = useQuery(NARROW).value;
   const count = useComputed(() => editor.changes.value.length).value;
   const unfinished = useComputed(() => editor.unreadable.value.size).value;
   const tried = useComputed(() => follow.trials.tried.value.length).value;
@@ -32,12 +34,14 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
   // has put in place of the old text goes with it, and cannot stay as if it were still true.
   return (
     <p class={`changes ${state} ${isTried ? 'tried' : ''}`} role="status">
-      <strong key={`long ${long}`} class="changes-long">
+      <strong key={`long ${long}`} class={isNarrow ? 'visually-hidden' : ''}>
         {long}
       </strong>{' '}
-      <strong key={`short ${short}`} class="changes-short" aria-hidden="true">
-        {short}
-      </strong>
+      {isNarrow && (
+        <strong key={`short ${short}`} class="changes-short" aria-hidden="true">
+          {short}
+        </strong>
+      )}
       {hint && (
         <span key={hint} class="visually-hidden">
           {hint}

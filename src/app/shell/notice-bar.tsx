@@ -34,7 +34,7 @@ export interface NoticeBarProps {
   readonly onExport: () => void;
 }
 
-/** What the pilot should know now: shown until it is dismissed, or another message comes. */
+/** What the pilot should know now. The styles show the first of these, the worst: the others wait until it is gone. */
 export function NoticeBar({ session, keeping, aside, update, platform, ...rest }: NoticeBarProps) {
   const { fileNotice, onExport } = rest;
   const { alike, dismiss, link } = messages.value;
@@ -42,11 +42,6 @@ export function NoticeBar({ session, keeping, aside, update, platform, ...rest }
   const part = notice?.kind === 'timer' && notice.details ? partText(notice.details) : null;
   return (
     <div class="notices" role="status">
-      <UpdateNotice update={update} busy={session.runner.busy.value} />
-      <KeepingNotice keeping={keeping} library={session.library} onExport={onExport} />
-      {fileNotice}
-      <AsideNotice aside={aside} />
-      <RemovedNotice library={session.library} backups={session.backups} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
@@ -72,6 +67,11 @@ export function NoticeBar({ session, keeping, aside, update, platform, ...rest }
           </button>
         </div>
       )}
+      {fileNotice}
+      <RemovedNotice backups={session.backups} library={session.library} />
+      <AsideNotice aside={aside} />
+      <KeepingNotice keeping={keeping} library={session.library} onExport={onExport} />
+      <UpdateNotice update={update} busy={session.runner.busy.value} />
     </div>
   );
 }

@@ -12,13 +12,12 @@ import { figureText, messages, timerName } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
 import { possibleValues } from '../session/known.js';
 import type { Link } from '../session/link.js';
-import { givenName, memoryText } from '../session/memory-names.js';
+import { memoryText } from '../session/memory-names.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import { onDemand } from '../ui/on-demand.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
-import { useHeight } from '../ui/use-height.js';
-import { LOW, NARROW, TIGHT, useQuery } from '../ui/use-query.js';
+import { NARROW, TIGHT, useQuery } from '../ui/use-query.js';
 import { KnownLine } from './known-line.js';
 import { StripModel } from './strip-model.js';
 import './status-strip.css';
@@ -51,7 +50,6 @@ export function StatusStrip(props: StatusStripProps) {
   const open = useSignal(false);
   const panel = useId();
   const box = useRef<HTMLDivElement>(null);
-  useHeight(box, useQuery(LOW).value ? '--strip' : null, { usual: 48 });
   const identity = session.editor.identity.value;
   const isOpen = isTight && open.value && identity !== null;
   const close = useCallback((): void => {
@@ -82,7 +80,7 @@ export function StatusStrip(props: StatusStripProps) {
   // Also on a tablet, where the ways to another timer are the most that the strip has to hold.
   const isFolded = identity !== null && (isNarrow || (isTight && status === 'off'));
   const actions = (
-    <div class="top-actions">
+    <div class="buttons top-actions">
       {status === 'off' && identity && <ConnectButtons session={session} {...(isTight ? { part: 'rest' } : {})} />}
       {status === 'on' && !staged && (
         <button type="button" class="quiet" onClick={() => void leaving.disconnect()}>
@@ -95,7 +93,7 @@ export function StatusStrip(props: StatusStripProps) {
   return (
     <div class="strip" ref={box}>
       <div class="strip-line">
-        <p class="brand">
+        <p class="row brand">
           <img src="./favicon.svg" alt="" width="32" height="32" />
           {!identity && <span>{name}</span>}
         </p>
@@ -138,7 +136,7 @@ export function StatusStrip(props: StatusStripProps) {
             choice,
             isPhone: isNarrow,
             actions: isFolded ? (
-              <div class="strip-actions">
+              <div class="row strip-actions">
                 {isNarrow && <StripModel session={session} />}
                 {actions}
               </div>
@@ -159,19 +157,10 @@ function MemoryNow({ session }: { readonly session: Session }) {
   const isSimulated = !isConnected && session.simulated.value;
   if (memory === null) return null;
   const flies = isConnected && !session.nextFlight.open.value;
-  const given = givenName(session.origin.named.value, memory);
   return (
     <span class="strip-memory">
       {/* The state of the connection has given its place to Connect. */}
-      {isSimulated ? (
-        <small class="whole">{header.simulated}</small>
-      ) : (
-        given !== '' && (
-          <small key={given} aria-hidden="true">
-            {given}
-          </small>
-        )
-      )}
+      {isSimulated && <small>{header.simulated}</small>}
       {flies ? (
         <>
           <span key={`named ${memory}`} class="visually-hidden">
@@ -256,7 +245,7 @@ function LinkState({ link, simulated, model }: LinkStateProps) {
   if (state.status === 'on') {
     const { identity } = state.connection;
     return (
-      <p class={`row link-state on ${model === null ? 'of-class' : ''}`}>
+      <p class="row link-state on">
         <strong key={model ?? timerName(identity)}>{model ?? timerName(identity)}</strong>{' '}
         <span key={identity.firmware}>{header.firmware(identity.firmware)}</span>
         {link.simulated.value && <span class="badge">{header.simulated}</span>}

@@ -18,7 +18,7 @@ export function ViewLinks({ views, printed }: ViewLinksProps) {
   const { views: words } = messages.value;
   const areBelow = useQuery(TABS_BELOW).value;
   const nav = useRef<HTMLElement>(null);
-  useHeight(nav, areBelow ? '--tabs' : null, { likely: 57 });
+  useHeight(nav, areBelow ? '--tabs' : null, 57);
   const shown = views.shown.value;
   const wanted = VIEWS.filter((view) => view !== 'line' || views.expert.value || shown === 'line');
   // A view without a link here belongs to one that has.

@@ -4,14 +4,9 @@ import { useLayoutEffect } from 'preact/hooks';
 /**
  * Gives the styles the height of something that stays at an edge, so that nothing scrolls behind it.
  * @param name null: the styles do not need it. Setting it restyles the whole page.
- * @param usual the height that the styles assume without this.
  * @param likely the height that it mostly has. It is set before the first drawing, which is then not done twice.
  */
-export function useHeight(
-  element: RefObject<HTMLElement | null>,
-  name: `--${string}` | null,
-  { usual, likely }: { readonly usual?: number; readonly likely?: number } = {},
-): void {
+export function useHeight(element: RefObject<HTMLElement | null>, name: `--${string}` | null, likely?: number): void {
   useLayoutEffect(() => {
     const { current } = element;
     if (!current || !name) return;
@@ -23,13 +18,12 @@ export function useHeight(
       const height = Math.ceil(entries.at(-1)?.borderBoxSize[0]?.blockSize ?? current.offsetHeight);
       if (height === told) return;
       told = height;
-      if (height === usual) style.removeProperty(name);
-      else style.setProperty(name, `${height}px`);
+      style.setProperty(name, `${height}px`);
     });
     observer.observe(current);
     return () => {
       observer.disconnect();
       style.removeProperty(name);
     };
-  }, [element, name, usual, likely]);
+  }, [element, name, likely]);
 }

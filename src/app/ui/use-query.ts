@@ -10,11 +10,11 @@ export const NARROW = '(max-width: 759.98px), (max-height: 479.98px)';
 /** A tablet that is held upright: the strip has no room for the memories beside the other figures. */
 export const TIGHT = '(max-width: 1099.98px), (max-height: 479.98px)';
 
+/** A phone on its side, or a page at 200 %: the head scrolls, but for the line of the strip. */
+export const LOW = '(max-height: 479.98px)';
+
 /** A phone that is held upright: the links to the views stand at the bottom. On its side, height is too scarce. */
 export const TABS_BELOW = '(max-width: 759.98px) and (min-height: 480px), (max-width: 559.98px)';
-
-/** A phone on its side, or a page at 200 %: the head scrolls, but for the line of the strip. */
-export const LOW = '(max-height: 479.98px) and (min-width: 560px)';
 
 /** Whether a media query matches. False where the browser does not tell. */
 export function useQuery(query: string): ReadonlySignal<boolean> {

@@ -1,7 +1,9 @@
 import { render, screen } from '@testing-library/preact';
 import { afterEach, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
+import { NARROW } from '../../../src/app/ui/use-query.js';
 import { connectedBench, idle, run } from '../bench/bench.js';
+import { inWindow } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
@@ -10,6 +12,7 @@ it('tried values are “in the timer” only as long as it is certain what the t
   app.session.safety.confirm();
   await run(app.bench.moveTo(4));
   await run(app.follow.start());
+  inWindow((query) => query === NARROW);
   render(<App models={app.models} />);
   app.editor.type({ kind: 'position', servo: 1, slot: 4 }, '70');
   await idle();
@@ -27,6 +30,7 @@ it('tried values are “in the timer” only as long as it is certain what the t
 
 it('on a phone counts what Write writes, not a time that cannot be read yet', async () => {
   const app = await connectedBench();
+  inWindow((query) => query === NARROW);
   const { container } = render(<App models={app.models} />);
   const short = () => container.querySelector('.changes-short')?.textContent;
   app.editor.type({ kind: 'time', slot: 3 }, 'x');
