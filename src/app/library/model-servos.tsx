@@ -45,7 +45,6 @@ export function ModelServos({ session, record, onChange }: ModelServosProps) {
       <ServoDialog
         open={naming.value}
         uses={isSaid ? servos : program ? guessedUses(program) : []}
-        isNamed={isSaid}
         onSave={(uses) => {
           naming.value = false;
           onChange(uses ?? []);

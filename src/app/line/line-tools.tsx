@@ -23,7 +23,7 @@ export function LineTools({ session, view }: { readonly session: Session; readon
         {live && (
           <>
             <button type="button" onClick={() => (view.paused.value ? view.goOn() : view.pause())}>
-              {view.paused.value ? line.goOn : line.pause}
+              {view.paused.value ? line.goOn : messages.value.pause}
             </button>
             <button type="button" onClick={() => view.clear()}>
               {line.clear}

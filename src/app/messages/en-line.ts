@@ -64,7 +64,6 @@ export const line = {
   acknowledged: 'Acknowledged.',
   unreadable: (code: CodecErrorCode) => `Cannot be read: ${code}.`,
 
-  pause: 'Pause',
   goOn: 'Go on',
   came: (number: number) => `Paused. ${plural(number, 'entry', 'entries')} since.`,
   clear: 'Clear',

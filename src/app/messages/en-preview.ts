@@ -1,16 +1,10 @@
 /** The flight of the program, and what the servos of the model move. */
 export const preview = {
   title: 'Flight preview',
-  honest: 'Not to scale.',
-  guessed: 'A guess, not to scale.',
+  guessed: 'Not to scale.',
   nameServos: 'Name the servos…',
-  servos: 'Servos…',
   play: 'Play',
-  pause: 'Pause',
-  back: 'Previous mark',
-  forward: 'Next mark',
   speed: 'Speed',
-  times: (speed: number) => `${speed}×`,
   time: 'Time of the flight',
   launch: 'Launch',
   /** After what has happened. */
@@ -20,7 +14,6 @@ export const preview = {
   motor: { true: 'Climb, motor runs', false: 'Glide, motor stopped' },
   flies: 'In flight',
   comesDown: 'DT: the model comes down',
-  nothingAtDt: 'No servo moves at DT',
   duties: {
     rudder: 'Rudder',
     tailplane: 'Tailplane',
@@ -30,21 +23,16 @@ export const preview = {
     none: 'Not used',
   },
   naming: {
-    title: 'Name the servos',
-    lead: 'Set once what each servo moves, and between which steps. It is kept on this device. Up and down mean the trailing edge.',
+    lead: 'What each servo moves, and between which steps. Up and down mean the trailing edge.',
     duty: (servo: string) => `${servo} moves`,
     name: (servo: string) => `Name for what ${servo} moves`,
-    namePlace: 'Its name',
     low: (servo: string) => `${servo}, one end in steps`,
     high: (servo: string) => `${servo}, other end in steps`,
     from: 'from',
     to: 'to',
-    steps: 'steps',
     sense: (servo: string) => `${servo}, what more steps do`,
     /** Whether the servo works the other way round. */
     otherSense: { false: 'more steps: up', true: 'more steps: down' },
     rudderSense: { false: 'more steps: right', true: 'more steps: left' },
-    guessAgain: 'Guess again',
-    save: 'Save',
   },
 };

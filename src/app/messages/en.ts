@@ -38,6 +38,7 @@ export const en = {
   about: (name: string) => `${name}:`,
   previous: 'Previous',
   next: 'Next',
+  pause: 'Pause',
   /** The key for less of something, for a screen reader. */
   less: (what: string) => `${what}: less`,
   moreOf: (what: string) => `${what}: more`,

@@ -169,7 +169,7 @@ describe('on a page without traffic', () => {
     await run(session.timer.connect());
     await idle();
     expect(rows()).toHaveLength(14);
-    expect(button(words.pause)).toBeTruthy();
+    expect(button(en.pause)).toBeTruthy();
   });
 });
 
@@ -177,7 +177,7 @@ describe('the tools', () => {
   it('stop the list, say how many entries came meanwhile, and go on', async () => {
     const { session } = await opened();
     const before = rows();
-    await press(words.pause);
+    await press(en.pause);
     await run(session.reader.read());
     await idle();
     expect(rows()).toEqual(before);
@@ -269,9 +269,9 @@ describe('a recording', () => {
       ['0.052', words.in],
       ['0.000', words.out],
     ]);
-    expect(screen.queryByRole('button', { name: words.pause })).toBeNull();
+    expect(screen.queryByRole('button', { name: en.pause })).toBeNull();
     fireEvent.click(button(words.back));
-    expect(await screen.findByRole('button', { name: words.pause })).toBeTruthy();
+    expect(await screen.findByRole('button', { name: en.pause })).toBeTruthy();
     expect(rows()).toEqual(live);
   });
 
@@ -281,7 +281,7 @@ describe('a recording', () => {
     await load('field.txt', ...RECORDING);
     fireEvent.click(await screen.findByRole('button', { name: words.replay }));
     expect(tried.mock.calls[0]?.[0].map(({ time }) => time)).toEqual([0, 52, 100]);
-    expect(await screen.findByRole('button', { name: words.pause }), 'the live line is shown again').toBeTruthy();
+    expect(await screen.findByRole('button', { name: en.pause }), 'the live line is shown again').toBeTruthy();
   });
 
   it('is not offered for replay without the identity of the timer', async () => {

@@ -51,9 +51,9 @@ export function FlightPreview({ program, player: given, named, onName, onUse }: 
       <div class="preview-body">
         <Flight program={program} player={player} uses={uses}>
           <p>
-            {named ? preview.honest : preview.guessed}{' '}
+            {preview.guessed}{' '}
             <button type="button" class="quiet" onClick={() => (naming.value = true)}>
-              {named ? preview.servos : preview.nameServos}
+              {preview.nameServos}
             </button>
           </p>
         </Flight>
@@ -62,7 +62,6 @@ export function FlightPreview({ program, player: given, named, onName, onUse }: 
       <ServoDialog
         open={naming.value}
         uses={uses}
-        isNamed={named !== null}
         onSave={(changed) => {
           naming.value = false;
           onName(changed);
@@ -134,11 +133,11 @@ function Flight({ program, player, uses, children }: FlightProps) {
 
 /** A DT at which no servo moves brings no model down. */
 function AtDt({ moved }: { readonly moved: readonly number[] }) {
-  const { preview } = messages.value;
+  const { preview, findings } = messages.value;
   return moved.length > 0 ? (
     <p class="preview-dt">{preview.comesDown}</p>
   ) : (
-    <p class="bad-text">{preview.nothingAtDt}</p>
+    <p class="bad-text">{findings['dt-moves-nothing']({})}</p>
   );
 }
 

@@ -15,7 +15,7 @@ interface PlayerControlsProps {
 
 /** The controls: play and pause, previous and next event, place, speed. */
 export function PlayerControls({ program, player }: PlayerControlsProps) {
-  const { preview } = messages.value;
+  const { preview, previous, next, pause } = messages.value;
   const back = (): void => {
     player.pause();
     player.seek(eventsBetween(program, 0, player.shown.peek() - 1).at(-1)?.time ?? 0);
@@ -26,38 +26,24 @@ export function PlayerControls({ program, player }: PlayerControlsProps) {
   };
   return (
     <div class="row preview-controls">
-      <PlayButton player={player} />
-      <button type="button" class="chip" aria-label={preview.back} onClick={back}>
+      <button type="button" class="primary" onClick={() => player.toggle()}>
+        {player.playing.value ? pause : preview.play}
+      </button>
+      <button type="button" class="chip" aria-label={previous} onClick={back}>
         <Icon path="M5 4V16M16 4L8 10L16 16Z" />
       </button>
-      <button type="button" class="chip" aria-label={preview.forward} onClick={forward}>
+      <button type="button" class="chip" aria-label={next} onClick={forward}>
         <Icon path="M15 4V16M4 4L12 10L4 16Z" />
       </button>
       <Scrubber program={program} player={player} />
-      <SpeedChoice player={player} />
+      <Select
+        name={preview.speed}
+        choices={SPEEDS}
+        nameOf={(speed) => `${speed}×`}
+        chosen={player.speed.value}
+        onChoose={(speed) => player.setSpeed(speed)}
+      />
     </div>
-  );
-}
-
-function PlayButton({ player }: { readonly player: Player }) {
-  const { preview } = messages.value;
-  return (
-    <button type="button" class="primary" onClick={() => player.toggle()}>
-      {player.playing.value ? preview.pause : preview.play}
-    </button>
-  );
-}
-
-function SpeedChoice({ player }: { readonly player: Player }) {
-  const { preview } = messages.value;
-  return (
-    <Select
-      name={preview.speed}
-      choices={SPEEDS}
-      nameOf={preview.times}
-      chosen={player.speed.value}
-      onChoose={(speed) => player.setSpeed(speed)}
-    />
   );
 }
 

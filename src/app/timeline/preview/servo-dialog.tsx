@@ -13,38 +13,36 @@ interface ServoDialogProps {
   readonly open: boolean;
   /** The uses of all servos, as said or guessed so far. */
   readonly uses: readonly ServoUse[];
-  /** Whether the pilot has said them, so that they can be removed. */
-  readonly isNamed: boolean;
-  /** Null: guess them again. */
+  /** Null: guess them. */
   readonly onSave: (uses: readonly ServoUse[] | null) => void;
   readonly onCancel: () => void;
 }
 
 /** The pilot, with the model in front of him, says what each servo moves, over which steps, and in which direction. */
 export function ServoDialog({ open, onCancel, ...form }: ServoDialogProps) {
-  const { title } = messages.value.preview.naming;
   return (
-    <Modal open={open} title={title} onEscape={onCancel}>
+    <Modal open={open} title={messages.value.preview.nameServos} onEscape={onCancel}>
       <ServoForm onCancel={onCancel} {...form} />
     </Modal>
   );
 }
 
-function ServoForm({ uses, isNamed, onSave, onCancel }: Omit<ServoDialogProps, 'open'>) {
-  const { naming } = messages.value.preview;
+function ServoForm({ uses, onSave, onCancel }: Omit<ServoDialogProps, 'open'>) {
+  const { preview, save, servoName } = messages.value;
   const draft = useSignal(uses);
   return (
     <form
       class="stack gap-3 servo-form"
       onSubmit={(event) => {
         event.preventDefault();
-        onSave(draft.value.map(inOrder));
+        // A model without servos is none: nothing is said of it.
+        onSave(draft.value.some(({ duty }) => duty !== 'none') ? draft.value.map(inOrder) : null);
       }}
     >
-      <p class="hint">{naming.lead}</p>
+      <p class="hint">{preview.naming.lead}</p>
       {draft.value.map((use, servo) => (
         <ServoRow
-          key={messages.value.servoName(servo)}
+          key={servoName(servo)}
           servo={servo}
           use={use}
           onChange={(changed) => {
@@ -52,13 +50,7 @@ function ServoForm({ uses, isNamed, onSave, onCancel }: Omit<ServoDialogProps, '
           }}
         />
       ))}
-      <FormButtons label={naming.save} onCancel={onCancel}>
-        {isNamed && (
-          <button type="button" class="quiet" onClick={() => onSave(null)}>
-            {naming.guessAgain}
-          </button>
-        )}
-      </FormButtons>
+      <FormButtons label={save} onCancel={onCancel} />
     </form>
   );
 }
@@ -80,7 +72,7 @@ interface ServoRowProps {
 }
 
 function ServoRow({ servo, use, onChange }: ServoRowProps) {
-  const { servoName, preview } = messages.value;
+  const { servoName, preview, timeline } = messages.value;
   const { naming: words, duties } = preview;
   const name = servoName(servo);
   const isSurface = SURFACES.some((surface) => surface === use.duty);
@@ -98,7 +90,6 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
         <input
           type="text"
           aria-label={words.name(name)}
-          placeholder={words.namePlace}
           value={use.name}
           maxLength={LIMITS.servoName}
           onInput={(event) => onChange({ name: event.currentTarget.value })}
@@ -111,7 +102,7 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
             <End label={words.low(name)} value={use.low} onChange={(low) => onChange({ low })} />
             <span aria-hidden="true">{words.to}</span>
             <End label={words.high(name)} value={use.high} onChange={(high) => onChange({ high })} />
-            <span aria-hidden="true">{words.steps}</span>
+            <span aria-hidden="true">{timeline.stepsUnit}</span>
           </span>
           <Select
             name={words.sense(name)}

@@ -44,16 +44,6 @@ const turned = (surface: string) => document.querySelector<SVGElement>(`[data-su
 afterEach(() => void vi.unstubAllGlobals());
 
 describe('the flight preview', () => {
-  it('says that it guesses until the pilot has named the servos, and that nothing is to scale', () => {
-    const { unmount } = shown();
-    expect(screen.getByRole('region', { name: en.preview.title })).toBeTruthy();
-    expect(screen.getByText(/^A guess, not to scale\./)).toBeTruthy();
-    unmount();
-    shown({ named: guessedUses(PROGRAM) });
-    expect(screen.getByText(/^Not to scale\./)).toBeTruthy();
-    expect(screen.getByRole('button', { name: 'Servos…' })).toBeTruthy();
-  });
-
   it('plays only on a click, then pauses and goes on', async () => {
     const { run } = shown();
     await run(5);
@@ -109,7 +99,7 @@ describe('the flight preview', () => {
   it('goes from event to event', async () => {
     shown();
     const seen: (string | null)[] = [];
-    for (const name of ['Next mark', 'Next mark', 'Next mark', 'Next mark', en.preview.back, en.preview.back]) {
+    for (const name of [en.next, en.next, en.next, en.next, en.previous, en.previous]) {
       await press(name);
       seen.push(said());
     }
@@ -198,7 +188,7 @@ describe('the flight preview', () => {
   it('says so where no servo moves at DT', async () => {
     const { player } = shown({ program: programOf('Q', PROGRAM.times, [[65, 130, 0, 65, 65]]) });
     await seek(player, 18000);
-    expect(screen.getByText(en.preview.nothingAtDt)).toBeTruthy();
+    expect(screen.getByText(en.findings['dt-moves-nothing']({}))).toBeTruthy();
     expect([turned('tailplane'), document.querySelector('.fall')]).toEqual(['rotate(0deg)', null]);
   });
 
@@ -230,14 +220,16 @@ describe('the flight preview', () => {
     expect(document.querySelector('dialog[open]')).toBeNull();
   });
 
-  it('guesses again on a click, and changes nothing when the naming is cancelled', async () => {
+  it('guesses again once no servo is used, and changes nothing when the naming is cancelled', async () => {
     const said: (readonly ServoUse[] | null)[] = [];
     shown({ named: guessedUses(PROGRAM), onName: (uses) => said.push(uses) });
-    await press('Servos…');
-    await press('Cancel');
+    await press(en.preview.nameServos);
+    await press(en.cancel);
     expect(said).toEqual([]);
-    await press('Servos…');
-    await press('Guess again');
+    await press(en.preview.nameServos);
+    for (const choice of screen.getAllByRole('combobox', { name: / moves$/ }))
+      await act(() => void fireEvent.change(choice, { target: { value: 'none' } }));
+    await act(() => void fireEvent.submit(document.querySelector('form') as HTMLFormElement));
     expect(said).toEqual([null]);
   });
 
