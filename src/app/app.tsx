@@ -107,7 +107,7 @@ export function App({ models }: { readonly models: AppModels }) {
         onExport={() =>
           void parts
             .fetchFiles()
-            .then(({ filesOf }) => filesOf(models).exportAll())
+            .then(({ filesOf }) => filesOf(models).export())
             .catch(() => {})
         }
         staged={isStart && hasStage(session)}

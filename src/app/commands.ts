@@ -94,11 +94,11 @@ function libraryCommands(models: AppModels): PaletteCommand[] {
   return [
     ...(flights.flyable.value ? [{ name: flightMessages.flying.button, run: flying }] : []),
     { name: comparingMessages.compare.open, run: () => views.show('library', COMPARE) },
-    { name: filesMessages.import.button, run: () => filesOf(models).ask() },
+    { name: filesMessages.import.button, run: () => filesOf(models).choose() },
     // Nobody may have looked yet at what is kept.
     ...(isEmpty && kept.loaded.value
       ? []
-      : [{ name: filesMessages.export.all, run: () => void filesOf(models).exportAll() }]),
+      : [{ name: filesMessages.export.all, run: () => void filesOf(models).export() }]),
     { name: share.paste.title, run: () => sharing.paste() },
   ];
 }

@@ -20,7 +20,7 @@ import { BackupList } from './write/backup-list.js';
 export function LibraryPage({ models }: { readonly models: AppModels }) {
   const { session, views, browse } = models;
   useEffect(
-    () => takeDroppedFiles((files) => views.shown.peek() === 'library' && void filesOf(models).open(files)),
+    () => takeDroppedFiles((files) => views.shown.peek() === 'library' && void filesOf(models).import(files)),
     [models, views],
   );
   return (

@@ -9,7 +9,7 @@ import type { ModelRecord } from '../../../src/app/storage/index.js';
 import { formatLibraryFile, LIMITS, type Model } from '../../../src/program/index.js';
 import { LAST_DATE } from '../../../src/program/require.js';
 import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
-import { type Counts, manyRecords } from './many.js';
+import { type Counts, importNewer, manyRecords } from './many.js';
 
 /** A storage with a library in it. */
 function stored(counts: Counts): MemoryStore {
@@ -114,8 +114,7 @@ it.each([LAST_DATE, Date.now() + 1e9])(
     );
     await run(library.keepModel({ ...model, note: 'typed here' }));
     const files = new LibraryFiles({ library, kept: signal(true) });
-    await run(files.open([new File([text], 'a')]));
-    await run(files.take());
+    await run(importNewer(files, text));
     const next = new Library(store);
     await run(next.load());
     expect(next.models.list.value.map((record) => record.model.note)).toEqual(['typed here']);
@@ -136,8 +135,7 @@ it('a model that was just deleted, and comes back from a file, stays', async () 
   const text = formatLibraryFile(held, { writtenAt: 1, writtenBy: '' });
   library.removeModel('model-0');
   const files = new LibraryFiles({ library, kept: signal(true) });
-  await run(files.open([new File([text], 'a')]));
-  await run(files.take());
+  await run(importNewer(files, text));
   expect([keys(models.list.value), keys(settings.list.value)]).toEqual([['model-0'], ['setting-0']]);
   await idle(20_000);
   expect([keys(models.list.value), keys(settings.list.value)]).toEqual([['model-0'], ['setting-0']]);

@@ -1,3 +1,5 @@
+import { effect } from '@preact/signals';
+import type { LibraryFiles } from '../../../src/app/library/files/library-files.js';
 import type { FlightRecord, ModelRecord, SettingRecord } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 
@@ -84,4 +86,16 @@ function programAt(at: number, timerClass: string): TimerProgram {
     positions: [0, 1, 2].map((servo) => Array.from({ length: 11 }, (_, slot) => (at + servo * 31 + slot * 7) % 131)),
     idleThrottle: timerClass === 'Q' ? 20 : null,
   };
+}
+
+/** Imports a file, as a pilot who keeps what is newer. */
+export async function importNewer(files: LibraryFiles, text: string): Promise<void> {
+  const importing = files.import([new File([text], 'a.sidus')]);
+  const answer = await new Promise<(way: 'newer') => void>((resolve) => {
+    effect(() => {
+      if (files.asked.value && files.asked.value.shown !== 'reading') resolve(files.asked.value.answer);
+    });
+  });
+  answer('newer');
+  await importing;
 }

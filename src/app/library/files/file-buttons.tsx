@@ -1,6 +1,6 @@
 import { filesMessages } from '../../messages/en-files.js';
 import { messages } from '../../messages/index.js';
-import { ALL_NAME, type LibraryFiles } from './library-files.js';
+import type { LibraryFiles } from './library-files.js';
 import type { FilePart } from './library-text.js';
 import './file-buttons.css';
 
@@ -25,10 +25,10 @@ export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) 
   const words = filesMessages;
   return (
     <>
-      <button type="button" onClick={() => files.ask()}>
+      <button type="button" onClick={() => files.choose()}>
         {words.import.button}
       </button>
-      <button type="button" disabled={files.isEmpty} onClick={() => void files.export({ kind: 'all' }, ALL_NAME)}>
+      <button type="button" disabled={files.isEmpty} onClick={() => void files.export()}>
         {words.export.all}
       </button>
       <ExportReminder files={files} />

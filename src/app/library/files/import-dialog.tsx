@@ -1,3 +1,4 @@
+import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { CodecError } from '../../../protocol/index.js';
 import { takeOpenedFiles } from '../../browser/dropped-files.js';
@@ -8,9 +9,8 @@ import { dateText, dayText, messages } from '../../messages/index.js';
 import { Modal } from '../../ui/modal.js';
 import { Problem } from '../../ui/problem.js';
 import { SegmentChoice } from '../../ui/segment-choice.js';
-import { countOf, differs, type Entry, type Group, takenOf, WAYS } from './import-plan.js';
-import type { FileRefusal, ImportStep, LibraryFiles } from './library-files.js';
-import type { PlaceInFile } from './place-in-file.js';
+import { countOf, differs, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
+import type { AskedFile, LibraryFiles, Plan, Refusal } from './library-files.js';
 import './import-dialog.css';
 
 interface ImportDialogProps {
@@ -21,46 +21,33 @@ interface ImportDialogProps {
 
 /** What a file holds and what it would change in the library. Asks the pilot. */
 export function ImportDialog({ files, onTaken }: ImportDialogProps) {
-  const words = filesMessages;
-  useEffect(() => takeOpenedFiles((opened) => void files.open(opened)), [files]);
-  const current = files.current.value;
-  const name = current?.name ?? '';
+  const { refused, import: words } = filesMessages;
+  const { cancel, close, parts } = messages.value;
+  useEffect(() => takeOpenedFiles((opened) => void files.import(opened)), [files]);
+  const asked = files.asked.value;
+  if (!asked) return null;
+  const { name, shown, answer } = asked;
+  const isReading = shown === 'reading';
+  const isRefused = !isReading && 'why' in shown;
   return (
-    <Modal
-      open={current !== null}
-      title={current?.step === 'refused' ? words.refused.title(name) : words.import.title(name)}
-      onEscape={() => files.dismiss()}
-    >
-      {current?.step === 'reading' && (
-        <>
-          <p role="status">{messages.value.parts.coming}</p>
-          <CloseButton files={files} text={messages.value.cancel} />
-        </>
+    <Modal open title={isRefused ? refused.title(name) : words.title(name)} onEscape={() => answer(null)}>
+      {isReading && <p role="status">{parts.coming}</p>}
+      {isRefused && <Refused {...shown} />}
+      {isReading || isRefused ? (
+        <div class="buttons">
+          <button type="button" onClick={() => answer(null)}>
+            {isReading ? cancel : close}
+          </button>
+        </div>
+      ) : (
+        <PlanOf {...{ files, onTaken, answer }} plan={shown} />
       )}
-      {current?.step === 'refused' && <Refused {...{ files }} why={current.why} place={current.place ?? null} />}
-      {current?.step === 'plan' && <Plan {...{ files, onTaken }} step={current} />}
     </Modal>
   );
 }
 
-function CloseButton({ files, text }: { readonly files: LibraryFiles; readonly text: string }) {
-  return (
-    <div class="buttons">
-      <button type="button" onClick={() => files.dismiss()}>
-        {text}
-      </button>
-    </div>
-  );
-}
-
-interface RefusedProps {
-  readonly files: LibraryFiles;
-  readonly why: FileRefusal;
-  readonly place: PlaceInFile | null;
-}
-
 /** Why a file was refused, and where in it the fault stands. */
-function Refused({ files, why, place }: RefusedProps) {
+function Refused({ why, place }: Refusal) {
   const { refused: words } = filesMessages;
   const reason = reasonOf(why, place);
   return (
@@ -71,13 +58,12 @@ function Refused({ files, why, place }: RefusedProps) {
       <p>
         {words.nothing} {reason.isDamaged && words.again}
       </p>
-      <CloseButton files={files} text={messages.value.close} />
     </>
   );
 }
 
 /** @returns also whether it is a library file that another try may bring whole. */
-function reasonOf(why: FileRefusal, place: PlaceInFile | null): { text: string; isDamaged: boolean } {
+function reasonOf(why: Refusal['why'], place: Refusal['place']): { text: string; isDamaged: boolean } {
   const { refused: words } = filesMessages;
   const found = (text: string): { text: string; isDamaged: boolean } => ({ text, isDamaged: false });
   if (why === 'no-text') return { text: words.damaged, isDamaged: true };
@@ -100,22 +86,23 @@ function shown(value: unknown): string {
   return apart(text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text);
 }
 
-interface PlanProps extends ImportDialogProps {
-  readonly step: Extract<ImportStep, { step: 'plan' }>;
+interface PlanProps extends ImportDialogProps, Pick<AskedFile, 'answer'> {
+  readonly plan: Plan;
 }
 
-function Plan({ files, onTaken, step }: PlanProps) {
+function PlanOf({ files, onTaken, answer, plan }: PlanProps) {
   const { import: words } = filesMessages;
   const { counted } = messages.value;
-  const groups = step.groups.value;
-  const way = step.way.value;
+  const chosen = useSignal<Way>('newer');
+  const groups = plan.groups.value;
+  const way = chosen.value;
   const total = groups.reduce((sum, group) => sum + takenOf(group, way).length, 0);
   const isNothing = groups.every((group) => takenOf(group, 'both').length === 0);
   const { shut } = files;
   return (
     <>
-      <p>{words.lead(dateText(step.writtenAt), counted(step.holds))}</p>
-      {step.ignored > 0 && <p class="hint">{words.ignored(step.ignored)}</p>}
+      <p>{words.lead(dateText(plan.writtenAt), counted(plan.holds))}</p>
+      {plan.ignored > 0 && <p class="hint">{words.ignored(plan.ignored)}</p>}
       {groups.some(({ entries }) => entries.some(differs)) && (
         <div class="stack">
           <SegmentChoice
@@ -124,7 +111,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
             choices={WAYS}
             names={words.ways}
             chosen={way}
-            onChoose={(each) => files.choose(each)}
+            onChoose={(each) => (chosen.value = each)}
           />
           <p class="hint">{words.wayText[way]}</p>
         </div>
@@ -138,7 +125,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
       {!isNothing && total === 0 && <p role="status">{words.allStays}</p>}
       <Problem text={shut && !isNothing && libraryMessages.unread} />
       <div class="buttons">
-        <button type="button" class={isNothing ? '' : 'quiet'} onClick={() => files.dismiss()}>
+        <button type="button" class={isNothing ? '' : 'quiet'} onClick={() => answer(null)}>
           {isNothing ? messages.value.close : messages.value.cancel}
         </button>
         {!isNothing && (
@@ -147,7 +134,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
             class="primary"
             disabled={total === 0 || shut}
             onClick={() => {
-              void files.take();
+              answer(way);
               onTaken();
             }}
           >

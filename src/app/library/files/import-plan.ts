@@ -8,7 +8,7 @@ import {
 } from '../../../program/index.js';
 import { beginningOf, withPlainNames } from '../../session/plain-names.js';
 import { programKey } from '../../session/record-keys.js';
-import { type FlightRecord, isSame, type ModelRecord, type SettingRecord } from '../../storage/index.js';
+import { type Change, type FlightRecord, isSame, type ModelRecord, type SettingRecord } from '../../storage/index.js';
 
 /** The records of a library, or of a part of one. */
 export interface Records {
@@ -158,6 +158,24 @@ export function recordsOf(groups: readonly Group[], way: Way, held: Records, new
     }
   }
   return records;
+}
+
+/**
+ * The changes that bring one list back to how it was before an import. What was changed after it stays.
+ * @param put what the import has saved. @param before the list before it. @param now the list as it is.
+ */
+export function undoOf<R extends { readonly key: string }>(
+  put: readonly R[],
+  before: readonly R[],
+  now: readonly R[],
+): Change<R> {
+  const old = new Map(before.map((record) => [record.key, record]));
+  const present = new Map(now.map((record) => [record.key, record]));
+  const untouched = put.filter((record) => present.has(record.key) && isSame(record, present.get(record.key)));
+  return {
+    put: untouched.flatMap(({ key }) => old.get(key) ?? []),
+    gone: untouched.filter(({ key }) => !old.has(key)).map(({ key }) => key),
+  };
 }
 
 /** How many of them there are, by kind. */

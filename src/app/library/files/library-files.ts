@@ -1,58 +1,70 @@
-import { type ReadonlySignal, signal } from '@preact/signals';
-import type { CodecError } from '../../../protocol/index.js';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { parseLibraryFile } from '../../../program/index.js';
+import { CodecError } from '../../../protocol/index.js';
 import { askForFiles } from '../../browser/ask-for-file.js';
 import { textOfFile, type UnreadableFile } from '../../browser/read-file.js';
 import { saveFile } from '../../browser/save-file.js';
 import { version } from '../../browser/version.js';
+import { filesMessages } from '../../messages/en-files.js';
+import { libraryMessages } from '../../messages/en-library.js';
+import { messages } from '../../messages/index.js';
 import { type Library, newId } from '../../session/library.js';
 import { plainName } from '../../session/plain-names.js';
 import { ExportMarks } from './export-marks.js';
-import { type EntryCounts, type Group, type Kind, type Records, recordsOf, type Way } from './import-plan.js';
-import { lookInto, undoOf } from './import-work.js';
+import {
+  type EntryCounts,
+  type Group,
+  groupsOf,
+  type Kind,
+  type Records,
+  recordsOf,
+  undoOf,
+  type Way,
+} from './import-plan.js';
 import { type FilePart, type Made, partOf, textOf } from './library-text.js';
-import type { PlaceInFile } from './place-in-file.js';
+import { type PlaceInFile, placeInFile } from './place-in-file.js';
 
-/** The state of an import. */
-export type ImportStep =
-  | { readonly step: 'reading'; readonly name: string }
-  | {
-      readonly step: 'refused';
-      readonly name: string;
-      readonly why: FileRefusal;
-      /** Null outside of all entries. */
-      readonly place?: PlaceInFile | null;
-    }
-  | ({ readonly step: 'plan'; readonly name: string; readonly writtenAt: number } & {
-      readonly ignored: number;
-      readonly holds: EntryCounts;
-      /** What the file would bring, compared with the present library. */
-      readonly groups: ReadonlySignal<readonly Group[]>;
-      readonly way: ReadonlySignal<Way>;
-    });
-export type FileRefusal = UnreadableFile | 'several' | CodecError;
+/** Why a file cannot be imported. */
+export interface Refusal {
+  readonly why: UnreadableFile | 'several' | CodecError;
+  /** Where in it the fault stands; null outside of all entries. */
+  readonly place: PlaceInFile | null;
+}
+
+/** What a file holds. */
+export interface Plan {
+  readonly writtenAt: number;
+  readonly ignored: number;
+  readonly holds: EntryCounts;
+  /** What it would bring, compared with the present library. */
+  readonly groups: ReadonlySignal<readonly Group[]>;
+}
+
+/** A file that the pilot has chosen, and what is asked about it. */
+export interface AskedFile {
+  readonly name: string;
+  readonly shown: 'reading' | Refusal | Plan;
+  /** Imports it in this way; null leaves everything as it is. */
+  readonly answer: (way: Way | null) => void;
+}
 
 /** What was done last. */
-export type FileWord =
-  /** An import or its undo is not in the storage yet. */
-  | { readonly kind: 'busy' }
-  | { readonly kind: 'downloaded'; readonly name: string; readonly holds: EntryCounts }
-  /** The browser does not give everything that it keeps. */
-  | { readonly kind: 'partly'; readonly name: string; readonly holds: EntryCounts; readonly missing: readonly Kind[] }
-  | { readonly kind: 'too-large' | 'unread' | 'failed' }
-  | { readonly kind: 'undone'; readonly kept: boolean }
-  | { readonly kind: 'imported'; readonly name: string; readonly holds: EntryCounts; readonly kept: boolean };
+export interface FileWord {
+  readonly text: string;
+  readonly isBad?: boolean;
+  /** It is not in the storage yet. */
+  readonly isBusy?: true;
+  /** Brings back what was there before an import. Later changes stay. */
+  readonly undo?: () => void;
+}
 
 /** The name of a file with everything, before its date. */
-export const ALL_NAME = 'Sidus library';
+const ALL_NAME = 'Sidus library';
 /** The files that the pilot can choose. */
 const ACCEPTED = '.sidus,.json,application/json';
 const ENDING = '.sidus.json';
 
-/** What the import has put into the library, and what was there before. */
-interface Done {
-  readonly put: Records;
-  readonly before: Records;
-}
+const KINDS = ['models', 'settings', 'flights'] as const;
 
 export interface LibraryFilesParts {
   readonly library: Library;
@@ -62,17 +74,13 @@ export interface LibraryFilesParts {
 
 /** Exports the library to files, and imports files. */
 export class LibraryFiles {
-  readonly #current = signal<ImportStep | null>(null, { name: 'import' });
+  readonly #asked = signal<AskedFile | null>(null, { name: 'import' });
   readonly #said = signal<FileWord | null>(null, { name: 'fileWord' });
-  readonly #way = signal<Way>('newer');
-  readonly current: ReadonlySignal<ImportStep | null> = this.#current;
+  readonly asked: ReadonlySignal<AskedFile | null> = this.#asked;
   readonly said: ReadonlySignal<FileWord | null> = this.#said;
   /** When the library was last exported, and until when the pilot has put it off. */
   readonly marks: ExportMarks;
   readonly #parts: LibraryFilesParts;
-  #done: Done | null = null;
-  /** Goes up with each new action, so that the late result of an earlier one is ignored. */
-  #turn = 0;
 
   constructor(parts: LibraryFilesParts) {
     this.#parts = parts;
@@ -81,69 +89,9 @@ export class LibraryFiles {
 
   /** Whether there is nothing to export, as far as it was read. */
   get isEmpty(): boolean {
-    const { models, settings, flights } = this.#parts.library;
-    return [models, settings, flights].every(
+    return KINDS.map((kind) => this.#parts.library[kind]).every(
       ({ list, loaded, failed }) => loaded.value && !failed.value && list.value.length === 0,
     );
-  }
-
-  /**
-   * Gives a part of the library to the browser as a download.
-   * @param title the name of the file, before its date.
-   */
-  async export(part: FilePart, title: string): Promise<void> {
-    this.#done = null;
-    this.#say(null);
-    const name = `${safeName(title)} ${dayName(new Date())}${ENDING}`;
-    const now = Date.now();
-    const made = await this.#textOf(part, now);
-    if (made === 'nothing') return;
-    if (typeof made === 'string') return this.#say({ kind: made });
-    const { text, holds, missing } = made;
-    saveFile(name, text, 'application/json');
-    if (missing.length > 0) return this.#say({ kind: 'partly', name, holds, missing });
-    if (part.kind === 'all') this.marks.exported(now);
-    this.#say({ kind: 'downloaded', name, holds });
-  }
-
-  /** Saves all of the library; see {@link export}. */
-  async exportAll(): Promise<void> {
-    await this.export({ kind: 'all' }, ALL_NAME);
-  }
-
-  /** Asks for a file and reads it. */
-  ask(): void {
-    askForFiles(ACCEPTED, (files) => void this.open(files));
-  }
-
-  /** Shows what a file would bring. Nothing is imported before the pilot agrees. */
-  async open(chosen: readonly File[]): Promise<void> {
-    const [file, more] = chosen;
-    if (!file) return;
-    const turn = ++this.#turn;
-    const name = plainName(file.name);
-    const show = (step: ImportStep): void => {
-      if (turn === this.#turn) this.#current.value = step;
-    };
-    if (more) return show({ step: 'refused', name, why: 'several' });
-    show({ step: 'reading', name });
-    const read = await textOfFile(file);
-    if ('unreadable' in read) return show({ step: 'refused', name, why: read.unreadable });
-    try {
-      await this.#load();
-      const found = lookInto(read.text, () => this.#records());
-      if ('refused' in found) return show({ step: 'refused', name, why: found.refused, place: found.place });
-      this.#way.value = 'newer';
-      show({ step: 'plan', name, ...found, way: this.#way });
-    } catch {
-      // This is our own fault, but the pilot must not be left with a dialog that goes on reading.
-      show({ step: 'refused', name, why: 'gone' });
-    }
-  }
-
-  /** Chooses what to do with entries that differ. */
-  choose(way: Way): void {
-    this.#way.value = way;
   }
 
   /**
@@ -156,79 +104,117 @@ export class LibraryFiles {
 
   /** What the browser keeps, perhaps, and does not give. */
   get #unread(): Kind[] {
-    const { library } = this.#parts;
-    return (['models', 'settings', 'flights'] as const).filter((kind) => library[kind].failed.value);
+    return KINDS.filter((kind) => this.#parts.library[kind].failed.value);
   }
 
-  /** Imports what the plan shows. */
-  async take(): Promise<void> {
-    const step = this.#current.peek();
-    if (step?.step !== 'plan' || this.shut) return;
+  /**
+   * Gives a part of the library to the browser as a download.
+   * @param title the name of the file, before its date.
+   */
+  async export(part: FilePart = { kind: 'all' }, title = ALL_NAME): Promise<void> {
+    const { export: words } = filesMessages;
+    this.dismissWord();
+    const now = Date.now();
+    let missing: readonly Kind[];
+    let made: Made;
+    try {
+      await this.#load();
+      // The file of a setting holds no flights.
+      missing = this.#unread.filter((kind) => part.kind !== 'setting' || kind === 'models');
+      made = textOf(partOf(this.#records(), part), part.kind === 'all', version, now, missing);
+    } catch {
+      return this.#say({ text: words.failed, isBad: true });
+    }
+    if (made === 'nothing')
+      return missing.length > 0 ? this.#say({ text: libraryMessages.unread, isBad: true }) : undefined;
+    if (made === 'too-large') return this.#say({ text: words.tooLarge, isBad: true });
+    const name = `${safeName(title)} ${dayName(new Date(now))}${ENDING}`;
+    saveFile(name, made.text, 'application/json');
+    const holds = messages.value.counted(made.holds);
+    if (missing.length > 0) return this.#say({ text: words.partly(name, holds, missing), isBad: true });
+    if (part.kind === 'all') this.marks.exported(now);
+    this.#say({ text: words.downloaded(name, holds) });
+  }
+
+  /** Asks for a file to import. */
+  choose(): void {
+    askForFiles(ACCEPTED, (files) => void this.import(files));
+  }
+
+  /** Shows what a file would bring, and imports it once the pilot agrees. */
+  async import([file, more]: readonly File[]): Promise<void> {
+    if (!file) return;
+    this.#asked.peek()?.answer(null);
+    const name = plainName(file.name);
+    const left = this.#ask(name, 'reading');
+    const found = more ? ({ why: 'several', place: null } as const) : await Promise.race([left, this.#lookInto(file)]);
+    if (found === null || typeof found === 'string') return;
+    const way = await this.#ask(name, found);
+    if (way === null || 'why' in found || this.shut) return;
     const before = this.#records();
-    const put = recordsOf(step.groups.peek(), this.#way.peek(), before, newId);
-    this.dismiss();
+    const put = recordsOf(found.groups.peek(), way, before, newId);
     // On an empty device, the file equals an export of everything.
-    if (before.models.length + before.settings.length + before.flights.length === 0)
-      this.marks.exported(step.writtenAt);
-    const holds = { models: put.models.length, settings: put.settings.length, flights: put.flights.length };
-    const { name } = step;
-    this.#say({ kind: 'busy' });
+    if (KINDS.every((kind) => before[kind].length === 0)) this.marks.exported(found.writtenAt);
+    this.#say({ text: messages.value.parts.coming, isBusy: true });
     const kept = await this.#parts.library.change({
       models: { put: put.models },
       settings: { put: put.settings },
       flights: { put: put.flights },
     });
-    // Only now: the pilot may have exported, or imported another file, while this one was being saved.
-    this.#done = { put, before };
-    this.#say({ kind: 'imported', name, holds, kept });
-  }
-
-  /** Brings back what was there before the import. Later changes stay. */
-  async undo(): Promise<void> {
-    const { library } = this.#parts;
-    const done = this.#done;
-    if (!done) return;
-    this.#done = null;
-    const now = this.#records();
-    const { put, before } = done;
-    const models = undoOf(put.models, before.models, now.models);
-    const settings = undoOf(put.settings, before.settings, now.settings);
-    const flights = undoOf(put.flights, before.flights, now.flights);
-    this.#say({ kind: 'busy' });
-    const kept = await library.change({
-      models: { gone: models.gone, put: models.back },
-      settings: { gone: settings.gone, put: settings.back },
-      flights: { gone: flights.gone, put: flights.back },
+    const done = filesMessages.import.done(messages.value.counted(countsOf(put)), name);
+    this.#say({
+      text: kept ? done : `${done} ${messages.value.notKept}`,
+      isBad: !kept,
+      undo: () => void this.#undo(put, before),
     });
-    this.#say({ kind: 'undone', kept });
-  }
-
-  /** The pilot leaves the import, whatever state it is in. */
-  dismiss(): void {
-    this.#turn++;
-    this.#current.value = null;
   }
 
   /** The pilot has read the message. */
   dismissWord(): void {
-    this.#done = null;
-    this.#say(null);
+    this.#said.value = null;
   }
 
-  #say(word: FileWord | null): void {
+  #say(word: FileWord): void {
     this.#said.value = word;
   }
 
-  async #textOf(part: FilePart, now: number): Promise<Made | 'unread' | 'failed'> {
+  #ask(name: string, shown: AskedFile['shown']): Promise<Way | null> {
+    return new Promise((resolve) => {
+      const answer = (way: Way | null): void => {
+        this.#asked.value = null;
+        resolve(way);
+      };
+      this.#asked.value = { name, shown, answer };
+    });
+  }
+
+  /** Reads a file and compares it with the library. */
+  async #lookInto(file: File): Promise<Refusal | Plan> {
+    const read = await textOfFile(file);
+    if ('unreadable' in read) return { why: read.unreadable, place: null };
     try {
       await this.#load();
-      // The file of a setting holds no flights.
-      const missing = this.#unread.filter((kind) => part.kind !== 'setting' || kind === 'models');
-      const made = textOf(partOf(this.#records(), part), part.kind === 'all', version, now, missing);
-      return made === 'nothing' && missing.length > 0 ? 'unread' : made;
-    } catch {
-      return 'failed';
+      const parsed = parseLibraryFile(read.text);
+      // The library may change while the pilot looks at the file.
+      const groups = computed(() => groupsOf(parsed, this.#records()));
+      const { writtenAt, ignored, library } = parsed;
+      return { writtenAt, ignored: ignored.length, holds: countsOf(library), groups };
+    } catch (why) {
+      if (why instanceof CodecError) return { why, place: placeInFile(read.text, why.field) };
+      // This is our own fault, but the pilot must not be left with a dialog that goes on reading.
+      return { why: 'gone', place: null };
     }
+  }
+
+  async #undo(put: Records, before: Records): Promise<void> {
+    const now = this.#records();
+    this.#say({ text: messages.value.parts.coming, isBusy: true });
+    const kept = await this.#parts.library.change({
+      models: undoOf(put.models, before.models, now.models),
+      settings: undoOf(put.settings, before.settings, now.settings),
+      flights: undoOf(put.flights, before.flights, now.flights),
+    });
+    this.#say({ text: kept ? filesMessages.import.undone : messages.value.notKept, isBad: !kept });
   }
 
   async #load(): Promise<void> {
@@ -240,6 +226,10 @@ export class LibraryFiles {
     const { models, settings, flights } = this.#parts.library;
     return { models: models.list.value, settings: settings.list.value, flights: flights.list.value };
   }
+}
+
+function countsOf({ models, settings, flights }: Readonly<Record<Kind, readonly unknown[]>>): EntryCounts {
+  return { models: models.length, settings: settings.length, flights: flights.length };
 }
 
 /** A name that every system accepts for a file. */

@@ -221,7 +221,7 @@ describe('an import', () => {
     await goTo('settings');
     expect(await drop(file()), 'the browser must not leave the page for it').toBe(true);
     expect(screen.queryByRole('dialog'), 'only the library takes it').toBeNull();
-    act(() => void filesOf(app.models).open([file()]));
+    act(() => void filesOf(app.models).import([file()]));
     await idle();
     await press('Import 3');
     expect(app.views.shown.value).toBe('library');
@@ -341,7 +341,7 @@ describe('an import', () => {
       await idle(0);
     };
     const imports = async (name: string): Promise<void> => {
-      act(() => void filesOf(app.models).open([file(text(part(name)), name)]));
+      act(() => void filesOf(app.models).import([file(text(part(name)), name)]));
       await idle(0);
       await click('Import 1');
     };

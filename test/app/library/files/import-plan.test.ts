@@ -7,9 +7,9 @@ import {
   type Records,
   recordsOf,
   takenOf,
+  undoOf,
   type Way,
 } from '../../../../src/app/library/files/import-plan.js';
-import { undoOf } from '../../../../src/app/library/files/import-work.js';
 import { partOf, textOf } from '../../../../src/app/library/files/library-text.js';
 import { withPlainNames } from '../../../../src/app/session/plain-names.js';
 import { type LibraryFile, parseLibraryFile } from '../../../../src/program/index.js';
@@ -230,7 +230,7 @@ describe('whatever a library holds', () => {
         const fresh = imported(fileOf(theirs), held, way);
         const now = put(fresh, held);
         if (way === 'both') expect(now.settings.slice(0, held.settings.length)).toEqual(held.settings);
-        const { back, gone } = undoOf(fresh.settings, held.settings, now.settings);
+        const { put: back = [], gone = [] } = undoOf(fresh.settings, held.settings, now.settings);
         const left = now.settings.filter(({ key }) => !gone.includes(key));
         expect(put({ ...NOTHING, settings: back }, { ...NOTHING, settings: left }).settings).toEqual(held.settings);
       }),
@@ -244,10 +244,10 @@ describe('undo', () => {
     const [record] = HELD.settings;
     if (!record) throw new Error('no setting');
     const edited = { ...record, setting: { ...record.setting, note: 'since then' } };
-    expect(undoOf([record], [], [edited])).toEqual({ back: [], gone: [] });
-    expect(undoOf([record], [], [])).toEqual({ back: [], gone: [] });
-    expect(undoOf([record], [edited], [record])).toEqual({ back: [edited], gone: [] });
-    expect(undoOf([record], [], [record])).toEqual({ back: [], gone: [record.key] });
+    expect(undoOf([record], [], [edited])).toEqual({ put: [], gone: [] });
+    expect(undoOf([record], [], [])).toEqual({ put: [], gone: [] });
+    expect(undoOf([record], [edited], [record])).toEqual({ put: [edited], gone: [] });
+    expect(undoOf([record], [], [record])).toEqual({ put: [], gone: [record.key] });
   });
 });
 
