@@ -302,7 +302,7 @@ export class AppPage {
 
   async openLine(): Promise<void> {
     await this.goTo('Line');
-    await this.line.locator('tbody').first().waitFor();
+    await this.line.locator('.line-rows li').first().waitFor();
   }
 
   /** What the page has sent, from its own log, the oldest first. */
@@ -312,7 +312,7 @@ export class AppPage {
     const older = this.line.getByRole('button', { name: /^Show \d+ more$/ });
     while (await older.isVisible()) await older.click();
     const names = await this.line
-      .locator('tbody tr.out .name')
+      .locator('.line-rows .out .name')
       .evaluateAll((all) => all.map(({ textContent }) => textContent ?? '').reverse());
     await this.page.evaluate((hash) => location.assign(hash || '#program'), before);
     await this.line.waitFor({ state: 'hidden' });

@@ -55,8 +55,8 @@ describe('the line', () => {
     await app.connect();
     await app.openLine();
     await app.page.getByRole('combobox', { name: 'Show' }).selectOption(words.damaged);
-    await expect.poll(() => app.line.locator('tbody tr:not(.damaged)').count()).toBe(0);
-    await expect.poll(() => app.line.locator('tbody tr.damaged').count()).toBeGreaterThan(0);
+    await expect.poll(() => app.line.locator('.line-rows li:not(.damaged)').count()).toBe(0);
+    await expect.poll(() => app.line.locator('.line-rows .damaged').count()).toBeGreaterThan(0);
     await app.page.getByRole('searchbox', { name: 'Search' }).fill('nothing like this');
     await app.text(words.empty).waitFor();
   });
@@ -64,14 +64,14 @@ describe('the line', () => {
   test('does not move while it is paused', async () => {
     const app = await opened();
     await app.button('Pause').click();
-    const before = await app.line.locator('tbody tr').count();
+    const before = await app.line.locator('.line-rows li').count();
     await app.goTo('Program');
     await app.readAgain();
     await app.goTo('Line');
     await app.text(words.came(12)).waitFor();
-    await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before);
+    await expect.poll(() => app.line.locator('.line-rows li').count()).toBe(before);
     await app.button('Go on').click();
-    await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before + 12);
+    await expect.poll(() => app.line.locator('.line-rows li').count()).toBe(before + 12);
   });
 
   test('refuses a bad file with the line that is wrong', async () => {

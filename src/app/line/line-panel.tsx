@@ -1,7 +1,7 @@
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { FrameForm } from './frame-form.js';
-import { LineTable } from './line-table.js';
+import { LineRows } from './line-rows.js';
 import { LineTools } from './line-tools.js';
 import type { LineView } from './line-view.js';
 import { RecordingBar } from './recording-bar.js';
@@ -24,7 +24,7 @@ export function LinePanel({ session, view, form }: LinePanelProps) {
       {/* Above the log, which can be very long. */}
       {!unused && <SendFrame session={session} form={form} />}
       <RecordingBar session={session} view={view} />
-      {unused ? <p class="hint">{messages.value.line.unused}</p> : <LineTable view={view} />}
+      {unused ? <p class="hint">{messages.value.line.unused}</p> : <LineRows view={view} />}
     </div>
   );
 }

@@ -7,7 +7,7 @@ import { Choice } from '../ui/choice.js';
 import { CopyButton } from '../ui/copy-button.js';
 import type { LineFilter, LineView } from './line-view.js';
 import { captureText } from './recording.js';
-import { captureNotes, gatherFacts, reportText } from './report.js';
+import { captureNotes, reportText } from './report.js';
 import './line-tools.css';
 
 const FILTERS: readonly LineFilter[] = ['all', 'out', 'in', 'damaged'];
@@ -42,7 +42,7 @@ export function LineTools({ session, view }: { readonly session: Session; readon
           </button>
         )}
         <LoadButton view={view} />
-        <CopyButton label={line.copyReport} text={() => reportText(gatherFacts(session))} />
+        <CopyButton label={line.copyReport} text={() => reportText(session)} />
       </div>
       {used && <LineChoice view={view} />}
       <p class="line-came" role="status">

@@ -10,24 +10,22 @@ export type LineFilter = 'all' | 'out' | 'in' | 'damaged';
 
 /** How many entries are shown at first, and how many more on each click. */
 export const STEP = 100;
-/** How many entries are in a group. A new entry moves the older groups, but only its own group is drawn again. */
-const GROUP = 8;
-
-/** Some entries in a row, newest first. The object stays the same while nothing in it changes. */
-export interface LineGroup {
-  /** The key by which the page knows the group. */
-  readonly key: number;
-  readonly records: readonly LineRecord[];
-}
 
 /** What the line view shows: the live line, a paused one, or a recording; everything, or what a filter finds. */
 export class LineView {
-  readonly filter: ReadonlySignal<LineFilter>;
-  /** The text that names, meanings or bytes must contain, as it stands in the field. */
-  readonly search: ReadonlySignal<string>;
-  readonly recording: ReadonlySignal<Recording | null>;
+  readonly #log: LineLog;
+  readonly #room = signal(STEP, { name: 'room' });
+  readonly #filter = signal<LineFilter>('all', { name: 'filter' });
+  readonly #search = signal('', { name: 'search' });
+  readonly #recording = signal<Recording | null>(null, { name: 'recording' });
+  readonly #fault = signal<RecordingError | null>(null, { name: 'fault' });
+  readonly #still = signal<{ readonly entries: readonly LineRecord[]; readonly newest: number } | null>(null);
+  readonly filter: ReadonlySignal<LineFilter> = this.#filter;
+  /** The text that names, meanings or bytes must contain. */
+  readonly search: ReadonlySignal<string> = this.#search;
+  readonly recording: ReadonlySignal<Recording | null> = this.#recording;
   /** Why the last file is no recording. */
-  readonly fault: ReadonlySignal<RecordingError | null>;
+  readonly fault: ReadonlySignal<RecordingError | null> = this.#fault;
   readonly paused: ReadonlySignal<boolean> = computed(() => this.#still.value !== null);
   /** How many entries have come since the pause. */
   readonly came: ReadonlySignal<number> = computed(() =>
@@ -42,39 +40,18 @@ export class LineView {
     const isAskedFor = test(this.#filter.value, this.#search.value);
     return this.all.value.filter(isAskedFor);
   });
-  /**
-   * The newest of these, as many as there is room for, newest first. A group that has not changed is not drawn again.
-   */
-  readonly shown: ReadonlySignal<readonly LineGroup[]> = computed(() => {
-    const before = new Map(this.#drawn.map((group) => [group.key, group]));
-    this.#drawn = groupsOf(this.found.value.slice(-this.#room.value)).map((group) => {
-      const known = before.get(group.key);
-      return known && isSame(known, group) ? known : group;
-    });
-    return this.#drawn;
-  });
-  /** How many of these entries are shown. */
-  readonly shownCount: ReadonlySignal<number> = computed(() => Math.min(this.#room.value, this.found.value.length));
+  /** The newest of these, as many as there is room for, newest first. */
+  readonly shown: ReadonlySignal<readonly LineRecord[]> = computed(() =>
+    this.found.value.slice(-this.#room.value).reverse(),
+  );
   /** Whether there is nothing to look at yet: the line was never used, and no recording is loaded. */
   readonly unused: ReadonlySignal<boolean> = computed(() => !this.#recording.value && !this.#log.used.value);
   /** How much was on the line since the log began. */
   readonly counts: LineLog['counts'];
-  readonly #log: LineLog;
-  readonly #room = signal(STEP, { name: 'room' });
-  #drawn: readonly LineGroup[] = [];
-  readonly #filter = signal<LineFilter>('all', { name: 'filter' });
-  readonly #search = signal('', { name: 'search' });
-  readonly #recording = signal<Recording | null>(null, { name: 'recording' });
-  readonly #fault = signal<RecordingError | null>(null, { name: 'fault' });
-  readonly #still = signal<{ readonly entries: readonly LineRecord[]; readonly newest: number } | null>(null);
 
   constructor(log: LineLog) {
     this.#log = log;
-    this.filter = this.#filter;
-    this.search = this.#search;
     this.counts = log.counts;
-    this.recording = this.#recording;
-    this.fault = this.#fault;
   }
 
   setFilter(filter: LineFilter): void {
@@ -93,7 +70,7 @@ export class LineView {
 
   /** Shows more of the older entries. */
   showOlder(): void {
-    this.#room.value = this.shownCount.peek() + STEP;
+    this.#room.value += STEP;
   }
 
   /** Pauses the view while the log goes on. */
@@ -164,20 +141,4 @@ function says(record: LineRecord, isFound: (folded: string) => boolean, hex: str
 function hexIn(text: string): string | null {
   const digits = text.replaceAll(/\s/g, '');
   return /^(?:[0-9a-f]{2})+$/.test(digits) ? (digits.match(/../g) ?? []).join(' ') : null;
-}
-
-/** Groups by number, so that a new entry changes only the first group. @param records oldest first. */
-function groupsOf(records: readonly LineRecord[]): LineGroup[] {
-  const groups: { readonly key: number; readonly records: LineRecord[] }[] = [];
-  for (const record of [...records].reverse()) {
-    const key = Math.floor(record.number / GROUP);
-    const last = groups.at(-1);
-    if (last?.key === key) last.records.push(record);
-    else groups.push({ key, records: [record] });
-  }
-  return groups;
-}
-
-function isSame({ records }: LineGroup, other: LineGroup): boolean {
-  return records.length === other.records.length && records.every((record, at) => record === other.records[at]);
 }

@@ -37,9 +37,6 @@ const errors: Record<LineErrorKind, string> = {
 export const line = {
   empty: 'Nothing to show.',
   unused: 'Nothing on the line yet. You can also load a recording and replay it as a timer.',
-  direction: 'Direction',
-  message: 'Message',
-  bytes: 'Bytes',
   all: 'Everything',
   out: 'To the timer',
   in: 'From the timer',

@@ -1,47 +1,61 @@
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { signal } from '@preact/signals';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { version } from '../../../src/app/browser/version.js';
 import { parseRecording } from '../../../src/app/line/recording.js';
-import { gatherFacts, type ReportFacts, reportText } from '../../../src/app/line/report.js';
+import { reportText } from '../../../src/app/line/report.js';
+import { LineLog } from '../../../src/app/session/line-log.js';
+import type { Session } from '../../../src/app/session/session.js';
 import type { TimerClient } from '../../../src/client/index.js';
 import { parseCapture } from '../../../src/protocol/index.js';
 import { DEFAULT_SETTINGS } from '../../../src/serial/index.js';
 import { B536 } from '../../protocol/vectors.js';
 import { appBench, connectedBench, run } from '../bench/bench.js';
 
-const facts: ReportFacts = {
-  version: '1.2.3',
-  browser: 'Chromium 140',
-  platform: 'Linux',
-  installed: false,
-  port: { kind: 'ftdi', key: 'usb:0403:6001', settings: { ...DEFAULT_SETTINGS, baudRate: 19200, rts: false } },
-  simulated: false,
-  identity: B536,
-  quirksFound: new Map([
-    ['memory-unknown', {}],
-    ['times-rounded', { slot: 3, sent: 1005, held: 1000 }],
-  ]),
-  quirksAssumed: { bigEndianTimes: false },
-  counts: { out: 12, in: 10, damaged: 2, errors: 1 },
-  lineErrors: new Map([['framing', 1]]),
-  repeats: 3,
-  strays: 2,
-  delay: 903.4,
-  entries: [],
-};
+const brands = [
+  { brand: 'Not?A_Brand', version: '24' },
+  { brand: 'Chromium', version: '140' },
+  { brand: 'Microsoft Edge', version: '140' },
+];
 
+beforeEach(() =>
+  vi.stubGlobal('navigator', {
+    userAgent: 'Mozilla/5.0',
+    platform: 'Win32',
+    userAgentData: { brands, platform: 'Windows' },
+  }),
+);
 afterEach(() => vi.unstubAllGlobals());
+
+function reportOf(connection: object | null, simulated = false): string[] {
+  const parts = { log: new LineLog(), link: { simulated: signal(simulated) }, connection: signal(connection) };
+  return reportText(parts as unknown as Session).split('\n');
+}
 
 describe('a report', () => {
   it('says what a maintainer needs first', () => {
-    expect(reportText(facts).split('\n')).toEqual([
+    const client = {
+      identity: B536,
+      quirksFound: new Map<string, object>([
+        ['memory-unknown', {}],
+        ['times-rounded', { slot: 3, sent: 1005, held: 1000 }],
+      ]),
+      quirksAssumed: { bigEndianTimes: false },
+      lineErrors: new Map([['framing', 1]]),
+      repeats: 3,
+      strays: 2,
+      delay: 903.4,
+    };
+    const settings = { ...DEFAULT_SETTINGS, baudRate: 19200, rts: false };
+    expect(reportOf({ client, kind: 'ftdi', portKey: 'usb:0403:6001', settings })).toEqual([
       '# Sidus capture 1',
-      '# Sidus Timer 1.2.3',
-      '# Browser: Chromium 140, Linux',
+      `# Sidus Timer ${version}`,
+      '# Browser: Chromium 140, Microsoft Edge 140, Windows',
       '# Page: in a browser tab',
       '# Port: ftdi, usb:0403:6001, 19200 8N1, RTS low',
       '# Timer: F1B, firmware 536, 9 functions and DT, 4 memories, 3 servos',
       '# Found: memory-unknown; times-rounded slot 3 sent 1005 held 1000',
       '# Assumed: bigEndianTimes false',
-      '# Line: out 12, in 10, damaged 2, errors 1, repeats 3',
+      '# Line: out 0, in 0, damaged 0, errors 0, repeats 3',
       '# Line errors: framing 1',
       '# Unasked frames: 2; latest reply: after 903 ms',
       '',
@@ -50,26 +64,15 @@ describe('a report', () => {
   });
 
   it('says what is not known', () => {
-    const nothing: ReportFacts = {
-      ...facts,
-      installed: true,
-      port: null,
-      simulated: true,
-      identity: null,
-      quirksFound: new Map(),
-      quirksAssumed: {},
-      lineErrors: new Map(),
-      repeats: null,
-      strays: 0,
-      delay: null,
-    };
-    expect(reportText(nothing).split('\n').slice(3, 11)).toEqual([
-      '# Page: installed',
+    vi.stubGlobal('navigator', { userAgent: 'Mozilla/5.0', platform: 'Win32' });
+    expect(reportOf(null, true).slice(2, 11)).toEqual([
+      '# Browser: Mozilla/5.0, Win32',
+      '# Page: in a browser tab',
       '# Port: none',
       '# Timer: not identified, simulated',
       '# Found: nothing unusual',
       '# Assumed: nothing',
-      '# Line: out 12, in 10, damaged 2, errors 1',
+      '# Line: out 0, in 0, damaged 0, errors 0',
       '# Line errors: none',
       '# Unasked frames: 0; latest reply: in time',
     ]);
@@ -79,7 +82,7 @@ describe('a report', () => {
     const { session, editor } = await connectedBench({ quirks: { memoryReplyEmpty: true } });
     const program = editor.working.value;
     for (let i = 0; i < 20; i++) await run(session.reader.read());
-    const text = reportText(gatherFacts(session));
+    const text = reportText(session);
     expect(text).toContain('# Timer: F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos\n');
     expect(text).toContain('# Found: memory-unknown\n');
     const { entries, replayable } = parseRecording('report', text);
@@ -87,7 +90,7 @@ describe('a report', () => {
     expect(replayable).toBe(true);
     const client = session.connection.value?.client as TimerClient;
     for (let i = 0; i < 30; i++) await run(client.send(0x71));
-    const later = parseRecording('report', reportText(gatherFacts(session)));
+    const later = parseRecording('report', reportText(session));
     expect(later.entries, '30 requests and their replies, and the exchange that identifies the timer').toHaveLength(62);
     expect(later.replayable).toBe(true);
     await run(session.timer.disconnect());
@@ -97,37 +100,14 @@ describe('a report', () => {
     expect(again.editor.working.value, 'a report can be replayed').toEqual(program);
   });
 
-  it('names the port by its kind, and how it was opened', async () => {
+  it('names the port by its kind, also the timer once the line is cut, and contains no times of day', async () => {
     const { session } = await connectedBench({ info: { usbVendorId: 0x0403, usbProductId: 0x6001 } });
-    const text = reportText(gatherFacts(session));
-    expect(text).toContain('# Port: ftdi, usb:0403:6001, 9600 8N1\n');
-    expect(text).toMatch(/^# Line: out 7, in 7, damaged 0, errors 0, repeats 0$/m);
-    expect(text).toContain('# Line errors: none\n');
-  });
-
-  it('still names the timer when the line is cut, and contains no times of day', async () => {
-    const { session } = await connectedBench();
+    expect(reportText(session)).toContain('# Port: ftdi, usb:0403:6001, 9600 8N1\n');
+    expect(reportText(session)).toContain('# Line: out 7, in 7, damaged 0, errors 0, repeats 0\n');
     await run(session.timer.disconnect());
-    const text = reportText(gatherFacts(session));
+    const text = reportText(session);
     expect(text).toContain('# Timer: F1Q');
     expect(parseCapture(text)[0]?.time).toBe(0);
     expect(text).not.toMatch(/20\d\d-|\d\d:\d\d:\d\d/);
-  });
-
-  it('names the browser by its list of brands, without the invented one', async () => {
-    const { session } = await appBench();
-    const brands = [
-      { brand: 'Not?A_Brand', version: '24' },
-      { brand: 'Chromium', version: '140' },
-      { brand: 'Microsoft Edge', version: '140' },
-    ];
-    vi.stubGlobal('navigator', {
-      userAgent: 'Mozilla/5.0',
-      platform: 'Win32',
-      userAgentData: { brands, platform: 'Windows' },
-    });
-    expect(gatherFacts(session)).toMatchObject({ browser: 'Chromium 140, Microsoft Edge 140', platform: 'Windows' });
-    vi.stubGlobal('navigator', { userAgent: 'Mozilla/5.0', platform: 'Win32' });
-    expect(gatherFacts(session)).toMatchObject({ browser: 'Mozilla/5.0', platform: 'Win32' });
   });
 });

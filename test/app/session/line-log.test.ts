@@ -152,7 +152,7 @@ describe('the picture of the line', () => {
     lineError('parity'),
   ];
 
-  const shownBy = (view: LineView): number[] => view.shown.value.flatMap(({ records }) => numbers(records));
+  const shownBy = (view: LineView): number[] => numbers(view.shown.value);
 
   async function shown(change: (view: LineView) => void): Promise<number[]> {
     const log = logOf(...mixed);
