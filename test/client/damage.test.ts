@@ -2,7 +2,6 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { TimerClient } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
-import { encodeFrame } from '../../src/protocol/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { fromHex } from '../tools/bytes.js';
 import { bench, contentOf, edited, names } from './bench.js';
@@ -65,32 +64,6 @@ describe('a line that damages bytes', () => {
     expect(await run(client.identify())).toEqual(B536);
     // Damage was seen, so it asked until two agreed: but never because a reply had not come.
     expect(names(timer.core.answered)).toEqual(['GETSWVER', 'GETSWVER']);
-  });
-
-  it('gives up with an error when no two readings agree', async () => {
-    let value = 0;
-    const { client, timer, run } = bench({ fromTimer: { fault: at([0], (byte) => [0xaa, byte]) } });
-    timer.core.onAnswer = () => {
-      (timer.core.content.positions[0] as number[])[0] = value++ % 100;
-    };
-    await expect(run(client.readProgram())).rejects.toMatchObject({
-      code: 'unstable',
-      details: { request: 'GETSERVOPOS' },
-    });
-    expect(names(timer.core.answered).filter((name) => name === 'GETSERVOPOS')).toHaveLength(6);
-  });
-
-  it('says that a reply cannot be right when its content is impossible each time', async () => {
-    const { client, timer, run } = bench();
-    await run(client.identify());
-    // The positions of two servos where the timer said that it has three.
-    const answer = timer.core.answer.bind(timer.core);
-    timer.core.answer = (frame) => (frame.code === 0x67 ? encodeFrame(0x68, new Uint8Array(22)) : answer(frame));
-    await expect(run(client.readProgram())).rejects.toMatchObject({
-      code: 'bad-reply',
-      details: { request: 'GETSERVOPOS', sent: 3 },
-      cause: { code: 'wrong-length' },
-    });
   });
 });
 

@@ -4,7 +4,7 @@ import { BAD_REPLIES, READS } from '../../src/client/retry-policy.js';
 import { VirtualClock } from '../../src/line/index.js';
 import { FrameDecoder } from '../../src/protocol/index.js';
 import { VirtualTimer } from '../../src/simulator/index.js';
-import { answering, type Bench, bench, contentOf, edited, memoryOf, names } from './bench.js';
+import { answering, type Bench, bench, contentOf, memoryOf, names } from './bench.js';
 import { crowd } from './crowd.js';
 
 /** A client that has seen damage, so that it believes no single answer. */
@@ -85,16 +85,6 @@ describe('answers of which no two agree', () => {
 });
 
 describe('what an error says of the request', () => {
-  it('no reply came', async () => {
-    const { client, timer, run } = bench();
-    await run(client.identify());
-    timer.core.sleep();
-    await expect(run(client.request({ name: 'GETTIMERS' }))).rejects.toMatchObject({
-      message: 'no reply to GETTIMERS',
-      details: { request: 'GETTIMERS', answersOthers: false },
-    });
-  });
-
   it('what came was damaged, each time', async () => {
     const { client, run } = bench({ fromTimer: { fault: (byte) => [byte === 0x62 ? 0x60 : byte] } });
     await expect(run(client.request({ name: 'GETTIMERS' }))).rejects.toMatchObject({
@@ -126,17 +116,6 @@ describe('what an error says of the request', () => {
     isSilent = false;
     expect((await run(client.readProgram())).idleThrottle).toBeNull();
     expect([...client.quirksFound.keys()]).toEqual(['idle-throttle-unanswered', 'idle-throttle-malformed']);
-  });
-
-  it('a dangerous request was sent once, whatever the line did to its reply', async () => {
-    let bad = false;
-    const { client, run } = bench({ fromTimer: { fault: (byte) => [bad ? byte ^ 0xff : byte] } });
-    await run(client.identify());
-    bad = true;
-    await expect(run(client.moveToFunction(1))).rejects.toMatchObject({
-      code: 'no-answer',
-      details: { request: 'MOVETOFUNC', sent: 1, answersOthers: true },
-    });
   });
 
   it('a timer that falls silent on a line that was damaged before is silent, and the next error comes sooner', async () => {
@@ -174,16 +153,6 @@ describe('a client that is closed', () => {
 });
 
 describe('a selected memory', () => {
-  it('is an error with both numbers when it is not the one that was asked for', async () => {
-    const { client, timer, run } = bench();
-    await run(client.identify());
-    answering(timer, 'GETMEMORY', () => [1]);
-    await expect(run(client.selectMemory(2))).rejects.toMatchObject({
-      code: 'other-memory',
-      message: 'memory 1 is current, not 2',
-    });
-  });
-
   it('is uncertain when the timer does not name it: the job stops, and so does the way back', async () => {
     const { client, timer, run } = bench();
     await run(client.identify());
@@ -222,25 +191,6 @@ describe('times that fall, and rise with their bytes exchanged', () => {
     const { client, timer, run } = bench({ quirks: { bigEndianTimes: true } }, { quirks: { bigEndianTimes: true } });
     timer.core.content.times = FALLING;
     expect(await run(client.readProgram())).toEqual(contentOf(timer));
-    expect([...client.quirksFound.keys()]).toEqual([]);
-  });
-
-  it('are no hint any more when a reading rises without an exchange', async () => {
-    const { client, timer, run } = bench();
-    const { times } = timer.core.content;
-    timer.core.content.times = FALLING;
-    await run(client.readProgram());
-    expect([...client.quirksFound.keys()]).toEqual(['times-big-endian']);
-    timer.core.content.times = times;
-    await run(client.readProgram());
-    expect([...client.quirksFound.keys()]).toEqual([]);
-  });
-
-  it('equal times do not count as falling', async () => {
-    const { client, timer, run } = bench();
-    const equal = edited(contentOf(timer), [4, 0x0102], [5, 0x0102]).times.map((_, slot) => (slot < 2 ? slot : 0x0102));
-    timer.core.content.times = [...equal];
-    await run(client.readProgram());
     expect([...client.quirksFound.keys()]).toEqual([]);
   });
 });

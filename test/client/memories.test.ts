@@ -169,22 +169,6 @@ describe('reading several memories', () => {
       cause: { code: 'no-answer', details: { request: 'SETMEMORY' } },
     });
   });
-
-  it('says which memory is current when the timer falls asleep or the client is closed', async () => {
-    for (const end of ['sleep', 'close'] as const) {
-      const { client, timer, run } = bench();
-      timer.core.onAnswer = ({ name }) => {
-        if (name !== 'GETTIMERS' || timer.core.memory !== 1) return;
-        if (end === 'sleep') timer.core.sleep();
-        else void client.close();
-      };
-      await expect(run(client.readMemories())).rejects.toMatchObject({
-        code: 'memory-left',
-        details: { expected: 0, found: 1 },
-        cause: { code: end === 'sleep' ? 'no-answer' : 'closed' },
-      });
-    }
-  });
 });
 
 describe('writing several memories', () => {

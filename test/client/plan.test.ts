@@ -34,6 +34,10 @@ describe('the plan of a job on a good line', () => {
       (client, timer, told) => client.writeMemories([goal(timer, 2, null)], told),
     ],
     [
+      'a write of all values that moves the servos',
+      (client, timer, told) => client.writeMemories([goal(timer, 2, null)], { ...told, moveServos: true }),
+    ],
+    [
       'a write of all values into another memory with the idle throttle',
       (client, timer, told) => client.writeMemories([goal(timer, 2, 77)], told),
     ],

@@ -100,12 +100,6 @@ describe('read program', () => {
     expect((clock.now() - begin) / wireTime(bytes, baudRate)).toBeLessThan(1.05);
   });
 
-  it('keeps a position that cannot be set', async () => {
-    const { client, timer, run } = bench();
-    (timer.core.content.positions[1] as number[])[4] = 200;
-    expect((await run(client.readProgram())).positions[1]?.[4]).toBe(200);
-  });
-
   it('is refused when stopped before it begins, and stops within one reply during the reading', async () => {
     const { client, timer, run } = bench({ latency: 50 });
     await run(client.identify());

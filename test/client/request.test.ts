@@ -33,17 +33,6 @@ describe('one request', () => {
     expect(names(timer.core.answered)).toEqual(['SETSERVO']);
   });
 
-  it('goes out once when it moves something, and stays unanswered', async () => {
-    let isDeaf = false;
-    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (isDeaf ? [] : [byte]) } });
-    await run(client.identify());
-    timer.core.answered.length = 0;
-    isDeaf = true;
-    const asked = run(client.request({ name: 'MOVETOFUNC', function: 3 }));
-    await expect(asked).rejects.toMatchObject({ code: 'no-answer', details: { sent: 1 } });
-    expect(names(timer.core.answered)).toEqual(['MOVETOFUNC']);
-  });
-
   it.each([
     ['a value that no timer can carry', { name: 'SETSERVO', servo: 0, function: 2, position: 131 }, 'out-of-range'],
     ['no command', { name: 'GETNOTHING' }, 'unknown-command'],

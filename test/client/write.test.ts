@@ -3,7 +3,6 @@ import { wireTime } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
 import { exchangeSize, type Request } from '../../src/protocol/index.js';
 import { type Bench, bench, contentOf, edited, names, readBench } from './bench.js';
-import { everyValueChanged } from './matrix.js';
 
 function sets(requests: readonly Request[]): Request[] {
   return requests.filter(({ name }) => name.startsWith('SET'));
@@ -37,13 +36,6 @@ describe('write program', () => {
       { field: { kind: 'position', servo: 2, slot: 10 }, wanted: 0, held: 0, status: 'verified', asked: true },
     ]);
     expect(contentOf(timer)).toEqual(goal);
-  });
-
-  it('writes the idle throttle of a Q timer', async () => {
-    const { client, timer, run, baseline } = await readBench({ identity: { timerClass: 'Q' } });
-    const report = await run(client.writeProgram({ ...baseline, idleThrottle: 12 }, { baseline }));
-    expect(report.result).toBe('verified');
-    expect(timer.core.idleThrottle).toBe(12);
   });
 
   it('reads back even when nothing differs, sends no SET, and says that nothing was asked for', async () => {
@@ -144,18 +136,6 @@ describe('write program', () => {
     const { client, run, baseline } = await readBench();
     const other = { ...baseline, identity: { ...baseline.identity, timerClass: 'E' } };
     await expect(run(client.writeProgram(other, { baseline }))).rejects.toMatchObject({ code: 'other-timer' });
-  });
-
-  it('says what differs when the timer rounds, and does not send it again', async () => {
-    const { client, timer, run, baseline } = await readBench();
-    timer.core.onAnswer = ({ name }) => {
-      if (name === 'SETTIMERS') timer.core.content.times = timer.core.content.times.map((time) => time - (time % 10));
-    };
-    const report = await run(client.writeProgram(edited(baseline, [1, 123]), { baseline }));
-    expect(report).toMatchObject({ result: 'differs', acknowledged: 1 });
-    expect(report.values).toEqual([
-      { field: { kind: 'time', slot: 1 }, wanted: 123, held: 120, status: 'differs', asked: true },
-    ]);
   });
 
   it('puts back what changed without being asked, and says so', async () => {
@@ -342,51 +322,6 @@ describe('write program', () => {
     expect(report.values.map(({ status }) => status)).toEqual(['unknown']);
   });
 
-  it('reports its progress from nothing to all over the whole job', async () => {
-    const { client, run, baseline } = await readBench();
-    const seen: string[] = [];
-    const onProgress = ({ stage, done, total }: { stage: string; done: number; total: number }): void => {
-      seen.push(`${stage} ${done}/${total}`);
-    };
-    await run(client.writeProgram(edited(baseline, [10, 30000], [0, 0, 1]), { baseline, onProgress }));
-    expect(seen).toEqual([
-      'read 0/540',
-      'read 27/540',
-      'read 46/540',
-      'read 86/540',
-      'read 137/540',
-      'read 156/540',
-      'read 183/540',
-      'write 183/540',
-      'write 245/540',
-      'write 266/540',
-      'verify 266/540',
-      'verify 293/540',
-      'verify 312/540',
-      'verify 352/540',
-      'verify 403/540',
-      'verify 443/540',
-      'verify 494/540',
-      'verify 513/540',
-      'verify 540/540',
-    ]);
-  });
-
-  it.each([false, true])('sends exactly what was planned on a good line, servos moved: %s', async (moveServos) => {
-    const { client, run, baseline } = await readBench({ identity: { timerClass: 'Q' } });
-    const seen: number[] = [];
-    const left: number[] = [];
-    const onProgress = ({ done, total }: { done: number; total: number }): void => {
-      seen.push(done);
-      left.push(total - done);
-    };
-    const goal = everyValueChanged(baseline);
-    await run(client.writeProgram(goal, { baseline, moveServos, onProgress }));
-    // Each answer moves it, and the last one ends it. Three times a stage begins.
-    expect(new Set(seen).size).toBe(seen.length - 2);
-    expect([seen[0], left.at(-1)]).toEqual([0, 0]);
-  });
-
   it.each([9600, 115_200])('takes no longer at %i baud than its bytes do', async (baudRate) => {
     const { client, run, clock, baseline } = await readBench({ baudRate }, { baudRate });
     const positions = baseline.positions.flatMap((row, servo) =>
@@ -418,7 +353,7 @@ describe('other actions', () => {
     });
   });
 
-  it('move the servos, unlock the motor, set the idle throttle', async () => {
+  it('move the servos, unlock the motor, set the idle throttle, store one position', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
     await run(client.moveToFunction(0));
     expect(timer.core.servos).toEqual([15, 15, 15]);
@@ -426,6 +361,8 @@ describe('other actions', () => {
     await run(client.unlockMotor());
     expect(timer.core.motorLocked).toBe(false);
     expect(await run(client.setIdleThrottle(44))).toBe(44);
+    await run(client.setPosition({ servo: 1, slot: 4 }, 70));
+    expect(timer.core.answered.at(-1)).toEqual({ name: 'SETSERVO', servo: 1, function: 4, position: 70 });
   });
 
   it('wait their turn: jobs started together run one after another', async () => {
