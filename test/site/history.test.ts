@@ -16,7 +16,8 @@ async function work(app: AppPage): Promise<Trail> {
   await step(() => app.type('Function 3 interval', '1.25'));
   await step(async () => {
     await app.button('Tools for Function 4').click();
-    await app.button('+1.0 s').click();
+    await app.page.getByRole('textbox', { name: en.edits.shift.by }).fill('1');
+    await app.button(en.edits.shift.later).click();
   });
   await trail.note();
   return trail;

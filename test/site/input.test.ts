@@ -13,8 +13,13 @@ const answered = (app: AppPage): Promise<number> => app.bench(({ adapter }) => a
 
 describe('what no timer can hold is refused at the field', () => {
   const cases: [field: string, text: string, shown: string, reason: string][] = [
-    ['Function 2, S1', '131', '131', 'A position must be 0 to 130 steps.'],
-    ['DT time', '655.36', '10:55.36', 'A time can be at most 10:55.35\u00a0min.'],
+    ['Function 2, S1', '131', '131', en.findings['position-out-of-range']({ min: '0', max: '130' })],
+    [
+      'DT time',
+      '655.36',
+      '10:55.36',
+      en.findings['time-out-of-range']({ min: '0.00\u00a0s', max: '10:55.35\u00a0min' }),
+    ],
     ['Function 2, S1', 'six', 'six', en.unreadable['not-a-whole-number']],
     ['DT time', 'soon', 'soon', en.unreadable['not-a-time']],
     ['Function 2, S1', '', '', en.unreadable.empty],

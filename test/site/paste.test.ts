@@ -132,7 +132,7 @@ test('a range is copied in the form of a spreadsheet, and a paste at the same pl
   await app.table.getByRole('textbox', { name: 'Function 2 time', exact: true }).focus();
   for (let i = 0; i < 3; i++) await app.page.keyboard.press('Shift+ArrowDown');
   for (let i = 0; i < 4; i++) await app.page.keyboard.press('Shift+ArrowRight');
-  await app.text('16 values selected').waitFor();
+  await app.text('4 functions, 5 columns').waitFor();
   await app.page.keyboard.press('Control+c');
   const copied = await app.page.evaluate(() => navigator.clipboard.readText());
   expect(copied.split('\n').map((row) => row.split('\t'))).toEqual([
@@ -161,7 +161,7 @@ const rowOf = async (app: AppPage, row: string): Promise<string[]> => {
 
 test('a sheet goes where its rows and columns say, wherever the cursor is', async () => {
   const app = await opened();
-  const dialog = app.page.getByRole('dialog', { name: edits.pasting.title });
+  const dialog = app.page.getByRole('dialog', { name: edits.pasting.apply });
   const take = async (): Promise<void> => {
     await dialog.getByRole('button', { name: edits.pasting.apply, exact: true }).click();
     await dialog.waitFor({ state: 'hidden' });
@@ -208,7 +208,7 @@ test('a sheet as the page shows it for printing is copied and pasted back', asyn
     await app.type(field, field.endsWith('time') ? '40 s' : '0');
   }
   await paste(app, 'Function 5, S3', copied);
-  const dialog = app.page.getByRole('dialog', { name: edits.pasting.title });
+  const dialog = app.page.getByRole('dialog', { name: edits.pasting.apply });
   await expect.poll(() => dialog.innerText()).toContain(edits.pasting.lead(4, false));
   await dialog.getByRole('button', { name: edits.pasting.apply, exact: true }).click();
   await dialog.waitFor({ state: 'hidden' });

@@ -80,7 +80,6 @@ test.each([
   const viewport = { width: 1280, height: 780 };
   const app = await AppPage.open({ bench: { granted: true, timerClass }, viewport, ...(before && { before }) });
   await app.connect();
-  await app.page.locator('.keys-hint').waitFor();
   const cut = () =>
     app.page.evaluate(() => {
       const bar = document.querySelector('.actions')?.getBoundingClientRect().top ?? 0;
@@ -215,12 +214,12 @@ test('on a phone the pilot switches between times and intervals, and the motor s
   const time = app.field('Function 2 time');
   const interval = app.field('Function 2 interval');
   await expect.poll(async () => [await time.isVisible(), await interval.isVisible()]).toEqual([true, false]);
-  await app.button(en.edits.table.showIntervals).tap();
+  await app.button(en.edits.table.switch).tap();
   await interval.waitFor();
   await expect
     .poll(async () => [await time.isVisible(), await app.field(en.program.motorStopTime).isVisible()])
     .toEqual([false, true]);
-  await app.button('Show times').tap();
+  await app.button(en.edits.table.switch).tap();
   await time.waitFor();
   await expect.poll(() => interval.isVisible()).toBe(false);
 });

@@ -81,7 +81,7 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
     'shift by 0.3 s from motor stop on',
     async ({ app, pilot }) => {
       await pilot.press(app.button('Tools for Motor stop'));
-      await pilot.press(app.button('+0.3 s'));
+      for (let press = 0; press < 3; press++) await pilot.press(app.button(en.edits.shift.later));
       await expect
         .poll(async () => [await app.valueOf(en.program.motorStopTime), await app.valueOf('Function 9 time')])
         .toEqual(['10.3', '14.80']);

@@ -24,13 +24,11 @@ export interface FieldValue {
  *
  * - `time-not-whole`, `time-out-of-range`, `position-not-whole`, `position-out-of-range`: the wire cannot carry the
  *   value. The check has the same codes.
- * - `reserved`: slot 0 of a class other than Q. It can be edited only on its own.
- * - `no-interval`: the start has no slot before it.
+ * - `start`: the start has no slot before it, and on a class other than Q its time can be edited only on its own.
  */
 export type RefusalCode =
   | Extract<FindingCode, 'time-not-whole' | 'time-out-of-range' | 'position-not-whole' | 'position-out-of-range'>
-  | 'reserved'
-  | 'no-interval';
+  | 'start';
 
 export interface Refusal {
   readonly code: RefusalCode;

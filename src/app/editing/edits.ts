@@ -48,7 +48,7 @@ export function setInterval(
 ): Edit {
   const outcome =
     slot === 0
-      ? { refused: refusal('no-interval', { kind: 'time', slot }, interval) }
+      ? { refused: refusal('start', { kind: 'time', slot }, interval) }
       : retime(program, new Map(), new Map([[slot, interval]]), options);
   return ofInterval('type', slot, outcome);
 }
@@ -86,7 +86,7 @@ function shifted(program: TimerProgram, slot: number, by: number, options: DtOpt
   const from = times[slot];
   if (from === undefined || by === 0) return { values: [] };
   if (slot === 0 && identity.timerClass !== 'Q') {
-    return { refused: refusal('reserved', { kind: 'time', slot }, from + by) };
+    return { refused: refusal('start', { kind: 'time', slot }, from + by) };
   }
   const moved = slotsThatShift(program, slot, options).map(
     (at): CellValue => ({ field: { kind: 'time', slot: at }, value: (times[at] as number) + by }),

@@ -5,42 +5,34 @@ export type StepCode = (typeof STEP_CODES)[number];
 
 /**
  * The name of a step. Its parameters, where it has any:
- * - `field`, the key of a field; or `slot` or `servo`, counted from 0: what a `change` changed, if not a range
+ * - `field`, the key of a field; or `slot`, counted from 0: what a `change` changed, if not a range
  * - `by`, hundredths of a second
  * - `count`, how many values it changed
- * - `name`, that of a setting; or `what` else was opened: a `backup`, the goal of an interrupted `write`, a `program`
+ * - `name`, that of the setting that was opened
  */
 export interface StepName {
   readonly code: StepCode;
   readonly params: Readonly<Record<string, string | number>>;
 }
 
-type NameOf = (params: StepName['params']) => StepName;
-const changed: NameOf = (params) => ({ code: 'change', params });
-const opened =
-  (what: string): NameOf =>
-  () => ({ code: 'open', params: { what } });
-
-/** The present names of steps that had codes of their own once: stored drafts still have those. */
-export const FORMER_STEPS: Readonly<Record<string, NameOf>> = {
-  type: changed,
-  step: changed,
-  interval: changed,
-  'copy-servo': ({ to = 0 }) => changed({ servo: to }),
-  'reverse-servo': changed,
-  revert: changed,
-  'revert-row': changed,
-  'revert-column': changed,
-  'move-mark': changed,
-  preset: changed,
-  fix: changed,
-  'take-across': changed,
-  'finish-write': opened('write'),
-  restore: opened('backup'),
-  'lay-over': opened('program'),
-  'load-setting': (params) => ({ code: 'open', params }),
-  'saved-elsewhere': opened('program'),
-};
+/** The present codes of steps that had codes of their own once: stored drafts still have those. */
+export const FORMER_STEPS = new Map<string, StepCode>([
+  ...[
+    'type',
+    'step',
+    'interval',
+    'copy-servo',
+    'reverse-servo',
+    'revert',
+    'revert-row',
+    'revert-column',
+    'move-mark',
+    'preset',
+    'fix',
+    'take-across',
+  ].map((code) => [code, 'change'] as const),
+  ...['finish-write', 'restore', 'lay-over', 'load-setting', 'saved-elsewhere'].map((code) => [code, 'open'] as const),
+]);
 
 /**
  * A step with the state that it leads back to: the state before it if it can be undone, after it if it can be redone.

@@ -35,9 +35,9 @@ export interface Pasted {
  * What cannot be placed.
  * - `no-place`: the program has no such row, column or cell.
  * - `twice`: another cell of the text goes to the same place and says something else.
- * - `start-time`: a time for the start, which is where times begin.
+ * - `start`: a time for the start, which is where times begin. On a class other than Q it is reserved.
  */
-export type MisplacedCode = 'no-place' | 'twice' | 'start-time';
+export type MisplacedCode = 'no-place' | 'twice' | 'start';
 
 export interface Misplaced {
   readonly code: MisplacedCode;
@@ -204,7 +204,7 @@ class Placing {
     if ('value' in parsed && parsed.value === 0) return;
     const field = gridField(this.identity, { row: 0, column });
     if (field && this.identity.timerClass !== 'Q') this.#put(row, at, text, field);
-    else this.#refuse('start-time', row, at);
+    else this.#refuse('start', row, at);
   }
 
   #put(row: number, column: number, text: string, field: GridField): void {

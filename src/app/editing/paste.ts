@@ -29,21 +29,18 @@ import {
  * - `not-a-time`, `too-fine`, `not-a-whole-number`: it is not a value.
  * - `time-out-of-range`, `position-out-of-range` (min, max): the wire cannot carry it.
  * - `later-out-of-range` (min, max): its interval would move a later function to a time that the wire cannot carry.
- * - `before-unreadable`: its interval counts from a time that is not pasted, and whose text is not a value.
- * - `later-unreadable`: its interval would move a later function whose text is not a value.
+ * - `unreadable`: its interval counts from a time that is not pasted, or would move a later function, and the text of
+ *   that is not a value.
  * - `interval-disagrees`: the row also has a time, and this interval does not follow from the times.
- * - `reserved`: slot 0 of a class other than Q can be edited only on its own.
- * - `no-place`, `twice`, `start-time`: see {@link MisplacedCode}.
+ * - `no-place`, `twice`, `start`: see {@link MisplacedCode}.
  * - `too-large` (cells, characters): the text was not read from this row on.
  */
 export type PasteProblemCode =
   | Exclude<UnreadableReason, 'empty' | 'ambiguous'>
   | Extract<FindingCode, 'time-out-of-range' | 'position-out-of-range'>
   | 'later-out-of-range'
-  | 'before-unreadable'
-  | 'later-unreadable'
+  | 'unreadable'
   | 'interval-disagrees'
-  | 'reserved'
   | MisplacedCode
   | 'too-large';
 
@@ -171,7 +168,7 @@ function resolve(
       continue;
     }
     const differs = value !== valueAt(program, field);
-    if (differs && isReserved(program.identity, field)) refuse(cell, 'reserved');
+    if (differs && isReserved(program.identity, field)) refuse(cell, 'start');
     else if (differs && refusalOf(field, value)) {
       refuse(cell, `${field.kind}-out-of-range`, { min: 0, max: MAX_VALUE[field.kind] });
     } else if (field.kind === 'time') times.set(field.slot, value);
@@ -184,7 +181,7 @@ function resolve(
     const { cause, refused } = retimed;
     const cell = intervals.get(cause)?.cell as Pasted;
     const { slot } = refused.field;
-    if (refused.code === 'unreadable') refuse(cell, slot < cause ? 'before-unreadable' : 'later-unreadable');
+    if (refused.code === 'unreadable') refuse(cell, 'unreadable');
     else refuse(cell, slot === cause ? 'time-out-of-range' : 'later-out-of-range', { min: 0, max: MAX_VALUE.time });
     followed.delete(cause);
     retimed = retime(program, times, followed, texts);
@@ -193,7 +190,7 @@ function resolve(
   for (const [slot, { cell, value }] of intervals) {
     if (!times.has(slot)) continue;
     const from = startOf(slot, times, followed);
-    if (from && texts.unreadable?.has(fieldKey(from))) refuse(cell, 'before-unreadable');
+    if (from && texts.unreadable?.has(fieldKey(from))) refuse(cell, 'unreadable');
     else if (intervalAt(after, slot) !== value) refuse(cell, 'interval-disagrees');
   }
   return { values: [...retimed.values, ...positions], problems };

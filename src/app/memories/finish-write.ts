@@ -10,7 +10,7 @@ import type { WriteJob } from '../write/write-job.js';
 export async function finishWrite(session: Session, write: WriteJob, end: 'goal' | 'before'): Promise<void> {
   const program = programOf(session, end);
   if (!program) return;
-  session.editor.apply(replaceAll({ code: 'open', params: { what: 'backup' } }, program));
+  session.editor.apply(replaceAll({ code: 'open', params: {} }, program));
   await write.open();
 }
 
@@ -18,7 +18,7 @@ export async function finishWrite(session: Session, write: WriteJob, end: 'goal'
 export async function takeGoal(session: Session): Promise<void> {
   const goal = programOf(session, 'goal');
   if (!goal) return;
-  session.editor.apply(replaceAll({ code: 'open', params: { what: 'write' } }, goal));
+  session.editor.apply(replaceAll({ code: 'open', params: {} }, goal));
   await session.recovery.settle();
 }
 

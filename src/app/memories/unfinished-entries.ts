@@ -175,7 +175,7 @@ function tried(props: UnfinishedProps, trial: OpenTrial): Entry {
   const entry = { name: words.decide, isGrave: false, said: words.decide };
   if (trials.current.value?.before === trial.before && session.connection.value !== null) {
     const putBack = (): void => {
-      editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, trials.takeBack()));
+      editor.apply(setValues({ code: 'open', params: {} }, trials.takeBack()));
       void write.open();
     };
     const ways: Way[] = [

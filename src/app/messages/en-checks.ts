@@ -3,14 +3,18 @@ import type { UnreadableReason } from '../editing/units.js';
 
 type Params = Readonly<Record<string, string>>;
 
+const NO_WHOLE_NUMBER = 'It must be a whole number.';
+const whole = (): string => NO_WHOLE_NUMBER;
+const range = ({ min, max }: Params): string => `It must be ${min} to ${max}.`;
+
 /** Values that are unusual, or cannot be written. */
 export const findings: Record<FindingCode, (params: Params) => string> = {
-  'time-not-whole': () => 'A time must be a whole number of hundredths of a second.',
-  'time-out-of-range': ({ max }) => `A time can be at most ${max}.`,
-  'position-not-whole': () => 'A position must be a whole number of steps.',
-  'position-out-of-range': ({ min, max }) => `A position must be ${min} to ${max} steps.`,
-  'throttle-not-whole': () => 'The idle throttle must be a whole number.',
-  'throttle-out-of-range': ({ min, max }) => `The idle throttle must be ${min} to ${max}.`,
+  'time-not-whole': whole,
+  'time-out-of-range': range,
+  'position-not-whole': whole,
+  'position-out-of-range': range,
+  'throttle-not-whole': whole,
+  'throttle-out-of-range': range,
   'position-as-read': ({ value, max }) =>
     `Read as ${value}, above the last step, ${max}. It stays as it is unless you change it.`,
   'time-falls': ({ previous }) => `This comes before the function above it (${previous}).`,
@@ -24,8 +28,7 @@ export const findings: Record<FindingCode, (params: Params) => string> = {
   'dt-short': ({ limit }) => `Shorter than ${limit}.`,
   'dt-moves-nothing': () => 'No servo moves at DT: the timer does not bring the model down.',
   'throttle-unusual': ({ limit }) => `More than ${limit} is unusual. The unit is not known.`,
-  'class-unknown': ({ timerClass }) =>
-    `This timer calls its class “${timerClass}”. That class is not known, so its rules were not checked.`,
+  'class-unknown': ({ timerClass }) => `The class “${timerClass}” is not known: its rules were not checked.`,
 };
 
 /** Why a text in a field is no value. */
@@ -33,6 +36,6 @@ export const unreadable: Record<UnreadableReason, string> = {
   empty: 'Empty: type a value.',
   'not-a-time': 'Not a time: type seconds like 12.5, or minutes like 2:05.',
   'too-fine': 'Finer than a hundredth of a second.',
-  'not-a-whole-number': 'Not a whole number of steps.',
+  'not-a-whole-number': NO_WHOLE_NUMBER,
   ambiguous: 'This can be read in several ways: choose one.',
 };

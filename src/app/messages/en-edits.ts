@@ -18,30 +18,17 @@ const steps: Record<StepCode, (params: Params) => string> = {
   'keep-tried': () => 'keeping what was tried',
 };
 
-/** What was opened. */
-const opened = {
-  setting: (name: string) => `“${name}”`,
-  backup: 'a backup',
-  write: 'the interrupted write',
-  program: 'your program',
-};
-
-const START_HAS_NO_TIME = 'The start has no time to change.';
-
 /** What prevents an edit, or a pasted cell, besides the reasons of the checks and the fields. */
 const refused: Record<
-  Exclude<RefusalCode | PasteProblemCode, FindingCode | UnreadableReason>,
+  Exclude<RefusalCode | PasteProblemCode, FindingCode | UnreadableReason> | 'unreadable',
   (params: Params) => string
 > = {
-  reserved: () => START_HAS_NO_TIME,
-  'no-interval': () => START_HAS_NO_TIME,
-  'later-out-of-range': ({ min, max }) => `This interval would move a later function outside ${min} to ${max}.`,
-  'before-unreadable': () => 'It counts from a time that cannot be read. Correct that time first.',
-  'later-unreadable': () => 'It would move a later time that cannot be read. Correct that time first.',
+  start: () => 'The start has no time to change.',
+  'later-out-of-range': ({ min, max }) => `A later function would be outside ${min} to ${max}.`,
+  unreadable: () => 'A text that is no value is in the way. Correct it first.',
   'interval-disagrees': () => 'This interval does not fit the times of the two rows.',
   'no-place': () => 'The program has no such place.',
   twice: () => 'This place comes twice, with different values.',
-  'start-time': () => 'The start is at 0. The motor stop has a row of its own.',
   'too-large': ({ cells }) => `The table is too large: at most ${cells} cells are read. The rest was left out.`,
 };
 
@@ -50,15 +37,13 @@ const cells = (count: number): string => counted(count, 'value');
 
 /** Undo, redo, and edits of many fields at once. */
 export const edits = {
-  undoButton: 'Undo',
   redoButton: 'Redo',
   undo: (step: string) => `Undo ${step}`,
   redo: (step: string) => `Redo ${step}`,
   steps,
-  opened,
+  /** What was opened. */
+  opened: (name: string) => (name === '' ? 'another program' : `“${name}”`),
   refused,
-  /** The text of one field prevents an edit of many. */
-  unreadable: 'The text in this field is not a value. Correct it first.',
   beforeLaunch: 'This would be before launch.',
   nothingDone: 'Nothing was changed.',
   cells,
@@ -72,53 +57,36 @@ export const edits = {
   /** The sheet of keys for touch screens. */
   sheet: {
     title: (field: string) => `Keys for ${field}`,
-    up: (amount: string) => `+${amount}`,
-    down: (amount: string) => `−${amount}`,
-    digits: { colon: ':', point: '.' },
     erase: 'Delete the last digit',
     putBack: 'Put back',
     selectRange: 'Select range',
     /** Where the focus goes: in the same row, or in the row above or below. */
     goTo: (name: string) => `Go to ${name}`,
-    before: (name: string) => `‹ ${name}`,
-    after: (name: string) => `${name} ›`,
-    above: (name: string) => `↑ ${name}`,
-    below: (name: string) => `↓ ${name}`,
-    done: 'Done',
   },
   table: {
     explain: 'What the values are',
     interval: 'After',
     /** In the cell of an interval: the short name of the row that it counts from. */
     countedFrom: (row: string) => `from ${row}`,
-    intervalHint: 'Time after the function before',
-    showIntervals: 'Show intervals',
-    showTimes: 'Show times',
+    /** Where there is room for only one of the two columns. */
+    switch: 'Time or After',
     intervalOf: (slot: string) => `${slot} interval`,
-    selected: (count: number) => `${cells(count)} selected`,
     range: {
       title: 'Selected range',
       pick: 'Now tap another cell.',
       size: (rows: number, columns: number, functions: boolean) =>
         `${counted(rows, functions ? 'function' : 'row')}, ${counted(columns, 'column')}`,
-      copy: 'Copy',
       paste: 'Paste…',
       fillDown: 'Fill down',
-      done: 'Done',
-      clipboardEmpty: 'There is no text to paste.',
-      clipboardClosed: 'The browser does not let this page see what was copied. Tap the first field and paste there.',
+      clipboardClosed: 'There is nothing to paste that this page may see. Tap the first field and paste there.',
     },
-    keys: 'Arrows and Enter move between cells. Click a row name for its tools. Alt with up or down, or the wheel, changes a value. Shift with an arrow selects. Ctrl+D fills down.',
     rowTools: (row: string) => `Tools for ${row}`,
-    revertRow: (slot: string) => `Put back ${slot} with its positions`,
   },
   shift: {
     open: 'Shift…',
     /** What is shifted: a row and all rows after it. DT is the last. */
     from: (row: string, isLast: boolean) => (isLast ? row : `${row} and all after`),
     by: 'By, in seconds',
-    /** How far one press shifts. */
-    step: (seconds: number, later: boolean) => `${later ? '+' : '−'}${seconds.toFixed(1)} s`,
     earlier: 'Earlier',
     later: 'Later',
     moveDt: 'Move DT too',
@@ -132,7 +100,6 @@ export const edits = {
     moved: (time: string, later: boolean) => `Moved ${time} s ${later ? 'later' : 'earlier'}`,
   },
   pasting: {
-    title: 'Paste',
     /** Above names of rows and columns in the copied text, each with a choice beside it. */
     asks: 'These names are not known. Say what they mean:',
     choose: 'Choose',
@@ -149,9 +116,7 @@ export const edits = {
     /** Where a problem is that belongs to no field: in the text that was copied. */
     place: (row: number, column: number) => `Row ${row}, column ${column} of the copied text`,
     problem: (place: string, text: string, reason: string) => `${place}${text === '' ? '' : `, “${text}”`}: ${reason}`,
-    more: (count: number) => `And ${count} more.`,
     apply: 'Paste',
-    applyRest: 'Paste the rest',
   },
   presets: {
     title: 'DT presets',

@@ -238,23 +238,20 @@ export function stepText(identity: Identity, { code, params }: StepName): string
   });
 }
 
-/** What a step was done to: a field, a row, a column, or what was opened. */
-function subjectText(identity: Identity, { field, slot, servo, count, name, what }: StepName['params']): string {
-  const { edits, servoName } = messages.value;
+/** What a step was done to: a field, a row, some values, or what was opened. */
+function subjectText(identity: Identity, { field, slot, count, name = '' }: StepName['params']): string {
+  const { edits } = messages.value;
   const found = fieldsOf(identity).find((each) => fieldKey(each) === field);
   if (found) return fieldInSentence(identity, found);
   if (typeof slot === 'number') return slotInSentence(identity, slot);
-  if (typeof servo === 'number') return servoName(servo);
-  if (typeof count === 'number') return edits.cells(count);
-  if (name !== undefined) return edits.opened.setting(String(name));
-  return what === 'backup' || what === 'write' || what === 'program' ? edits.opened[what] : String(field);
+  return typeof count === 'number' ? edits.cells(count) : edits.opened(String(name));
 }
 
 /** The sentence that says why an edit was not done. */
 export function obstacleText(identity: Identity, obstacle: Obstacle): string {
   const { edits, about } = messages.value;
   const where = about(fieldName(identity, obstacle.field));
-  if (obstacle.code === 'unreadable') return `${where} ${edits.unreadable}`;
+  if (obstacle.code === 'unreadable') return `${where} ${edits.refused.unreadable({})}`;
   if (obstacle.field.kind === 'time' && obstacle.params.value < 0) return `${where} ${edits.beforeLaunch}`;
   return `${where} ${reasonText(obstacle.code, obstacle.params, obstacle.field.kind === 'time')}`;
 }

@@ -47,7 +47,8 @@ interface SheetProps {
 }
 
 function Sheet({ identity, standing, held }: SheetProps) {
-  const { sheet: words } = messages.value.edits;
+  const { edits, done } = messages.value;
+  const { sheet: words } = edits;
   const { input, label, value, selection } = held;
   const element = useRef<HTMLDivElement>(null);
   /** Whether the next digit begins a new value. After a step, the last digit is not what was wrong. */
@@ -164,18 +165,18 @@ function Sheet({ identity, standing, held }: SheetProps) {
       )}
       <div class="sheet-pad">
         {digits('7', '8', '9')}
-        {isTime ? digits(words.digits.colon) : goTo(goals.above, words.above)}
+        {isTime ? digits(':') : goTo(goals.above, (name) => `↑ ${name}`)}
         {digits('4', '5', '6')}
-        {isTime ? digits(words.digits.point) : goTo(goals.below, words.below)}
+        {isTime ? digits('.') : goTo(goals.below, (name) => `↓ ${name}`)}
         {digits('1', '2', '3')}
         <button type="button" tabIndex={-1} aria-label={words.erase} onClick={() => eraseLast(input)}>
           <Icon path="M8 3H21V17H8L2 10ZM11 7L17 13M17 7L11 13" width={24} />
         </button>
-        {goTo(goals.before, words.before)}
+        {goTo(goals.before, (name) => `‹ ${name}`)}
         {digits('0')}
-        {goTo(goals.after, words.after)}
+        {goTo(goals.after, (name) => `${name} ›`)}
         <button type="button" class="primary" tabIndex={-1} onClick={() => (either || value.finish()) && input.blur()}>
-          {words.done}
+          {done}
         </button>
       </div>
     </section>
@@ -191,7 +192,6 @@ interface StepKeyProps {
 
 /** A step key. It repeats while it is held. */
 function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
-  const { sheet: words } = messages.value.edits;
   const repeat = useMemo(() => new RepeatPress(), []);
   useRelease(repeat);
   const step = (): void => act(() => value.step(direction, { tenfold }));
@@ -205,7 +205,7 @@ function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
       )}
       onClick={() => repeat.click(step)}
     >
-      {words[direction > 0 ? 'up' : 'down'](amountOf(value, tenfold))}
+      {`${direction > 0 ? '+' : '−'}${amountOf(value, tenfold)}`}
     </button>
   );
 }

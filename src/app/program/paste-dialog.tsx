@@ -33,7 +33,7 @@ interface PasteDialogProps {
 export function PasteDialog({ session, pasting: { value }, onClose }: PasteDialogProps) {
   const { pasting: words } = messages.value.edits;
   return (
-    <Modal open={value !== null} title={words.title} head={<UncertainNote session={session} />} onEscape={onClose}>
+    <Modal open={value !== null} title={words.apply} head={<UncertainNote session={session} />} onEscape={onClose}>
       {value && <Preview editor={session.editor} pasting={value} close={onClose} />}
     </Modal>
   );
@@ -96,7 +96,7 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
               </li>
             ))}
           </ul>
-          {problems.length > TOLD && <p>{words.more(problems.length - TOLD)}</p>}
+          {problems.length > TOLD && <p>{messages.value.more(problems.length - TOLD)}</p>}
         </div>
       )}
       <p>{words.lead(changes.length, problems.length > 0 && !isNone)}</p>
@@ -110,14 +110,14 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
               </li>
             ))}
           </ul>
-          {readings.length > TOLD && <p>{words.more(readings.length - TOLD)}</p>}
+          {readings.length > TOLD && <p>{messages.value.more(readings.length - TOLD)}</p>}
         </div>
       )}
       {ignored > 0 && <p class="notice">{words.ignored(ignored)}</p>}
       <div class="buttons">
         <CancelButton onClick={close} />
         <button type="button" class="primary" disabled={isNone || isOpen} onClick={apply}>
-          {problems.length > 0 ? words.applyRest : words.apply}
+          {words.apply}
         </button>
       </div>
     </>

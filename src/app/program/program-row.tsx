@@ -52,7 +52,7 @@ export function ProgramRow(props: ProgramRowProps) {
   );
   const name = slotLabel(identity, slot);
   const revert = {
-    label: edits.table.revertRow(name),
+    label: edits.field.putBack(name),
     act: () => editor.revertFields({ code: 'change', params: { slot } }, fields),
   };
   const cell = { editor, standing: session.standing, selection, hand };

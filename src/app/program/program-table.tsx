@@ -115,7 +115,6 @@ export function ProgramTable({ session, bench, follow, marked, tools: given }: P
           <table
             ref={table}
             class={classes.filter(Boolean).join(' ')}
-            aria-describedby="table-keys"
             {...listeners}
             onFocusOut={({ target, relatedTarget, currentTarget }) => {
               const stays = relatedTarget instanceof Node && currentTarget.contains(relatedTarget);
@@ -145,7 +144,6 @@ export function ProgramTable({ session, bench, follow, marked, tools: given }: P
             </tbody>
           </table>
         </div>
-        <KeysHint selection={selection} />
         <div class="stack range-foot" ref={foot}>
           <RangeBar
             {...{ identity, selection }}
@@ -171,14 +169,5 @@ export function ProgramTable({ session, bench, follow, marked, tools: given }: P
         }}
       />
     </>
-  );
-}
-
-/** The bar of a range takes the same place, so that little moves. */
-function KeysHint({ selection }: { readonly selection: Selection }) {
-  return (
-    <p class="hint keys-hint" id="table-keys" hidden={selection.shown.value !== null}>
-      {messages.value.edits.table.keys}
-    </p>
   );
 }

@@ -1,5 +1,5 @@
 import type { Identity } from '../../protocol/index.js';
-import { fieldsIn, type GridRange } from '../editing/grid.js';
+import type { GridRange } from '../editing/grid.js';
 import { messages } from '../messages/index.js';
 import { CopyButton } from '../ui/copy-button.js';
 import type { Selection } from './selection.js';
@@ -17,17 +17,16 @@ interface RangeBarProps {
 
 /** The selected range, and buttons for what the keys do. The focus stays in the table. */
 export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }: RangeBarProps) {
-  const { range: words, selected } = messages.value.edits.table;
+  const { copy, done, edits } = messages.value;
+  const { range: words } = edits.table;
   const range = selection.shown.value;
-  const isWide = selection.isWide.value;
+  const said = range && (selection.isWide.value ? sizeOf(identity, range) : words.pick);
   return (
-    <>
-      <p class="visually-hidden" role="status">
-        {range && (isWide ? selected(fieldsIn(identity, range).length) : words.pick)}
-      </p>
+    <div class={`row gap-1 ${range ? 'range-bar' : ''}`}>
+      <p role="status">{said}</p>
       {range && (
         <div
-          class="row gap-1 range-bar"
+          class="row gap-1"
           role="toolbar"
           aria-label={words.title}
           onPointerDown={(event) => event.target instanceof HTMLButtonElement && event.preventDefault()}
@@ -37,8 +36,7 @@ export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }:
             onDone();
           }}
         >
-          <p>{isWide ? sizeOf(identity, range) : words.pick}</p>
-          <CopyButton key={Object.values(range).join()} label={words.copy} text={text} />
+          <CopyButton key={Object.values(range).join()} label={copy} text={text} />
           <button type="button" onClick={onPaste}>
             {words.paste}
           </button>
@@ -46,11 +44,11 @@ export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }:
             {words.fillDown}
           </button>
           <button type="button" class="primary" onClick={onDone}>
-            {words.done}
+            {done}
           </button>
         </div>
       )}
-    </>
+    </div>
   );
 }
 

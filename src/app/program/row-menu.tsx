@@ -7,7 +7,7 @@ import { formatInterval } from '../editing/units.js';
 import { messages } from '../messages/index.js';
 import { Check } from '../ui/check.js';
 import { Problem } from '../ui/problem.js';
-import { type RowTools, SHIFTS } from './row-tools.js';
+import type { RowTools } from './row-tools.js';
 import { raise } from './sheet-place.js';
 import './row-menu.css';
 
@@ -76,7 +76,8 @@ interface RowPanelProps extends RowMenuProps {
 }
 
 function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onClose, opener }: RowPanelProps) {
-  const { table, shift } = messages.value.edits;
+  const { edits, done } = messages.value;
+  const { shift } = edits;
   const panel = useRef<HTMLFormElement>(null);
   useEffect(() => {
     const { current } = panel;
@@ -135,7 +136,7 @@ function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onCl
           </button>
         )}
         <button type="button" class="quiet" onClick={onClose}>
-          {table.range.done}
+          {done}
         </button>
       </div>
     </form>
@@ -149,13 +150,9 @@ function ShiftFields({ tools }: { readonly tools: RowTools }) {
   return (
     <>
       <div class="shift-fields">
-        {[-1, 1].map((way) =>
-          SHIFTS.map((by) => (
-            <button key={way * by} type="button" onClick={() => tools.shiftBy(way * by)}>
-              {shift.step(by / 100, way > 0)}
-            </button>
-          )),
-        )}
+        <button type="button" onClick={() => tools.shift(-1)}>
+          {shift.earlier}
+        </button>
         <label>
           <span class="visually-hidden">{shift.by}</span>
           <input
@@ -167,9 +164,6 @@ function ShiftFields({ tools }: { readonly tools: RowTools }) {
           />
           <span aria-hidden="true">{messages.value.times.units.s}</span>
         </label>
-        <button type="button" onClick={() => tools.shift(-1)}>
-          {shift.earlier}
-        </button>
         <button type="submit">{shift.later}</button>
       </div>
       <Problem text={problem} />

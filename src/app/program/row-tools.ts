@@ -5,9 +5,6 @@ import { shiftFrom, slotsThatShift } from '../editing/edits.js';
 import { parseInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
 
-/** How far one press shifts, in hundredths of a second. */
-export const SHIFTS = [10, 30, 100];
-
 /** The tools of a row: which row has them open, and how far to shift, which stays the same from row to row. */
 export class RowTools {
   readonly #editor: Editor;
@@ -78,17 +75,17 @@ export class RowTools {
   /** Moves the open slot and all later ones by the typed amount, to later or to earlier. */
   shift(direction: 1 | -1): void {
     const parsed = parseInterval(this.#amount.value);
-    if ('unreadable' in parsed) this.#problem.value = messages.value.unreadable[parsed.unreadable];
-    else this.shiftBy(direction * parsed.value);
-  }
-
-  /** @param by hundredths of a second; negative to earlier. */
-  shiftBy(by: number): void {
+    const { edits, unreadable } = messages.value;
+    if ('unreadable' in parsed) {
+      this.#problem.value = unreadable[parsed.unreadable];
+      return;
+    }
     const slot = this.#open.value;
     const working = this.#editor.working.value;
     if (typeof slot !== 'number' || !working) return;
-    const obstacle = this.#editor.apply(shiftFrom(working, slot, by, { moveDt: this.#moveDt.value }));
-    const { nothingDone } = messages.value.edits;
-    this.#problem.value = obstacle && `${nothingDone} ${obstacleText(working.identity, obstacle)}`;
+    const obstacle = this.#editor.apply(
+      shiftFrom(working, slot, direction * parsed.value, { moveDt: this.#moveDt.value }),
+    );
+    this.#problem.value = obstacle && `${edits.nothingDone} ${obstacleText(working.identity, obstacle)}`;
   }
 }

@@ -44,7 +44,7 @@ export function tableClipboard({ editor, selection, onPaste, onObstacle }: Clipb
     if (text.trim() === '') {
       // Empty cells: typed into the field, they would only empty it.
       event.preventDefault();
-      onObstacle(messages.value.edits.table.range.clipboardEmpty);
+      onObstacle(messages.value.edits.table.range.clipboardClosed);
       return;
     }
     // One value into one cell counts as typing.
@@ -57,7 +57,7 @@ export function tableClipboard({ editor, selection, onPaste, onObstacle }: Clipb
     const words = messages.value.edits.table.range;
     onObstacle(null);
     const asked = copiedText().then((text) => {
-      onObstacle(range && text !== '' ? null : words.clipboardEmpty);
+      onObstacle(range && text !== '' ? null : words.clipboardClosed);
       if (range && text !== '') onPaste({ range, text });
     });
     // The browser may be asking the pilot; an answer that comes later is welcome, too.

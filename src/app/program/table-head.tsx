@@ -22,10 +22,10 @@ export function TableHead({ servos, onSwitch }: TableHeadProps) {
             <span class="visually-hidden">{table.explain}</span>
           </a>
         </th>
-        <TimeHead class="time" switchTo={table.showIntervals} onSwitch={onSwitch}>
+        <TimeHead class="time" onSwitch={onSwitch}>
           {program.time}
         </TimeHead>
-        <TimeHead class="interval" title={table.intervalHint} switchTo={table.showTimes} onSwitch={onSwitch}>
+        <TimeHead class="interval" onSwitch={onSwitch}>
           {table.interval}
         </TimeHead>
         {servos.map((servo) => (
@@ -40,22 +40,19 @@ export function TableHead({ servos, onSwitch }: TableHeadProps) {
 
 interface TimeHeadProps {
   readonly class: string;
-  readonly title?: string;
-  /** The text of its button, which phones have. */
-  readonly switchTo: string;
   readonly onSwitch: () => void;
   readonly children: ComponentChildren;
 }
 
-function TimeHead({ class: name, title, switchTo, onSwitch, children }: TimeHeadProps) {
+function TimeHead({ class: name, onSwitch, children }: TimeHeadProps) {
   const head = useRef<HTMLTableCellElement>(null);
   return (
-    <th scope="col" class={name} title={title} ref={head}>
+    <th scope="col" class={name} ref={head}>
       {children} <span class="head-unit">{messages.value.times.units.s}</span>
       <button
         type="button"
         class="column-switch"
-        aria-label={switchTo}
+        aria-label={messages.value.edits.table.switch}
         onClick={() => {
           const { current } = head;
           onSwitch();

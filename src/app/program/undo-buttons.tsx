@@ -13,7 +13,7 @@ import './undo-buttons.css';
  */
 export function UndoButtons({ session, write }: { readonly session: Session; readonly write: WriteJob }) {
   const { editor } = session;
-  const { edits } = messages.value;
+  const { edits, undo: undoButton } = messages.value;
   const identity = editor.identity.value;
   // Positions go to the timer one by one while the servos follow. An undo between two commands is followed, too.
   const off = useComputed(
@@ -34,12 +34,12 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
       <button
         type="button"
         class="quiet"
-        aria-label={undo ?? edits.undoButton}
-        title={undo ?? edits.undoButton}
+        aria-label={undo ?? undoButton}
+        title={undo ?? undoButton}
         aria-disabled={isOff || undo === null}
         onClick={() => void (!off.peek() && editor.undo())}
       >
-        {edits.undoButton}
+        {undoButton}
       </button>
       <button
         type="button"

@@ -74,7 +74,7 @@ export class OnScreen {
   /** Takes the values of a backup as what the pilot wants. Writes nothing. */
   showBackup({ program, model }: Backup): void {
     if (this.#takes(program)) {
-      const edit = replaceAll({ code: 'open', params: { what: 'backup' } }, program);
+      const edit = replaceAll({ code: 'open', params: {} }, program);
       // It is no setting any more: to save it over one, the pilot has to say so.
       this.#parts.editor.apply({ ...edit, owner: { of: undefined, backupOf: model ?? NOBODY } });
     } else {

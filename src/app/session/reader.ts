@@ -160,7 +160,7 @@ export class Reader {
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
       if (draft) origin.take(draft.model);
-      if (laid) editor.apply({ ...replaceAll({ code: 'open', params: { what: 'program' } }, laid), owner });
+      if (laid) editor.apply({ ...replaceAll({ code: 'open', params: {} }, laid), owner });
       nextFlight.found(read.memory);
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
       onScreen.wasRead(simulated);

@@ -85,7 +85,7 @@ const steps = v.pipe(
     v.object({
       name: v.union([
         v.object({ code: v.picklist(STEP_CODES), params }),
-        v.pipe(v.object({ code: v.picklist(Object.keys(FORMER_STEPS)), params }), v.transform(presentStep)),
+        v.pipe(v.object({ code: v.picklist([...FORMER_STEPS.keys()]), params }), v.transform(presentStep)),
       ]),
       state: v.object({ working: wanted, texts, of, backupOf }),
     }),
@@ -93,7 +93,7 @@ const steps = v.pipe(
   v.maxLength(MAX_STEPS),
 );
 function presentStep({ code, params }: { readonly code: string; readonly params: StepName['params'] }): StepName {
-  return (FORMER_STEPS[code] as (typeof FORMER_STEPS)[string])(params);
+  return { code: FORMER_STEPS.get(code) as StepName['code'], params };
 }
 
 const history: v.GenericSchema<unknown, History<Content>> = v.object({

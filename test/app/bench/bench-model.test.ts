@@ -284,7 +284,7 @@ describe('following', () => {
     set(app, S2, 70);
     await idle();
     await run(app.follow.stop());
-    app.editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, app.follow.trials.takeBack()));
+    app.editor.apply(setValues({ code: 'open', params: {} }, app.follow.trials.takeBack()));
     await review(app);
     await goOn(app);
     expect([heldBy(app, S2), app.follow.trials.current.value]).toEqual([before, null]);
@@ -490,7 +490,7 @@ describe('following', () => {
     set(app, S2, 66);
     await idle();
     await run(app.follow.stop());
-    app.editor.apply(setValues({ code: 'open', params: { what: 'backup' } }, app.follow.trials.takeBack()));
+    app.editor.apply(setValues({ code: 'open', params: {} }, app.follow.trials.takeBack()));
     expect(app.editor.changes.value).toHaveLength(1);
     app.follow.keep();
     expect([app.editor.changes.value, app.follow.trials.current.value]).toEqual([[], null]);

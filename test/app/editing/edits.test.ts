@@ -58,7 +58,7 @@ describe('an interval', () => {
   });
 
   it.each([
-    [0, 100, 'no-interval time:0'],
+    [0, 100, 'start time:0'],
     [2, 65500, 'time-out-of-range time:2'],
     [2, 65300, 'time-out-of-range time:3'],
     [1, -1, 'time-out-of-range time:1'],
@@ -137,7 +137,7 @@ describe('a shift', () => {
   });
 
   it('does not begin at a reserved time', () => {
-    expect(refusalIn(shiftFrom({ ...program, identity: B4 }, 0, 100))).toBe('reserved time:0');
+    expect(refusalIn(shiftFrom({ ...program, identity: B4 }, 0, 100))).toBe('start time:0');
   });
 
   it('back and forth changes nothing', () => {

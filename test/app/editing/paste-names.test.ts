@@ -132,7 +132,7 @@ describe('names that contradict', () => {
   it.each([
     ['a function that the timer does not have', 'Function\tS1\nF9\t7\nF10\t8', '2:0 F10 no-place'],
     ['a servo that the timer does not have', 'Function\tS1\tS4\nF9\t7\t8', '0:2 S4 no-place'],
-    ['a time of the start', 'Function\tTime\nStart\t10\nF1\t0.5', '1:1 10 start-time'],
+    ['a time of the start', 'Function\tTime\nStart\t10\nF1\t0.5', '1:1 10 start'],
     ['a position of the motor stop', 'Function\tS1\nMotor stop\t7\nF1\t8', '1:1 7 no-place'],
     ['one row twice', 'Function\tS1\nF1\t7\nF1\t8', '1:1 7 twice', '2:1 8 twice'],
     ['one column twice', 'S1\tS1\n7\t8', '1:0 7 twice', '1:1 8 twice'],
@@ -152,7 +152,7 @@ describe('names that contradict', () => {
   it('include the motor stop of a timer that has none, and the reserved time', () => {
     const b: TimerProgram = { ...before, identity: { ...Q10, timerClass: 'B' } };
     expect(problemsIn('Function\tTime\nMotor stop\t10\nF1\t0.5', at(0, 0), b)).toEqual(['1:1 10 no-place']);
-    expect(problemsIn('Function\tTime\nStart\t10\nF1\t0.5', at(0, 0), b)).toEqual(['1:1 10 reserved']);
+    expect(problemsIn('Function\tTime\nStart\t10\nF1\t0.5', at(0, 0), b)).toEqual(['1:1 10 start']);
     expect(result('Function\tTime\nStart\t0\nF1\t0.5', at(0, 0), {}, b).times.slice(0, 2)).toEqual([500, 50]);
   });
 });

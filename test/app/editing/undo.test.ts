@@ -66,7 +66,7 @@ describe('undo and redo', () => {
 
   it('take back a loaded program, and Undo all', () => {
     const editor = editorOf();
-    editor.apply(replaceAll({ code: 'open', params: { what: 'backup' } }, withValue(held, S1, 77)));
+    editor.apply(replaceAll({ code: 'open', params: {} }, withValue(held, S1, 77)));
     type(editor, S2, 'x');
     editor.revertAll();
     expect(editor.dirty.value).toBe(false);

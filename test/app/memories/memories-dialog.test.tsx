@@ -67,7 +67,7 @@ describe('copying a memory', () => {
     await press('Copy M1 to M3');
     const refused = within(screen.getByRole('dialog')).getByRole('alert').textContent;
     expect(refused).toContain(memories.refused('M3'));
-    expect(refused).toContain('Function 3, S2 200: A position must be 0 to 130 steps.');
+    expect(refused).toContain(`Function 3, S2 200: ${en.findings['position-out-of-range']({ min: '0', max: '130' })}`);
     await write();
     expect(screen.getByRole('button', { name: /^Write \d+ changes$/ })).toHaveProperty('disabled', true);
     expect(timer.core.memories[2]).toEqual(held);

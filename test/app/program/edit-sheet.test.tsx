@@ -128,7 +128,9 @@ describe('its keys', () => {
     field('Function 4, S2').setSelectionRange(0, 0);
     await press('1');
     expect(field('Function 4, S2').value).toBe('172');
-    expect(sheet('Function 4, S2').getByText('A position must be 0 to 130 steps.')).toBeTruthy();
+    expect(
+      sheet('Function 4, S2').getByText(en.findings['position-out-of-range']({ min: '0', max: '130' })),
+    ).toBeTruthy();
   });
 
   it('include a colon and a point for a time, and the rows above and below for a position', async () => {

@@ -128,7 +128,7 @@ describe('the table', () => {
       table()
         .getAllByRole('columnheader')
         .map(({ textContent }) => textContent),
-    ).toEqual(['Function', 'Time s', 'After s', 'S1', 'S2', 'S3', 'S4']);
+    ).toEqual([`Function${en.edits.table.explain}`, 'Time s', 'After s', 'S1', 'S2', 'S3', 'S4']);
     expect(screen.getAllByRole('radio', { name: /^M\d/ })).toHaveLength(2);
   });
 
@@ -144,13 +144,13 @@ describe('the table', () => {
   });
 
   it.each([
-    ['Function 2, S1', '131', 'A position must be 0 to 130 steps.'],
-    ['Function 2, S1', '-1', 'A position must be 0 to 130 steps.'],
-    ['Function 2, S1', 'six', 'Not a whole number of steps.'],
-    ['Function 2, S1', '1.5', 'Not a whole number of steps.'],
+    ['Function 2, S1', '131', en.findings['position-out-of-range']({ min: '0', max: '130' })],
+    ['Function 2, S1', '-1', en.findings['position-out-of-range']({ min: '0', max: '130' })],
+    ['Function 2, S1', 'six', en.unreadable['not-a-whole-number']],
+    ['Function 2, S1', '1.5', en.unreadable['not-a-whole-number']],
     ['Function 2, S1', '', 'Empty: type a value.'],
-    ['DT time', '10:55.36', 'A time can be at most 10:55.35\u00a0min.'],
-    ['DT time', '999999', 'A time can be at most 10:55.35\u00a0min.'],
+    ['DT time', '10:55.36', en.findings['time-out-of-range']({ min: '0.00\u00a0s', max: '10:55.35\u00a0min' })],
+    ['DT time', '999999', en.findings['time-out-of-range']({ min: '0.00\u00a0s', max: '10:55.35\u00a0min' })],
     ['DT time', 'soon', 'Not a time: type seconds like 12.5, or minutes like 2:05.'],
     ['DT time', '1.234', 'Finer than a hundredth of a second.'],
     ['DT time', '', 'Empty: type a value.'],
@@ -202,7 +202,7 @@ describe('the table', () => {
     await connected();
     await type(en.program.idleThrottle, '256');
     const note = table().getByText('Idle throttle:').parentElement;
-    expect(note?.textContent).toBe('Idle throttle: The idle throttle must be 0 to 255.');
+    expect(note?.textContent).toBe(`Idle throttle: ${en.findings['throttle-out-of-range']({ min: '0', max: '255' })}`);
   });
 
   it('puts everything back with Undo all, which is shown only when there is something to undo', async () => {

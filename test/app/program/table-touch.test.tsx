@@ -35,10 +35,10 @@ describe('a range without a Shift key', () => {
     await tap('Function 2, S1');
     expect(screen.queryByRole('toolbar', { name: en.edits.table.range.title })).toBeNull();
     await press(en.edits.sheet.selectRange);
-    expect(screen.getAllByText(en.edits.table.range.pick)).toHaveLength(2);
+    expect(screen.getByText(en.edits.table.range.pick)).toBeTruthy();
     expect(marked()).toBe(1);
     await tap('Function 4, S2');
-    expect([screen.getByText('3 functions, 2 columns'), screen.getByText('6 values selected')]).toBeTruthy();
+    expect(screen.getByText('3 functions, 2 columns')).toBeTruthy();
     expect(marked()).toBe(6);
     expect(document.activeElement).toBe(document.body);
     await tap('Start, S3');
@@ -104,7 +104,7 @@ describe('a range without a Shift key', () => {
     ],
     ['the browser never answers', { readText: () => new Promise(() => {}) }, /Tap the first field and paste/],
     ['there is no clipboard', {}, /Tap the first field and paste/],
-    ['nothing was copied', { readText: async () => '' }, /There is no text to paste/],
+    ['nothing was copied', { readText: async () => '' }, new RegExp(en.edits.table.range.clipboardClosed)],
   ])('says what to do when %s', async (_, given, said) => {
     await connected();
     clipboard(given);

@@ -110,14 +110,14 @@ describe('what a pilot has typed', () => {
   it.each<[former: string, params: object, name: object]>([
     ['type', { field: 'time:1' }, { code: 'change', params: { field: 'time:1' } }],
     ['revert-row', { slot: 2 }, { code: 'change', params: { slot: 2 } }],
-    ['copy-servo', { from: 0, to: 2 }, { code: 'change', params: { servo: 2 } }],
+    ['copy-servo', { from: 0, to: 2 }, { code: 'change', params: { from: 0, to: 2 } }],
     ['reverse-servo', { servo: 1 }, { code: 'change', params: { servo: 1 } }],
     ['revert-column', { name: 'S1' }, { code: 'change', params: { name: 'S1' } }],
-    ['finish-write', {}, { code: 'open', params: { what: 'write' } }],
-    ['restore', {}, { code: 'open', params: { what: 'backup' } }],
-    ['lay-over', {}, { code: 'open', params: { what: 'program' } }],
+    ['finish-write', {}, { code: 'open', params: {} }],
+    ['restore', {}, { code: 'open', params: {} }],
+    ['lay-over', {}, { code: 'open', params: {} }],
     ['load-setting', { name: 'calm' }, { code: 'open', params: { name: 'calm' } }],
-    ['saved-elsewhere', {}, { code: 'open', params: { what: 'program' } }],
+    ['saved-elsewhere', {}, { code: 'open', params: {} }],
     ['shift', { slot: 3, by: 50 }, { code: 'shift', params: { slot: 3, by: 50 } }],
   ])('keeps the history of before, in which a step is called “%s”', (code, params, name) => {
     const state = { working: PROGRAM, texts: {} };
