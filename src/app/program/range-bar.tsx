@@ -22,20 +22,20 @@ export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }:
   const range = selection.shown.value;
   const said = range && (selection.isWide.value ? sizeOf(identity, range) : words.pick);
   return (
-    <div class={`row gap-1 ${range ? 'range-bar' : ''}`}>
+    <div
+      class={range ? 'row gap-1 range-bar' : ''}
+      role="toolbar"
+      aria-label={words.title}
+      onPointerDown={(event) => event.target instanceof HTMLButtonElement && event.preventDefault()}
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape') return;
+        event.preventDefault();
+        onDone();
+      }}
+    >
       <p role="status">{said}</p>
       {range && (
-        <div
-          class="row gap-1"
-          role="toolbar"
-          aria-label={words.title}
-          onPointerDown={(event) => event.target instanceof HTMLButtonElement && event.preventDefault()}
-          onKeyDown={(event) => {
-            if (event.key !== 'Escape') return;
-            event.preventDefault();
-            onDone();
-          }}
-        >
+        <>
           <CopyButton key={Object.values(range).join()} label={copy} text={text} />
           <button type="button" onClick={onPaste}>
             {words.paste}
@@ -46,7 +46,7 @@ export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }:
           <button type="button" class="primary" onClick={onDone}>
             {done}
           </button>
-        </div>
+        </>
       )}
     </div>
   );
