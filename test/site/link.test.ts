@@ -18,7 +18,7 @@ describe('finding the timer', () => {
     await app.connect();
     expect(await app.bench(({ rates }) => rates)).toEqual([19200]);
     await app.showAbout();
-    await app.text(/19200 baud$/).waitFor();
+    await app.text(/·\s19200\sbaud$/).waitFor();
   });
 
   test('one that sleeps is asked quietly, and read as soon as its switch is pressed', async () => {

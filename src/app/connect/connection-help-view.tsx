@@ -1,10 +1,9 @@
-import { useEffect } from 'preact/hooks';
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import { type Platform, whyUnsupported } from '../browser/platform.js';
 import { unsupported } from '../messages/en-browsers.js';
 import { messages, type Said } from '../messages/index.js';
+import { CopyButton } from '../ui/copy-button.js';
 import { type HelpCode, type HelpStep, helpFor } from './connection-help.js';
-import { CopyText } from './copy-text.js';
 import './connection-help-view.css';
 
 interface ConnectionHelpProps {
@@ -21,10 +20,14 @@ const ALL_STEPS = 'help/connection.html';
 
 /** What to do, step by step, folded up under the notice. */
 export function ConnectionHelp(props: ConnectionHelpProps) {
-  useEffect(() => () => document.documentElement.removeAttribute('data-help'), []);
   if (stepsFor(props).length === 0) return null;
   return (
-    <details key={props.code} class="help" onToggle={({ currentTarget }) => keepInSight(currentTarget)}>
+    <details
+      key={props.code}
+      class="help"
+      // The head of the page scrolls while it is as long as this. It must stay in sight.
+      onToggle={({ currentTarget }) => currentTarget.open && currentTarget.closest('.top')?.scrollIntoView()}
+    >
       <summary>{messages.value.help.title}</summary>
       <HelpSteps {...props} />
     </details>
@@ -33,16 +36,20 @@ export function ConnectionHelp(props: ConnectionHelpProps) {
 
 /** What to do on this system, and a link to the steps for every other. */
 export function HelpSteps(props: ConnectionHelpProps) {
-  const { help } = messages.value;
+  const { help, copy: label } = messages.value;
   const steps = stepsFor(props);
   return (
     <>
       {steps.length > 0 && (
-        <ol>
+        <ol class="stack gap-3">
           {steps.map(({ code, copy }) => (
             <li key={code}>
               <p>{help.steps[code]}</p>
-              {copy !== undefined && <CopyText text={copy} />}
+              {copy !== undefined && (
+                <p class="row">
+                  <code>{copy}</code> <CopyButton label={label} text={() => copy} />
+                </p>
+              )}
             </li>
           ))}
         </ol>
@@ -65,11 +72,4 @@ export function connectionSaid(code: ConnectionErrorCode, platform: Platform): S
   const { connection } = messages.value;
   const reason = code === 'unsupported' ? whyUnsupported(platform) : null;
   return reason ? unsupported[reason] : connection[code];
-}
-
-/** The help opens in the head of the page, which scrolls away while it is as long as this. It must stay in sight. */
-function keepInSight(help: HTMLDetailsElement): void {
-  const top = help.closest('.top');
-  document.documentElement.toggleAttribute('data-help', help.open && top !== null);
-  if (help.open) top?.scrollIntoView();
 }

@@ -2,12 +2,10 @@ import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
 import { isRateSet, portInfoOf } from '../session/link.js';
 import type { Session } from '../session/session.js';
-import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { ConnectionHelp } from './connection-help-view.js';
 import { ChooseAnother } from './link-stage.js';
 import { waitingFor } from './waiting.js';
-import './link-notice.css';
 
 interface LinkNoticeProps {
   readonly session: Session;
@@ -28,10 +26,10 @@ export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
     return <ProgressLine label={said.title} progress={null} onStop={onStop} />;
   return (
     <div class="notices">
-      <div class="notice waiting">
-        <div role="status">
-          <NoticeText said={said} />
-        </div>
+      <div class="notice">
+        <p role="status">
+          <strong>{said.title}</strong> {said.advice}
+        </p>
         {step !== null && <span class="hint">{link.stages.noAnswer(seconds)}</span>}
         {help && (
           <ConnectionHelp code={help} {...{ platform, info: portInfoOf(state), rateSet: isRateSet(session.link) }} />

@@ -1,6 +1,7 @@
+import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
+import { copyText } from '../browser/clipboard.js';
 import { messages } from '../messages/index.js';
-import { useCopy } from './use-copy.js';
 import './modal.css';
 import './copy-button.css';
 
@@ -12,15 +13,26 @@ interface CopyButtonProps {
 
 /** Copies a text. Where the browser does not allow it, shows the text, selected, so that the pilot can copy it. */
 export function CopyButton({ label, text }: CopyButtonProps) {
-  const { copied, refused, copy, forget } = useCopy(text);
+  const copied = useSignal(false);
+  /** The text that the browser did not copy. */
+  const refused = useSignal<string | null>(null);
+  const copy = async (): Promise<void> => {
+    const made = text();
+    copied.value = false;
+    try {
+      await copyText(made);
+      copied.value = true;
+    } catch {
+      refused.value = made;
+    }
+  };
   return (
     <span class="copy-button">
-      {/* The text to copy by hand takes the focus from here, and stays. */}
-      <button type="button" onClick={() => void copy()} onBlur={() => copied.value && forget()}>
+      <button type="button" onClick={() => void copy()} onBlur={() => (copied.value = false)}>
         {label}
       </button>
       <span role="status">{copied.value && messages.value.copied}</span>
-      {refused.value !== null && <ByHand text={refused.value} onClose={forget} />}
+      {refused.value !== null && <ByHand text={refused.value} onClose={() => (refused.value = null)} />}
     </span>
   );
 }

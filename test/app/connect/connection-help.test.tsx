@@ -1,12 +1,12 @@
 import { readFileSync } from 'node:fs';
 import { fireEvent, render, screen, waitFor } from '@testing-library/preact';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import type { Browser, Platform, System } from '../../../src/app/browser/platform.js';
 import { type HelpCode, type HelpStepCode, helpFor } from '../../../src/app/connect/connection-help.js';
 import { ConnectionHelp, connectionSaid } from '../../../src/app/connect/connection-help-view.js';
-import { CopyText } from '../../../src/app/connect/copy-text.js';
 import { en } from '../../../src/app/messages/en.js';
 import { restWorks, unsupported } from '../../../src/app/messages/en-browsers.js';
+import { CopyButton } from '../../../src/app/ui/copy-button.js';
 import type { PortInfo } from '../../../src/serial/index.js';
 import { CONNECTION_PAGE } from '../../tools/connection-page.js';
 
@@ -165,7 +165,7 @@ describe('the help under a notice', () => {
 });
 
 describe('a line to copy', () => {
-  beforeEach(() => getSelection()?.removeAllRanges());
+  const LINE = 'lsof /dev/cu.*';
   afterEach(() => void vi.unstubAllGlobals());
 
   /** In the place of the clipboard, which a page without a click or without https does not have. */
@@ -176,28 +176,21 @@ describe('a line to copy', () => {
   it('is copied, and says so until the pilot does something else', async () => {
     const copied: string[] = [];
     clipboard(async (text) => void copied.push(text));
-    render(<CopyText text="lsof /dev/cu.*" />);
+    render(<CopyButton label={en.copy} text={() => LINE} />);
     fireEvent.click(screen.getByRole('button', { name: en.copy }));
     await screen.findByText(en.copied);
     fireEvent.blur(screen.getByRole('button', { name: en.copy }));
-    expect(copied).toEqual(['lsof /dev/cu.*']);
+    expect(copied).toEqual([LINE]);
     await waitFor(() => expect(screen.getByRole('status').textContent).toBe(''));
   });
 
   it.each([
     ['there is none', undefined],
     ['it is forbidden', () => Promise.reject(new DOMException('Not now.', 'NotAllowedError'))],
-  ])('is selected for copying by hand when the clipboard fails: %s', async (_, writeText) => {
+  ])('is shown for copying by hand when the clipboard fails: %s', async (_, writeText) => {
     clipboard(writeText);
-    render(<CopyText text="lsof /dev/cu.*" />);
+    render(<CopyButton label={en.copy} text={() => LINE} />);
     fireEvent.click(screen.getByRole('button', { name: en.copy }));
-    await screen.findByText(en.line.copyByHand);
-    expect(getSelection()?.toString()).toBe('lsof /dev/cu.*');
-  });
-
-  it('is selected by a click on it', () => {
-    render(<CopyText text="lsof /dev/cu.*" />);
-    fireEvent.click(screen.getByText('lsof /dev/cu.*'));
-    expect(getSelection()?.toString()).toBe('lsof /dev/cu.*');
+    expect((await screen.findByRole<HTMLTextAreaElement>('textbox')).value).toBe(LINE);
   });
 });
