@@ -38,7 +38,7 @@ export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
           </li>
         ))}
       </ul>
-      <div class="checklist-foot">
+      <div class="row checklist-foot">
         <p class={left === 0 ? 'all-done' : ''} role="status">
           {left === 0 ? words.done : words.left(left)}
         </p>

@@ -15,9 +15,10 @@ export type ItemId = (typeof ITEMS)[number]['id'];
 
 /** How long a tick counts for the next flight, in milliseconds. */
 const TICK_LIFE = 20 * 60_000;
+
 /**
  * What a pilot checks before a flight. Ticks are for one flight and are never stored. They start again after the last
- * one is ticked, or when the latest tick is too old. Items that the pilot has added are stored.
+ * one is ticked, or when the latest tick is too old.
  */
 export class Checklist {
   readonly #ticked = signal<ReadonlySet<ItemId>>(new Set(), { name: 'ticked' });

@@ -5,7 +5,7 @@ import './help-nav.css';
 /** Links from one page of the help to the others. */
 export function HelpNav({ shown }: { readonly shown: HelpPage }) {
   return (
-    <nav class="help-nav" aria-label={guide.nav}>
+    <nav class="row gap-4 help-nav" aria-label={guide.nav}>
       {HELP_PAGES.map((page) => (
         <a key={page} href={`#help/${page}`} aria-current={page === shown ? 'page' : undefined}>
           {guide.pages[page]}

@@ -1,7 +1,6 @@
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { LineView } from './line-view.js';
-import './recording-bar.css';
 
 /** Names the recording that is shown, and what can be done with it; or says why a file is no recording. */
 export function RecordingBar({ session, view }: { readonly session: Session; readonly view: LineView }) {
@@ -24,7 +23,7 @@ export function RecordingBar({ session, view }: { readonly session: Session; rea
         </div>
       )}
       {recording && (
-        <div class="notice recording" role="status">
+        <div class="notice" role="status">
           <p>
             <strong>{line.recording(recording.name, recording.records.length)}</strong>{' '}
             {!recording.replayable && line.cannotReplay}

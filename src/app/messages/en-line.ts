@@ -17,22 +17,6 @@ const names: Record<CommandName, string> = {
   SETLOWRPM: 'Write idle throttle',
 };
 
-const rejected: Record<RejectionReason, string> = {
-  noise: 'Noise',
-  length: 'Damaged: length',
-  terminator: 'Damaged: end',
-  checksum: 'Damaged: checksum',
-  silence: 'Cut off',
-};
-
-const errors: Record<LineErrorKind, string> = {
-  framing: 'Line error: framing',
-  parity: 'Line error: parity',
-  break: 'Line error: break',
-  overrun: 'Line error: overrun',
-  other: 'Line error',
-};
-
 /** The log of the line. */
 export const line = {
   empty: 'Nothing to show.',
@@ -46,8 +30,9 @@ export const line = {
   echo: (name: string, letters: string) => `${name}, echo · ${letters}`,
   unknown: (letter: string) => `Unknown letter ${letter}`,
   names,
-  rejected,
-  errors,
+  /** Bytes that belong to no frame, and an error of the port. */
+  rejected: (reason: RejectionReason) => `Damaged: ${reason}`,
+  error: (kind: LineErrorKind) => `Line error: ${kind}`,
 
   position: (slot: string, servo: string, steps: number) => `${slot}, ${servo}: ${steps} steps`,
   motorStop: (time: string) => `motor stop ${time}`,

@@ -20,8 +20,8 @@ export type Seen = Pick<LineEntry, 'direction' | 'frame' | 'rejected' | 'error'>
 /** The name of a line entry: “Write a position · SETSERVO”, “Damaged: checksum”. */
 export function frameName({ direction, frame, rejected, error }: Seen): string {
   const { line } = messages.value;
-  if (error) return line.errors[error];
-  if (rejected || !frame) return line.rejected[rejected ?? 'noise'];
+  if (error) return line.error(error);
+  if (rejected || !frame) return line.rejected(rejected ?? 'noise');
   const command = commandOf(frame.code);
   if (!command) return line.unknown(letterOf(frame.code));
   const wording = command.direction === 'reply' ? line.reply : direction === 'in' ? line.echo : line.request;

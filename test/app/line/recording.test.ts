@@ -46,7 +46,7 @@ describe('a saved line', () => {
       '# Identify, reply · GETSWVER: F1B, firmware 536, 9 functions and DT, 4 memories, 3 servos',
       '0.052 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45',
       '# Line error: framing',
-      '# Noise',
+      '# Damaged: noise',
       '1.500 < ff fe',
       '',
     ]);

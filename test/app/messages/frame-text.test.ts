@@ -69,7 +69,7 @@ describe('what a frame says', () => {
       frameEntry('in', encodeFrame(0x62, [1, 2, 3])),
       'Read times, reply · GETTIMERS: Cannot be read: wrong-length.',
     ],
-    ['noise', damage('noise', 'ff'), 'Noise: '],
+    ['noise', damage('noise', 'ff'), 'Damaged: noise: '],
     ['a wrong sum', damage('checksum', '00 00 00 00 00 03 6b 6c 45'), 'Damaged: checksum: '],
     ['an error of the line', lineError('break'), 'Line error: break: '],
   ])('%s', (_, entry, expected) => {
