@@ -295,6 +295,9 @@ describe('the write dialog', () => {
   it('shows what was read and what the timer holds now, if that has changed', async () => {
     const { timer } = await connected();
     await type('DT time', '4:00');
+    await press('Write…');
+    expect(within(screen.getByRole('dialog')).getAllByRole('table')).toHaveLength(1);
+    await press(en.cancel);
     timer.core.content.times[10] = 18_500;
     await press('Write…');
     const [conflicts, difference] = within(screen.getByRole('dialog')).getAllByRole('table');
@@ -318,13 +321,6 @@ describe('the write dialog', () => {
     await press('Write 1 change');
     expect(screen.queryByRole('dialog')).toBeNull();
     expect(screen.getByText(en.write.refused).closest('.notice')?.className).toBe('notice');
-  });
-
-  it('shows no such table when nothing has changed', async () => {
-    await connected();
-    await type('DT time', '4:00');
-    await press('Write…');
-    expect(within(screen.getByRole('dialog')).getAllByRole('table')).toHaveLength(1);
   });
 });
 
@@ -365,20 +361,5 @@ describe('what an interrupted job left behind', () => {
     const { textContent } = screen.getByRole('alert');
     expect(textContent).toContain(en.link.lost.advice);
     expect(textContent).not.toContain('press Connect');
-  });
-
-  it('offers to make the former memory fly next again', async () => {
-    const { adapter, timer, session, write } = await connected();
-    timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && timer.core.memory === 2 && adapter.unplug();
-    await press(en.overview.readAll);
-    timer.core.onAnswer = undefined;
-    expect([write.current.value, session.notices.current.value?.code]).toEqual([null, 'memory-left']);
-    adapter.replug();
-    await idle();
-    const region = screen.getByRole('region', { name: en.timer['memory-left'].title });
-    fireEvent.click(within(region).getByRole('button', { name: en.look.fly('M1') }));
-    await idle();
-    expect(timer.core.memory).toBe(0);
-    expect(region.isConnected).toBe(false);
   });
 });

@@ -187,6 +187,10 @@ describe('the page on this device', () => {
     expect(offer.defaultPrevented, 'the browser does not ask before the click').toBe(true);
     await press('Install');
     expect([asked, screen.queryByRole('button', { name: 'Install' })]).toEqual([1, null]);
+    window.dispatchEvent(offer);
+    expect(models.installation.install.value).not.toBeNull();
+    window.dispatchEvent(new Event('appinstalled'));
+    expect(models.installation.install.value, 'the browser has installed it by its own menu').toBeNull();
   });
 });
 
