@@ -114,5 +114,6 @@ test('when the browser deletes what it kept, the page says so, and keeps what is
   await app.reload();
   await page.evaluate((at) => location.assign(at), hash);
   await expect.poll(() => note.inputValue()).toBe('after that');
+  await page.evaluate(() => location.assign('#library'));
   await page.getByRole('link', { name: /^No model/ }).waitFor();
 });

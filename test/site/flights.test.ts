@@ -81,7 +81,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   const flown = form.getByRole('table', { name: en.program.tableCaption });
   await expect
     .poll(() => flown.getByRole('row', { name: /^DT/ }).innerText(), { message: 'a copy, whatever was written since' })
-    .toContain('20.00');
+    .toContain('20 s');
   await form.getByRole('button', { name: 'Delete' }).click();
   await trimmed.waitFor({ state: 'detached' });
   await page.getByRole('button', { name: 'Undo', exact: true }).first().click();

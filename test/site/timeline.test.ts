@@ -51,7 +51,7 @@ async function isMoved({ app, mark }: Seen): Promise<void> {
   await expect
     .poll(() => cell(app).getAttribute('aria-describedby'), { message: 'the old value is said with it' })
     .not.toBeNull();
-  await app.table.getByText('was 11.50 s').waitFor();
+  await app.table.getByText(en.knowledge.marks.now('11.5 s')).waitFor();
   await app.changes(1).waitFor();
   await app.button(`Undo ${MOVING}`).click();
   await expect.poll(() => cell(app).inputValue()).toBe('11.50');

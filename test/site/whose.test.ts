@@ -44,7 +44,8 @@ test('values of one model over the timer of another keep their name, on paper, i
   const app = await AppPage.open();
   await app.page.evaluate((to) => void location.assign(to), LINK_MARK + encodeLink(WIND));
   await app.button(share.received.keep).click();
-  await app.page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+  await app.page.waitForURL(/#library\//);
+  await app.page.evaluate(() => location.assign('#program'));
   await app.trySimulated('F1Q');
   await app.button(libraryMessages.save.open).click();
   const dialog = app.page.getByRole('dialog');
