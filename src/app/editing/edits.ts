@@ -28,24 +28,19 @@ import {
 import { groupOf } from './history.js';
 
 /**
- * The rules of a contest set DT, not the flight before it. So an edit of other times moves DT only on request. The
- * check finds functions that are pushed past DT.
+ * The rules of a contest set DT, not the flight before it. So a shift of other times moves DT only on request, and any
+ * other edit of them leaves it. The check finds functions that are pushed past DT.
  */
-export interface DtOption {
+interface DtOption {
   readonly moveDt?: boolean;
 }
 
 /**
  * Sets an interval: the slot gets this distance from the one before, and later functions keep their own intervals. DT
- * stays, unless it is this slot or `moveDt` is set.
+ * stays, unless it is this slot.
  * @param interval hundredths of a second. A negative one makes times fall.
  */
-export function setInterval(
-  program: TimerProgram,
-  slot: number,
-  interval: number,
-  options: DtOption & TextOption = {},
-): Edit {
+export function setInterval(program: TimerProgram, slot: number, interval: number, options: TextOption = {}): Edit {
   const outcome =
     slot === 0
       ? { refused: refusal('start', { kind: 'time', slot }, interval) }
@@ -146,7 +141,7 @@ export function stepInterval(
   program: TimerProgram,
   slot: number,
   direction: 1 | -1,
-  options: StepOptions & DtOption & TextOption = {},
+  options: StepOptions & TextOption = {},
 ): Edit {
   return ofInterval('step', slot, steppedInterval(program, slot, direction, options));
 }
@@ -155,7 +150,7 @@ function steppedInterval(
   program: TimerProgram,
   slot: number,
   direction: 1 | -1,
-  { unreadable = NONE_UNREADABLE, ...options }: StepOptions & DtOption & TextOption,
+  { unreadable = NONE_UNREADABLE, ...options }: StepOptions & TextOption,
 ): EditOutcome {
   const from = countedFrom(slot);
   if (from && unreadable.has(fieldKey(from))) return { refused: { code: 'unreadable', field: from } };
@@ -163,7 +158,7 @@ function steppedInterval(
   const [step] = nextStep(program, { kind: 'time', slot }, direction, options);
   if (interval === null || !step) return { values: [] };
   const by = step.value - (program.times[slot] as number);
-  return shifted(program, slot, Math.max(by, Math.min(0, -interval)), options);
+  return shifted(program, slot, Math.max(by, Math.min(0, -interval)), {});
 }
 
 /**
@@ -208,19 +203,19 @@ function steppedRange(
 
 /**
  * Copies the first row of a range into its other rows: times (or intervals, where the range has no times) and
- * positions. The start has no function's time and no interval to copy. DT keeps its time unless `moveDt` is set. A text
- * that is not a value cannot be copied.
+ * positions. The start has no function's time and no interval to copy. DT keeps its time. A text that is not a value
+ * cannot be copied.
  */
-export function fillDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption = {}): Edit {
+export function fillDown(program: TimerProgram, range: GridRange, options: TextOption = {}): Edit {
   const outcome = filledDown(program, range, options);
   const count = 'values' in outcome ? outcome.values.length : 0;
   return { name: { code: 'fill', params: { count } }, ...outcome };
 }
 
-function filledDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption): EditOutcome {
+function filledDown(program: TimerProgram, range: GridRange, options: TextOption): EditOutcome {
   const { functions } = program.identity;
   const { unreadable = NONE_UNREADABLE } = options;
-  const takesTime = (slot: number): boolean => range.top > 0 && (slot < functions || options.moveDt === true);
+  const takesTime = (slot: number): boolean => range.top > 0 && slot < functions;
   const copies: CellValue[] = [];
   const intervals = new Map<number, number>();
   for (const field of fieldsIn(program.identity, { ...range, top: range.top + 1 })) {
@@ -246,7 +241,7 @@ function sourcesOf(field: GridField): CellField[] {
 /**
  * Works out the times from given times and intervals, from the first slot to the last. A slot takes its given time;
  * else the time of the slot before plus its interval; else it moves as far as the nearest interval above moved its own
- * slot. DT stays unless it is given or `moveDt` is set. The wire has to carry only the result. An interval never counts
+ * slot. DT stays unless it is given. The wire has to carry only the result. An interval never counts
  * from a time that cannot be read, and never moves one.
  * @param given times by slot. The wire's range is not checked here.
  * @param intervals by slot, from 1 on.
@@ -256,7 +251,7 @@ export function retime(
   program: TimerProgram,
   given: ReadonlyMap<number, number>,
   intervals: ReadonlyMap<number, number>,
-  { moveDt = false, unreadable = NONE_UNREADABLE }: DtOption & TextOption,
+  { unreadable = NONE_UNREADABLE }: TextOption,
 ):
   | { readonly values: readonly CellValue[] }
   | { readonly refused: Refusal | Unread<CellField>; readonly cause: number } {
@@ -276,7 +271,7 @@ export function retime(
       value = timeBefore(times, slot) + interval;
       by = value - before;
       cause = slot;
-    } else if (slot < program.identity.functions || moveDt) {
+    } else if (slot < program.identity.functions) {
       value += by;
       if (by !== 0) hidden = field;
     }

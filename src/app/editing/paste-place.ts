@@ -52,8 +52,6 @@ export interface Placed {
   readonly misplaced: readonly Misplaced[];
   /** The names that are not known, and what the pilot has said about them. Cells below an open one are in no list. */
   readonly questions: readonly PasteQuestion[];
-  /** How many filled cells lie past the edge of the grid. */
-  readonly ignored: number;
 }
 
 /**
@@ -70,7 +68,6 @@ export function place(identity: Identity, range: GridRange, rows: Rows, answers:
 class Placing {
   readonly #cells: Pasted[] = [];
   readonly #misplaced: Misplaced[] = [];
-  #ignored = 0;
   readonly identity: Identity;
   readonly range: GridRange;
   readonly rows: Rows;
@@ -115,7 +112,6 @@ class Placing {
       cells,
       misplaced: this.#misplaced,
       questions: this.questions.list,
-      ignored: this.#ignored,
     };
   }
 
@@ -194,7 +190,7 @@ class Placing {
         else this.#refuse('no-place', row, at);
       } else if (isNamed && slot === 0 && isTime) this.#startTime(row, at, text, column.column);
       else if (field) this.#put(row, at, text, field);
-      else this.#ignored++;
+      else this.#misplaced.push({ code: 'no-place', ...this.#inText(row, at), text: raw, field: null });
     }
   }
 

@@ -65,15 +65,14 @@ interface PasteReading {
 }
 
 /**
- * What a text would do to a program.
- * With any problem nothing is done, unless the pilot wants the rest: see {@link pasted}.
+ * What a text would do to a program: see {@link pasted}.
  */
 export interface PastePreview {
   /** The values that would change. */
   readonly changes: readonly Change[];
   /** The values that would be set, whether they change or not. */
   readonly values: readonly FieldValue[];
-  /** In the order of the rows. */
+  /** In the order of the rows; that the text was not read to its end comes first. */
   readonly problems: readonly PasteProblem[];
   /** How texts were read that would be ambiguous where a pilot types them. In the order of the rows. */
   readonly readings: readonly PasteReading[];
@@ -81,8 +80,6 @@ export interface PastePreview {
   readonly cells: readonly Pasted[];
   /** The names that are not known. While one is open, nothing is pasted. */
   readonly questions: readonly PasteQuestion[];
-  /** How many filled cells lie past the edge of the grid. */
-  readonly ignored: number;
 }
 
 export interface PasteOptions extends TextOption {
@@ -108,7 +105,7 @@ export function previewPaste(
   const { identity } = program;
   const { rows, cut } = readTable(text);
   const isSingle = !cut && rows.length === 1 && rows[0]?.length === 1;
-  const { cells, misplaced, questions, ignored } = isSingle
+  const { cells, misplaced, questions } = isSingle
     ? fill(identity, range, rows[0]?.[0] ?? '')
     : place(identity, range, rows, answers);
   const { values, problems } = resolve(program, cells, { unreadable });
@@ -116,27 +113,28 @@ export function previewPaste(
   problems.sort((a, b) => a.row - b.row || a.column - b.column);
   if (cut) {
     const params = { cells: MAX_CELLS, characters: MAX_CHARACTERS };
-    problems.push({ code: 'too-large', params, row: rows.length, column: 0, text: '', field: null });
+    problems.unshift({ code: 'too-large', params, row: rows.length, column: 0, text: '', field: null });
   }
   const readings = cells.flatMap((cell) => readingOf(identity, cell));
   const changes = differences(program, withValues(program, values));
-  return { changes, values, problems, readings, cells, questions, ignored };
+  return { changes, values, problems, readings, cells, questions };
 }
 
-/**
- * The edit that a paste makes.
- * @param takeRest the pilot has seen the problems, and wants everything that can be read.
- */
-export function pasted({ changes, values, problems, questions }: PastePreview, takeRest = false): Edit {
+/** The edit that a paste makes: everything that can be read. The pilot has seen the problems. */
+export function pasted({ changes, values, questions }: PastePreview): Edit {
   const name: StepName = { code: 'paste', params: { count: changes.length } };
-  const isOpen = questions.some(({ answer }) => answer === null);
-  return setValues(name, !isOpen && (problems.length === 0 || takeRest) ? values : []);
+  return setValues(name, questions.some(({ answer }) => answer === null) ? [] : values);
 }
 
 function fill(identity: Identity, range: GridRange, text: string): ReturnType<typeof place> {
   const fields = text === '' ? [] : fieldsIn(identity, range);
-  const cells = fields.map((field) => ({ row: 0, column: 0, text, field }));
-  return { cells, misplaced: [], questions: [], ignored: text !== '' && fields.length === 0 ? 1 : 0 };
+  const cell = { row: 0, column: 0, text };
+  const isOut = text !== '' && fields.length === 0;
+  return {
+    cells: fields.map((field) => ({ ...cell, field })),
+    misplaced: isOut ? [{ code: 'no-place', ...cell, field: null }] : [],
+    questions: [],
+  };
 }
 
 /** What the cells set, and which of them are refused. */

@@ -110,8 +110,6 @@ export const edits = {
       `${rest ? 'The rest' : 'This'} changes ${count === 0 ? 'nothing' : cells(count)}.`,
     /** In a table, an ambiguous text is read in one way only, so the page says which. */
     reading: (field: string, text: string, time: string) => `${field}: “${text}” is read as ${time}.`,
-    ignored: (count: number) =>
-      `${cells(count)} ${count === 1 ? 'has' : 'have'} no place here and will be left out: the table ends before.`,
     problems: (all: boolean) => (all ? 'This cannot be pasted' : 'Part of this cannot be pasted'),
     /** Where a problem is that belongs to no field: in the text that was copied. */
     place: (row: number, column: number) => `Row ${row}, column ${column} of the copied text`,

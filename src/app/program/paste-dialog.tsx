@@ -1,17 +1,18 @@
 import { type ReadonlySignal, useSignal } from '@preact/signals';
+import type { TimerProgram } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
 import { withValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
-import type { GridRange } from '../editing/grid.js';
-import { type PasteProblem, pasted, previewPaste } from '../editing/paste.js';
+import { cellFor, type GridRange, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
+import { type PastePreview, type PasteProblem, pasted, previewPaste } from '../editing/paste.js';
 import type { PasteAnswer, PasteQuestion } from '../editing/paste-questions.js';
 import { gridLabel, messages, pasteProblemText, slotLabel, spokenTime } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { type GridRow, ProgramGrid } from '../timeline/program-grid.js';
 import { Choice } from '../ui/choice.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import { UncertainNote } from '../write/uncertain-note.js';
-import { PasteTable } from './paste-table.js';
 
 /** A text to paste, and where. */
 export interface Pasting {
@@ -59,11 +60,11 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
   const { identity } = working;
   // The program may change while the dialog is open, as when a timer comes back. What is shown is what will be done.
   const preview = previewPaste(working, range, text, { answers: answers.value, unreadable: editor.unreadable.value });
-  const { changes, values, problems, readings, questions, ignored } = preview;
+  const { changes, values, problems, readings, questions } = preview;
   const isOpen = questions.some(({ answer }) => answer === null);
   const isNone = values.length === 0;
   const apply = (): void => {
-    editor.apply(pasted(preview, true));
+    editor.apply(pasted(preview));
     close();
   };
   return (
@@ -113,7 +114,6 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
           {readings.length > TOLD && <p>{messages.value.more(readings.length - TOLD)}</p>}
         </div>
       )}
-      {ignored > 0 && <p class="notice">{words.ignored(ignored)}</p>}
       <div class="buttons">
         <CancelButton onClick={close} />
         <button type="button" class="primary" disabled={isNone || isOpen} onClick={apply}>
@@ -167,4 +167,35 @@ function columnChoices(identity: Identity): ReadonlyMap<PasteAnswer, string> {
     ['names', program.slot],
     ['none', edits.pasting.leaveOut],
   ]);
+}
+
+interface PasteTableProps {
+  readonly before: TimerProgram;
+  readonly after: TimerProgram;
+  readonly preview: PastePreview;
+}
+
+/** What goes where: the rows and columns that a paste touches, with the new values over the old ones. */
+function PasteTable({ before, after, preview }: PasteTableProps) {
+  const places = [...preview.cells, ...preview.problems, ...preview.changes].flatMap(({ field }) => {
+    if (!field || field.kind === 'idleThrottle') return [];
+    return field.kind === 'interval' ? [{ row: field.slot, column: INTERVAL_COLUMN }] : [cellFor(field)];
+  });
+  const cells = places.filter((place) => place !== null);
+  if (cells.length === 0) return null;
+  const isQ = before.identity.timerClass === 'Q';
+  // The first time of a Q has the row of the motor stop.
+  const rows = new Set<GridRow>(
+    cells.map(({ row, column }) => (isQ && row === 0 && column === TIME_COLUMN ? 'motor' : row)),
+  );
+  return (
+    <ProgramGrid
+      program={after}
+      other={before}
+      caption={messages.value.edits.pasting.table}
+      columns={[...new Set(cells.map(({ column }) => column))].sort((a, b) => a - b)}
+      rows={(row) => rows.has(row)}
+      replaces
+    />
+  );
 }

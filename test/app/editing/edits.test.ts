@@ -40,10 +40,6 @@ describe('an interval', () => {
     expect(timesAfter(setInterval(program, 2, 1000))).toEqual([1000, 50, 1050, 1300, 1550, 18000]);
   });
 
-  it('moves DT too when that is asked', () => {
-    expect(timesAfter(setInterval(program, 2, 1000, { moveDt: true }))).toEqual([1000, 50, 1050, 1300, 1550, 18050]);
-  });
-
   it('of function 1 counts from launch, that of DT moves DT alone', () => {
     expect(timesAfter(setInterval(program, 1, 100))).toEqual([1000, 100, 1050, 1300, 1550, 18000]);
     expect(timesAfter(setInterval(program, 5, 18000))).toEqual([1000, 50, 1000, 1250, 1500, 19500]);
@@ -80,25 +76,19 @@ describe('an interval', () => {
 
   it('has the value that was set, and the others stay as before', () => {
     fc.assert(
-      fc.property(
-        anyProgram,
-        fc.nat(11),
-        fc.integer({ min: -2000, max: 9000 }),
-        fc.boolean(),
-        (before, at, set, moveDt) => {
-          const { functions } = before.identity;
-          const slot = 1 + (at % functions);
-          const after = byOrRefused(setInterval(before, slot, set, { moveDt }), before);
-          if (!after) return;
-          for (let other = 1; other <= functions; other++) {
-            const kept = intervalAt(before, other);
-            if (other === slot) expect(intervalAt(after, other)).toBe(set);
-            else if (other < functions || moveDt || slot === functions) expect(intervalAt(after, other)).toBe(kept);
-          }
-          if (!moveDt && slot < functions) expect(after.times[functions]).toBe(before.times[functions]);
-          expect({ ...after, times: before.times }).toEqual(before);
-        },
-      ),
+      fc.property(anyProgram, fc.nat(11), fc.integer({ min: -2000, max: 9000 }), (before, at, set) => {
+        const { functions } = before.identity;
+        const slot = 1 + (at % functions);
+        const after = byOrRefused(setInterval(before, slot, set), before);
+        if (!after) return;
+        for (let other = 1; other <= functions; other++) {
+          const kept = intervalAt(before, other);
+          if (other === slot) expect(intervalAt(after, other)).toBe(set);
+          else if (other < functions || slot === functions) expect(intervalAt(after, other)).toBe(kept);
+        }
+        if (slot < functions) expect(after.times[functions]).toBe(before.times[functions]);
+        expect({ ...after, times: before.times }).toEqual(before);
+      }),
       { numRuns: 500 },
     );
   });
@@ -223,9 +213,7 @@ describe('a step', () => {
 
   it('of an interval moves the function by a step, and those after it', () => {
     expect(timesAfter(stepInterval(program, 3, 1))).toEqual([1000, 50, 1000, 1260, 1510, 18000]);
-    expect(timesAfter(stepInterval(program, 3, -1, { tenfold: true, moveDt: true }))).toEqual([
-      1000, 50, 1000, 1150, 1400, 17900,
-    ]);
+    expect(timesAfter(stepInterval(program, 3, -1, { tenfold: true }))).toEqual([1000, 50, 1000, 1150, 1400, 18000]);
   });
 
   it('of an interval ends at 0', () => {
@@ -280,8 +268,8 @@ describe('a step of a range', () => {
 });
 
 describe('fill down', () => {
-  const filled = (top: number, left: number, bottom: number, right: number, moveDt = false): TimerProgram =>
-    withValues(program, valuesOf(fillDown(program, { top, left, bottom, right }, { moveDt })));
+  const filled = (top: number, left: number, bottom: number, right: number): TimerProgram =>
+    withValues(program, valuesOf(fillDown(program, { top, left, bottom, right })));
 
   it('puts the first row into the rest of the range', () => {
     expect(filled(1, 2, 3, 3).positions).toEqual([
@@ -296,14 +284,11 @@ describe('fill down', () => {
     expect(after.positions).toEqual([[10, 10, 10, 10, 10, 10], program.positions[1]]);
     expect(after.times).toEqual(program.times);
     expect(filled(3, 0, 5, 0).times).toEqual([1000, 50, 1000, 1250, 1250, 18000]);
-    expect(filled(3, 0, 5, 0, true).times).toEqual([1000, 50, 1000, 1250, 1250, 1250]);
   });
 
   it('spaces functions evenly from one interval', () => {
     expect(filled(1, 1, 4, 1).times).toEqual([1000, 50, 100, 150, 200, 18000]);
     expect(filled(1, 1, 3, 1).times).toEqual([1000, 50, 100, 150, 400, 18000]);
-    expect(filled(1, 1, 5, 1, true).times).toEqual([1000, 50, 100, 150, 200, 250]);
-    expect(filled(1, 1, 3, 1, true).times).toEqual([1000, 50, 100, 150, 400, 16900]);
     expect(filled(0, 1, 4, 1).times).toEqual(program.times);
   });
 
@@ -336,10 +321,10 @@ describe('fill down', () => {
 
   it('twice is the same as once, and outside of the range only later times change', () => {
     fc.assert(
-      fc.property(programAndRange, fc.boolean(), ([before, range], moveDt) => {
-        const after = byOrRefused(fillDown(before, range, { moveDt }), before);
+      fc.property(programAndRange, ([before, range]) => {
+        const after = byOrRefused(fillDown(before, range), before);
         if (!after) return;
-        expect(byOrRefused(fillDown(after, range, { moveDt }), after)).toEqual(after);
+        expect(byOrRefused(fillDown(after, range), after)).toEqual(after);
         for (const field of fieldsOf(before.identity)) {
           const inside = field.kind !== 'idleThrottle' && field.slot > range.top;
           if (!inside) expect(valueAt(after, field)).toBe(valueAt(before, field));
