@@ -260,7 +260,6 @@ test('a season of three models is flown, and a lost device comes back on another
     ['M1', 'calm'],
     ['M2', 'fly-off'],
   ] as const) {
-    await app.button(`Name it: ${memory}`).click();
     await page.getByRole('textbox', { name: `Name of ${memory}` }).fill(name);
     await page.keyboard.press('Enter');
   }

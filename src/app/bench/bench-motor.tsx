@@ -2,10 +2,10 @@ import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { CancelButton } from '../ui/form-buttons.js';
 import { HoldButton } from '../ui/hold-button.js';
 import type { Bench } from './bench.js';
 import { Trim } from './bench-trim.js';
-import './bench-motor.css';
 
 interface MotorProps {
   readonly session: Session;
@@ -18,7 +18,7 @@ export function Motor({ session, bench }: MotorProps) {
   const hasThrottle = typeof session.editor.working.value?.idleThrottle === 'number';
   const id = useId();
   return (
-    <section class="stack bench-motor">
+    <section class="stack panel">
       <h2>{program.motor}</h2>
       <p class="bad-text" id={id}>
         {words.unlockHint}
@@ -45,42 +45,21 @@ export function Jump({ bench }: { readonly bench: Bench }) {
   const { bench: words } = messages.value;
   const asked = useSignal(false);
   return (
-    <section class="stack bench-motor">
+    <section class="stack panel">
       <h2>{words.experimental}</h2>
       <p class="hint">{words.jumpHint}</p>
       <div class="buttons">
-        {asked.value ? (
-          <>
-            <button
-              type="button"
-              disabled={!bench.ready.value}
-              onClick={() => {
-                asked.value = false;
-                void bench.jump();
-              }}
-            >
-              {words.jumpSure}
-            </button>
-            <button
-              type="button"
-              onClick={() => {
-                asked.value = false;
-              }}
-            >
-              {messages.value.cancel}
-            </button>
-          </>
-        ) : (
-          <button
-            type="button"
-            disabled={!bench.ready.value}
-            onClick={() => {
-              asked.value = true;
-            }}
-          >
-            {words.jump}
-          </button>
-        )}
+        <button
+          type="button"
+          disabled={!bench.ready.value}
+          onClick={() => {
+            if (asked.value) void bench.jump();
+            asked.value = !asked.value;
+          }}
+        >
+          {asked.value ? words.jumpSure : words.jump}
+        </button>
+        {asked.value && <CancelButton onClick={() => (asked.value = false)} />}
       </div>
     </section>
   );

@@ -1,4 +1,4 @@
-import type { Identity } from '../../protocol/index.js';
+import { type Identity, slotCount } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { SafetyCheck } from '../write/safety-check.js';
@@ -28,20 +28,20 @@ export function BenchPanel({ session, bench, follow, expert }: BenchPanelProps) 
   if (!identity) return null;
   const connected = session.connection.value !== null;
   return (
-    <div class="bench">
+    <div class="stack gap-4 bench">
       {connected ? <SafetyCheck safety={session.safety} /> : <p class="hint">{messages.value.views.noTimer.bench}</p>}
       {/* The switch itself says that they follow. */}
       {!follow.on.value && <FollowNote session={session} bench={bench} follow={follow} />}
-      <div class="bench-stage">
+      <div class="stack gap-4 bench-stage">
         {/* Above the grid, which is longer than the window of a phone. */}
         {connected && <FollowSwitch bench={bench} follow={follow} identity={identity} />}
-        <div class="bench-work">
+        <div class="stack gap-3 bench-work">
           <Said bench={bench} identity={identity} />
           <BenchGrid session={session} bench={bench} />
         </div>
         {connected && <BenchTrim session={session} bench={bench} follow={follow} />}
         {connected && (
-          <div class="bench-side">
+          <div class="stack gap-4">
             {identity.timerClass === 'Q' && <Motor session={session} bench={bench} />}
             {expert && <Jump bench={bench} />}
           </div>
@@ -51,12 +51,30 @@ export function BenchPanel({ session, bench, follow, expert }: BenchPanelProps) 
   );
 }
 
-/** Announces what was done last, once it is done. */
+/** Announces what was done last, once it is done, with buttons to the previous and the next function. */
 function Said({ bench, identity }: { readonly bench: Bench; readonly identity: Identity }) {
-  const { value } = bench.done;
+  const { previous, next } = messages.value;
+  const { value: done } = bench.done;
+  const at = bench.stand.at.value;
+  const last = at ?? (done?.action.kind === 'move' ? done.action.slot : null);
+  const steps = [
+    { name: previous, to: last === null ? -1 : last - 1 },
+    { name: next, to: last === null ? 0 : last + 1 },
+  ];
   return (
-    <p class={`bench-said ${value && !value.certain ? 'bad-text' : ''}`} role="status">
-      {doneText(identity, value, bench.stand.at.value)}
-    </p>
+    <div class="row">
+      <p class={`bench-said ${done && !done.certain ? 'bad-text' : ''}`} role="status">
+        {doneText(identity, done, at)}
+      </p>
+      {steps.map(({ name, to }) => {
+        const can = bench.ready.value && to >= 0 && to < slotCount(identity);
+        return (
+          // Not disabled: it would lose the focus while the servos move.
+          <button type="button" key={name} aria-disabled={!can} onClick={() => void (can && bench.moveTo(to))}>
+            {name}
+          </button>
+        );
+      })}
+    </div>
   );
 }

@@ -22,7 +22,7 @@ export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
   const at = bench.stand.at.value;
   if (!working || at === null) return null;
   return (
-    <section class="stack bench-trim" aria-labelledby="trim-title">
+    <section class="stack panel bench-trim" aria-labelledby="trim-title">
       <h2 id="trim-title">{words.trim(slotInSentence(working.identity, at))}</h2>
       <div class="trim-servos">
         {Array.from({ length: working.identity.servos }, (_, servo) => (

@@ -24,7 +24,7 @@ export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
   const open = !on && tried.length > 0;
   const isStarting = follow.starting.value;
   return (
-    <section class={`stack bench-follow ${on ? 'on' : ''}`}>
+    <section class={`stack panel ${on ? 'follows' : ''}`}>
       <Switch
         on={on}
         disabled={!on && (open || isStarting || !bench.ready.value)}
@@ -37,10 +37,10 @@ export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
         <div role="alert">
           <NoticeText said={write.unkept} />
           <div class="buttons">
-            <button type="button" onClick={() => follow.startUnkept()}>
+            <button type="button" onClick={() => follow.answer(true)}>
               {write.withoutCopy}
             </button>
-            <button type="button" onClick={() => follow.cancelUnkept()}>
+            <button type="button" onClick={() => follow.answer(false)}>
               {cancel}
             </button>
           </div>
@@ -85,7 +85,7 @@ export function FollowNote({ session, bench, follow }: FollowNoteProps) {
   if (follow.on.value) {
     const at = bench.stand.at.value;
     return (
-      <div class="row follow-note">
+      <div class="row follows follow-note">
         <p>
           <strong>{words.followingNow}</strong> <span role="status">{standText(identity, at)}</span>
         </p>
@@ -111,7 +111,7 @@ function EndNote({ bench, follow, identity }: EndNoteProps) {
   const done = bench.done.value;
   if (!ended) return null;
   return (
-    <div class="row follow-note" role="status">
+    <div class="row follows follow-note" role="status">
       <p>
         <strong>{words.ended[ended.reason]}</strong> {ended.unlike && `${unlikeText(identity, ended.unlike)} `}
         {!follow.endRead.value && `${words.endUnread} `}

@@ -54,8 +54,8 @@ export class Follow {
   readonly #following = signal<Following | null>(null, { name: 'following' });
   /** Stands for the start in progress; another one is another object. */
   readonly #start = signal<object | null>(null, { name: 'start' });
-  /** What the timer holds, while no backup of it could be kept. */
-  readonly #unkept = signal<TimerProgram | null>(null, { name: 'unkept' });
+  /** Takes the pilot's answer, while no backup of what the timer holds could be kept. */
+  readonly #unkept = signal<((goOn: boolean) => void) | null>(null, { name: 'unkept' });
   readonly #ended = signal<Ended | null>(null, { name: 'ended' });
   readonly #session: Session;
   readonly #bench: Bench;
@@ -73,7 +73,7 @@ export class Follow {
     this.trials = session.trials;
     this.on = computed(() => this.#following.value !== null);
     this.ended = this.#ended;
-    this.starting = computed(() => this.#start.value !== null);
+    this.starting = computed(() => this.#start.value !== null && this.#unkept.value === null);
     this.unkept = computed(() => this.#unkept.value !== null);
     this.endRead = computed(() => editor.fresh.value && editor.baseline.value !== this.#ended.value?.held);
     this.awaited = computed(() => {
@@ -104,7 +104,6 @@ export class Follow {
     const start = {};
     batch(() => {
       this.#start.value = start;
-      this.#unkept.value = null;
       this.#ended.value = null;
     });
     // By now the tab may be hidden, the timer lost, or the start called off.
@@ -114,24 +113,23 @@ export class Follow {
       const before = editor.baseline.value;
       if (!before) return;
       const kept = await backups.add(before, 'write', simulated.value);
-      if (isOff()) return;
-      if (kept) this.#begin(before);
-      else this.#unkept.value = before;
+      if (isOff() || !(kept || (await this.#ask())) || isOff()) return;
+      this.#begin(before);
     } finally {
       if (this.#start.peek() === start) this.#start.value = null;
     }
   }
 
-  /** The pilot lets the servos follow although no backup could be kept. */
-  startUnkept(): void {
-    const before = this.#unkept.value;
+  /** Whether the pilot lets the servos follow although no backup could be kept. */
+  answer(goOn: boolean): void {
+    this.#unkept.value?.(goOn);
     this.#unkept.value = null;
-    if (before) this.#begin(before);
   }
 
-  /** The pilot does not want to follow without a backup. */
-  cancelUnkept(): void {
-    this.#unkept.value = null;
+  #ask(): Promise<boolean> {
+    return new Promise((resolve) => {
+      this.#unkept.value = resolve;
+    });
   }
 
   /**
@@ -193,7 +191,7 @@ export class Follow {
     const { connection, editor, runner } = this.#session;
     batch(() => {
       this.#start.value = null;
-      this.#unkept.value = null;
+      this.answer(false);
     });
     const following = this.#following.peek();
     if (!following) return;

@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import { type ProgramField, slotKind, type TimerProgram, valueAt } from '../../program/index.js';
 import {
   FIRST_SERVO_COLUMN,
@@ -34,14 +35,20 @@ export interface ProgramGridProps {
   readonly replaces?: boolean;
   /** The text below a value; empty for none. Default: the value of the other program. */
   readonly below?: (value: GridValue) => string;
+  /** The heading above the names of the rows. */
+  readonly corner?: string;
+  /** The slot where the servos stand. */
+  readonly lit?: number | null;
+  /** The heading of a row. Default: its name. */
+  readonly headOf?: (row: GridRow, name: string) => ComponentChildren;
 }
 
 /** A program to read: a row for each slot and for the motor stop, in the order of time. */
-export function ProgramGrid({ program, caption, rows, uses, names, replaces = false, ...more }: ProgramGridProps) {
+export function ProgramGrid({ program, caption, rows, uses, names, replaces = false, lit, ...more }: ProgramGridProps) {
   const { program: words, servoName } = messages.value;
   const { identity } = program;
   const { columns = [TIME_COLUMN, ...program.positions.map((_, servo) => FIRST_SERVO_COLUMN + servo)] } = more;
-  const { other = program } = more;
+  const { other = program, corner = words.slot, headOf = (_, name) => name } = more;
   const { below = (value) => (textOf(other, value) === textOf(program, value) ? '' : textOf(other, value)) } = more;
   const nameOf = (row: GridRow): string => {
     if (row === 'motor') return words.motorStop;
@@ -56,7 +63,7 @@ export function ProgramGrid({ program, caption, rows, uses, names, replaces = fa
         <caption class="visually-hidden">{caption}</caption>
         <thead>
           <tr>
-            <th scope="col">{names ? <Two upper={names[0]} lower={names[1]} /> : words.slot}</th>
+            <th scope="col">{names ? <Two upper={names[0]} lower={names[1]} /> : corner}</th>
             {columns.map((column) => (
               <th scope="col" key={column}>
                 <Two upper={headingOf(column, servoName)} lower={uses?.[column - FIRST_SERVO_COLUMN] ?? ''} />
@@ -66,8 +73,11 @@ export function ProgramGrid({ program, caption, rows, uses, names, replaces = fa
         </thead>
         <tbody>
           {all.filter(rows ?? (() => true)).map((row) => (
-            <tr key={row} class={typeof row === 'number' ? slotKind(identity, row) : row}>
-              <th scope="row">{nameOf(row)}</th>
+            <tr
+              key={row}
+              class={`${typeof row === 'number' ? slotKind(identity, row) : row} ${row === lit ? 'here' : ''}`}
+            >
+              <th scope="row">{headOf(row, nameOf(row))}</th>
               {columns.map((column) => {
                 const value = valueIn(program, other, row, column);
                 const text = value ? textOf(program, value) : row === 0 && column === TIME_COLUMN ? '0' : '';

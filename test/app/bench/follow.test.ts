@@ -439,9 +439,11 @@ describe('without a backup', () => {
     const app = await safeBench();
     await run(app.bench.moveTo(4));
     fail(app);
-    await run(app.follow.start());
+    void app.follow.start();
+    await idle();
     expect([app.follow.on.value, app.follow.unkept.value]).toEqual([false, true]);
-    app.follow.startUnkept();
+    app.follow.answer(true);
+    await idle(0);
     expect([app.follow.on.value, app.follow.unkept.value]).toEqual([true, false]);
     set(app, [S2, 70]);
     await idle();
@@ -451,8 +453,10 @@ describe('without a backup', () => {
   it('nothing begins when the pilot does not want that', async () => {
     const app = await safeBench();
     app.store.broken = true;
-    await run(app.follow.start());
-    app.follow.cancelUnkept();
+    void app.follow.start();
+    await idle();
+    app.follow.answer(false);
+    await idle(0);
     expect([app.follow.on.value, app.follow.unkept.value]).toEqual([false, false]);
   });
 
@@ -469,9 +473,11 @@ describe('without a backup', () => {
   ])('nothing begins when %s since the question', async (_, done) => {
     const app = await safeBench();
     app.store.broken = true;
-    await run(app.follow.start());
+    void app.follow.start();
+    await idle();
     await run(Promise.resolve(done(app)));
-    app.follow.startUnkept();
+    app.follow.answer(true);
+    await idle(0);
     expect(app.follow.on.value).toBe(false);
   });
 
