@@ -19,7 +19,7 @@ export function FilterBar({ session, log }: FilterBarProps) {
   const name = nameOf(session, log);
   return (
     <search class="flight-filter" aria-label={search}>
-      <label>
+      <label class="field">
         <span>{search}</span>
         <input
           type="search"

@@ -25,7 +25,7 @@ export function FlightRows({ days, ...props }: FlightRowsProps) {
           <section class="flight-day" key={key} aria-label={title}>
             <h2>
               <span>{title}</span> {/* Of a single day, the totals above say the same. */}
-              {days.length > 1 && <span class="flight-count">{totals.flights(records.length)}</span>}
+              {days.length > 1 && <small>{totals.flights(records.length)}</small>}
             </h2>
             <ul>
               {records.map((record) => (

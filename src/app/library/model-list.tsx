@@ -102,7 +102,7 @@ function Row({ address, name, about }: Readonly<Record<'address' | 'name' | 'abo
     <li>
       <a class="stack library-item" href={address}>
         <b>{name}</b>
-        <span>{about}</span>
+        <small>{about}</small>
       </a>
     </li>
   );

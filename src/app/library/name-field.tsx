@@ -13,7 +13,7 @@ interface NameFieldProps {
 /** A name in a dialog, which cannot be empty. */
 export function NameField({ label, value, placeholder, first = true, onChange }: NameFieldProps) {
   return (
-    <label class="stack gap-1 library-field">
+    <label class="field">
       <span>{label}</span>
       <input
         type="text"

@@ -77,7 +77,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
           onChange={(text) => (modelName.value = text)}
         />
       )}
-      <label class="stack gap-1 library-field">
+      <label class="field">
         <span>{label.note}</span>
         <textarea
           rows={2}

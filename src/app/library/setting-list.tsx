@@ -60,7 +60,7 @@ function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }:
         <b>{name}</b>
         <span>{dt && `${dt.label} ${dt.text}`}</span>
       </span>
-      <span>{dotted([model, isOpen && words.list.open, dateText(at), ...tags, !isKept && words.unkept.mark])}</span>
+      <small>{dotted([model, isOpen && words.list.open, dateText(at), ...tags, !isKept && words.unkept.mark])}</small>
     </a>
   );
 }

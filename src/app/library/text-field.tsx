@@ -69,7 +69,7 @@ export function TextField(props: TextFieldProps) {
   // A reload would take the field from under the pilot's fingers.
   useUnsaved(typed.value !== null);
   return (
-    <div class="stack gap-1 text-field">
+    <div class="field text-field">
       <label for={id}>{label}</label>
       {lines ? <textarea {...given} rows={lines} /> : <input type="text" {...given} autocomplete="off" />}
       {required && typed.value !== null && asKept(typed.value) === '' && <p class="bad-text">{words.nameNeeded}</p>}

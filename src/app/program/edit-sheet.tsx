@@ -157,7 +157,7 @@ function Sheet({ identity, standing, held }: SheetProps) {
           <StepKey {...{ value, act }} direction={-1} />
           <output>
             {text}
-            {unit && <span class="sheet-unit"> {messages.value.times.units[unit]}</span>}
+            {unit && <small> {messages.value.times.units[unit]}</small>}
           </output>
           <StepKey {...{ value, act }} direction={1} />
           <StepKey {...{ value, act }} direction={1} tenfold />

@@ -54,8 +54,8 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
       <p class="hint">{found?.kind === 'said' ? dialog.said(found.model.name) : dialog.lead}</p>
       {found?.kind === 'several' && <p class="hint">{dialog.moreMemories}</p>}
       {inOrder.length > SEARCHED && (
-        <label class="stack gap-1">
-          {messages.value.label.search}
+        <label class="field">
+          <span>{messages.value.label.search}</span>
           <input
             type="search"
             value={searched.value}
@@ -123,8 +123,8 @@ function NewModel({ recognition }: { readonly recognition: Recognition }) {
       }}
     >
       <h3>{dialog.newModel}</h3>
-      <label>
-        {messages.value.label.name}
+      <label class="field">
+        <span>{messages.value.label.name}</span>
         <input
           type="text"
           value={name.value}

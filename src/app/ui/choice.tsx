@@ -1,5 +1,3 @@
-import './choice.css';
-
 interface SelectProps<T extends string | number | boolean | null> {
   /** Its name, where no label stands around it. */
   readonly name?: string;
@@ -37,7 +35,7 @@ export function Choice<T extends string | number | boolean | null>({
   ...select
 }: SelectProps<T> & { readonly label: string }) {
   return (
-    <label class="choice">
+    <label class="field">
       <span>{label}</span>
       <Select {...select} />
     </label>

@@ -8,7 +8,7 @@ export function KeyFigures({ program }: { readonly program: TimerProgram }) {
     <dl class="figure-list">
       {keyFigures(program).map(({ label, text }) => (
         <div key={label}>
-          <dt>{label}</dt>
+          <dt class="hint">{label}</dt>
           <dd>{text}</dd>
         </div>
       ))}

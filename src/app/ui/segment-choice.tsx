@@ -15,7 +15,7 @@ export function SegmentChoice<T extends string>(props: SegmentChoiceProps<T>) {
   const { name, title, choices, names, chosen, onChoose } = props;
   return (
     <fieldset class="row segment-choice">
-      <legend>{title}</legend>
+      <legend class="hint">{title}</legend>
       <div class="segments">
         {choices.map((choice) => (
           <label key={choice}>

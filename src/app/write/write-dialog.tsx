@@ -107,7 +107,7 @@ function KeyFigures({ session, change }: { readonly session: Session; readonly c
         const isBad = at === 0 && session.shortDt.isShort(goal);
         return (
           <span key={fieldKey(field)} class={isBad ? 'bad-text' : undefined}>
-            <span class="key-name">{isBad ? program.shortDt : keyName(identity, field)}</span>{' '}
+            <span class="hint key-name">{isBad ? program.shortDt : keyName(identity, field)}</span>{' '}
             <strong>{figure(identity, field, to)}</strong>{' '}
             <small>{from === to ? words.asItIs : words.insteadOf(figure(identity, field, from))}</small>
           </span>

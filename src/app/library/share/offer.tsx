@@ -30,7 +30,7 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
           {qr ? <p>{words.scan}</p> : <p class="hint">{words.tooLong}</p>}
         </div>
         {qr && <QrCode text={qr.link} label={words.qr(shared.name)} />}
-        <div class="share-link">
+        <div class="field">
           <label for={id}>{words.link}</label>
           <input
             id={id}
