@@ -22,7 +22,8 @@ async function saved(app: AppPage): Promise<{ name: string; text: string }> {
 
 async function load(app: AppPage, text: string): Promise<void> {
   const file = { name: 'field.txt', mimeType: 'text/plain', buffer: Buffer.from(text) };
-  await app.line.locator('input[type=file]').setInputFiles(file);
+  const [chooser] = await Promise.all([app.page.waitForEvent('filechooser'), app.button(words.load).click()]);
+  await chooser.setFiles(file);
 }
 
 describe('the line', () => {

@@ -625,7 +625,9 @@ export const states = {
       await goTo(page, 'line');
       const text = `# Sidus capture 1\n0.000 > 00 00 00 00 00 03 6b 6b 45\n9.000 < ${'ff '.repeat(200)}`;
       const file = { name: 'field.txt', mimeType: 'text/plain', buffer: Buffer.from(text) };
-      await page.locator('input[type=file]').first().setInputFiles(file);
+      const choosing = page.waitForEvent('filechooser');
+      await press(page, 'Load…');
+      await (await choosing).setFiles(file);
       await page.getByRole('button', { name: 'Back to the live line' }).waitFor();
     },
   },

@@ -1,4 +1,4 @@
-import { useRef } from 'preact/hooks';
+import { askForFiles } from '../browser/ask-for-file.js';
 import { saveFile } from '../browser/save-file.js';
 import { whole } from '../messages/dotted.js';
 import { messages } from '../messages/index.js';
@@ -41,7 +41,12 @@ export function LineTools({ session, view }: { readonly session: Session; readon
             {messages.value.save}
           </button>
         )}
-        <LoadButton view={view} />
+        <button
+          type="button"
+          onClick={() => askForFiles('.txt,text/plain', ([file]) => void (file && view.load(file)))}
+        >
+          {line.load}
+        </button>
         <CopyButton label={line.copyReport} text={() => reportText(session)} />
       </div>
       {used && <LineChoice view={view} />}
@@ -83,31 +88,6 @@ function Counts({ view }: { readonly view: LineView }) {
   const { out, in: incoming, damaged, errors } = view.counts.value;
   const counts = messages.value.line.counts(out, incoming, damaged, errors);
   return <p class="hint">{counts.map(whole).join(', ')}</p>;
-}
-
-function LoadButton({ view }: { view: LineView }) {
-  const { line } = messages.value;
-  const field = useRef<HTMLInputElement>(null);
-  return (
-    <>
-      <button type="button" onClick={() => field.current?.click()}>
-        {line.load}
-      </button>
-      <input
-        ref={field}
-        type="file"
-        hidden
-        accept=".txt,text/plain"
-        aria-label={line.load}
-        onChange={({ currentTarget }) => {
-          const file = currentTarget.files?.[0];
-          if (file) void view.load(file);
-          // So that the same file can be chosen again.
-          currentTarget.value = '';
-        }}
-      />
-    </>
-  );
 }
 
 function save(view: LineView): void {

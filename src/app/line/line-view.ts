@@ -2,7 +2,7 @@ import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { searchFor } from '../messages/search.js';
 import type { LineLog } from '../session/line-log.js';
 import type { LineRecord } from '../session/line-record.js';
-import { type Recording, RecordingError, readRecording } from './recording.js';
+import { type Recording, type RecordingFault, readRecording } from './recording.js';
 import { rowText } from './row-text.js';
 
 /** Which entries are shown: all, those of one direction, or damaged ones. */
@@ -18,14 +18,14 @@ export class LineView {
   readonly #filter = signal<LineFilter>('all', { name: 'filter' });
   readonly #search = signal('', { name: 'search' });
   readonly #recording = signal<Recording | null>(null, { name: 'recording' });
-  readonly #fault = signal<RecordingError | null>(null, { name: 'fault' });
+  readonly #fault = signal<RecordingFault | null>(null, { name: 'fault' });
   readonly #still = signal<{ readonly entries: readonly LineRecord[]; readonly newest: number } | null>(null);
   readonly filter: ReadonlySignal<LineFilter> = this.#filter;
   /** The text that names, meanings or bytes must contain. */
   readonly search: ReadonlySignal<string> = this.#search;
   readonly recording: ReadonlySignal<Recording | null> = this.#recording;
   /** Why the last file is no recording. */
-  readonly fault: ReadonlySignal<RecordingError | null> = this.#fault;
+  readonly fault: ReadonlySignal<RecordingFault | null> = this.#fault;
   readonly paused: ReadonlySignal<boolean> = computed(() => this.#still.value !== null);
   /** How many entries have come since the pause. */
   readonly came: ReadonlySignal<number> = computed(() =>
@@ -92,16 +92,12 @@ export class LineView {
   /** Shows the recording in a file in place of the line, or says why the file is none. */
   async load(file: File): Promise<void> {
     this.#fault.value = null;
-    try {
-      const recording = await readRecording(file);
-      batch(() => {
-        this.#recording.value = recording;
-        this.#room.value = STEP;
-      });
-    } catch (error) {
-      if (!(error instanceof RecordingError)) throw error;
-      this.#fault.value = error;
-    }
+    const read = await readRecording(file);
+    batch(() => {
+      if ('line' in read) this.#fault.value = read;
+      else this.#recording.value = read;
+      this.#room.value = STEP;
+    });
   }
 
   /** Clears the message about a refused file. */

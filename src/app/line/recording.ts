@@ -8,8 +8,7 @@ import {
   formatCapture,
   parseCapture,
 } from '../../protocol/index.js';
-import { PATIENCE } from '../browser/read-file.js';
-import { attempt } from '../browser/services.js';
+import { textOfFile } from '../browser/read-file.js';
 import { describeFrame, frameName } from '../messages/frame-text.js';
 import { type LineRecord, recorder } from '../session/line-record.js';
 import { plainName } from '../session/plain-names.js';
@@ -26,16 +25,10 @@ export interface Recording {
   readonly replayable: boolean;
 }
 
-/** A file that is no recording. */
-export class RecordingError extends Error {
-  override readonly name = 'RecordingError';
+/** What is wrong with a file that is no recording. */
+export interface RecordingFault {
   /** The line with the fault, counted from 1; null when the fault is in no single line. */
   readonly line: number | null;
-
-  constructor(line: number | null, cause?: unknown) {
-    super('no recording', { cause });
-    this.line = line;
-  }
 }
 
 /** The largest file that is read, in bytes: hours of a busy line. */
@@ -45,35 +38,27 @@ const SILENCE = 60;
 /** The letters that may come with a bare checksum: see row 5 of docs/protocol.md. */
 const BARE = [COMMANDS.GETLOWRPM.reply, COMMANDS.SETMEMORY.request, COMMANDS.SETLOWRPM.request];
 
-/** @throws RecordingError */
-export async function readRecording(file: File): Promise<Recording> {
-  if (file.size > LARGEST) throw new RecordingError(null);
-  const text = await attempt(() => file.text(), PATIENCE).catch((error: unknown) => {
-    throw new RecordingError(null, error);
-  });
-  return parseRecording(plainName(file.name), text);
+export async function readRecording(file: File): Promise<Recording | RecordingFault> {
+  const read = file.size > LARGEST ? null : await textOfFile(file);
+  return read && 'text' in read ? parseRecording(plainName(file.name), read.text) : { line: null };
 }
 
-/** @throws RecordingError */
-export function parseRecording(name: string, text: string): Recording {
-  const entries = parsed(text);
-  if (entries.length === 0) throw new RecordingError(null);
+export function parseRecording(name: string, text: string): Recording | RecordingFault {
+  let entries: CaptureEntry[];
+  try {
+    entries = parseCapture(text);
+  } catch (error) {
+    if (!(error instanceof CodecError)) throw error;
+    const line = Number(error.field.replace('line ', ''));
+    // The first line is the heading: without it the file is something else.
+    return { line: line === 1 ? null : line };
+  }
+  if (entries.length === 0) return { line: null };
   const records = recordsOf(entries);
   const { request, reply } = COMMANDS.GETSWVER;
   const asked = records.findIndex(({ frame }) => frame?.code === request);
   const said = asked >= 0 && records.slice(asked).some(({ frame, layout }) => frame?.code === reply && layout.identity);
   return { name, entries, records, replayable: said };
-}
-
-function parsed(text: string): CaptureEntry[] {
-  try {
-    return parseCapture(text);
-  } catch (error) {
-    if (!(error instanceof CodecError)) throw error;
-    const line = Number(error.field.replace('line ', ''));
-    // The first line is the heading: without it the file is something else.
-    throw new RecordingError(line === 1 ? null : line, error);
-  }
 }
 
 /** Finds the frames in the recorded bytes, whatever pieces they came in. */

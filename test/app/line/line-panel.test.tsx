@@ -41,10 +41,10 @@ function type(label: string, value: string): void {
 
 async function load(name: string, ...text: string[]): Promise<void> {
   vi.useRealTimers();
-  const field = screen.getByLabelText(words.load, { selector: 'input' });
+  fireEvent.click(button(words.load));
+  const field = document.querySelector('input[type=file]') as HTMLInputElement;
   // A browser lets nobody but the user put files there.
-  Object.defineProperty(field, 'files', { value: [new File([text.join('\n')], name)], configurable: true });
-  Object.defineProperty(field, 'value', { value: '', writable: true, configurable: true });
+  Object.defineProperty(field, 'files', { value: [new File([text.join('\n')], name)] });
   fireEvent.change(field);
 }
 

@@ -1,3 +1,4 @@
+import { parseRecording, type Recording } from '../../../src/app/line/recording.js';
 import type { LineEntry, LineErrorKind } from '../../../src/client/index.js';
 import {
   encodeReply,
@@ -40,3 +41,10 @@ export const IDENTIFIED: readonly LineEntry[] = [
   sent({ name: 'GETSWVER' }),
   came({ name: 'GETSWVER', identity: B536 }),
 ];
+
+/** The recording in a text that is one. */
+export function recordingOf(text: string): Recording {
+  const read = parseRecording('x', text);
+  if ('line' in read) throw new Error(`It is no recording: line ${read.line}.`);
+  return read;
+}

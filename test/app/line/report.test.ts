@@ -1,7 +1,6 @@
 import { signal } from '@preact/signals';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { version } from '../../../src/app/browser/version.js';
-import { parseRecording } from '../../../src/app/line/recording.js';
 import { reportText } from '../../../src/app/line/report.js';
 import { LineLog } from '../../../src/app/session/line-log.js';
 import type { Session } from '../../../src/app/session/session.js';
@@ -10,6 +9,7 @@ import { parseCapture } from '../../../src/protocol/index.js';
 import { DEFAULT_SETTINGS } from '../../../src/serial/index.js';
 import { B536 } from '../../protocol/vectors.js';
 import { appBench, connectedBench, run } from '../bench/bench.js';
+import { recordingOf } from './line.js';
 
 const brands = [
   { brand: 'Not?A_Brand', version: '24' },
@@ -85,12 +85,12 @@ describe('a report', () => {
     const text = reportText(session);
     expect(text).toContain('# Timer: F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos\n');
     expect(text).toContain('# Found: memory-unknown\n');
-    const { entries, replayable } = parseRecording('report', text);
+    const { entries, replayable } = recordingOf(text);
     expect(entries).toHaveLength(60);
     expect(replayable).toBe(true);
     const client = session.connection.value?.client as TimerClient;
     for (let i = 0; i < 30; i++) await run(client.send(0x71));
-    const later = parseRecording('report', reportText(session));
+    const later = recordingOf(reportText(session));
     expect(later.entries, '30 requests and their replies, and the exchange that identifies the timer').toHaveLength(62);
     expect(later.replayable).toBe(true);
     await run(session.timer.disconnect());
