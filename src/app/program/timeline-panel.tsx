@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal } from '@preact/signals';
+import { batch, computed, type ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { differences, type ProgramField, type TimerProgram } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
@@ -6,9 +6,10 @@ import { dutyName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Standing } from '../session/standing.js';
 import type { Trials } from '../session/trials.js';
+import { flightEnd, timeOf } from '../timeline/flight.js';
+import { FlightPreview } from '../timeline/preview/flight-preview.js';
 import { Timeline, type TimelineProps } from '../timeline/timeline.js';
 import { useLate } from '../ui/use-late.js';
-import { PreviewPanel } from './preview-panel.js';
 import type { ProgramPicture } from './program-picture.js';
 import './timeline-panel.css';
 
@@ -44,6 +45,19 @@ export function TimelinePanel(props: TimelinePanelProps) {
   const overlay = useOverlay({ held, isTrial, sure });
   const named = servoUses.named.value;
   const names = useMemo(() => named?.map(dutyName), [named]);
+  // Before anything is drawn: otherwise a moved mark would for a moment disagree with what it stands for.
+  useMemo(() => {
+    if (!program) return;
+    batch(() => {
+      player.setEnd(flightEnd(program));
+      if (selected) player.take(timeOf(program, selected));
+    });
+  }, [player, program, selected]);
+  // Not drawn again for another cell: the player updates what changes then.
+  const preview = useMemo(
+    () => program && <FlightPreview {...{ program, player, named }} onName={(uses) => servoUses.say(uses)} />,
+    [program, player, named, servoUses],
+  );
   if (!program) return null;
   return (
     <div class="timeline-panel">
@@ -61,7 +75,7 @@ export function TimelinePanel(props: TimelinePanelProps) {
           if (phase !== 'moving') editor.settle();
         }}
       />
-      <PreviewPanel {...{ session, program, player }} selected={field} />
+      {preview}
     </div>
   );
 }

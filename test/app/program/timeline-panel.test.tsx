@@ -1,5 +1,5 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
-import { options, type VNode } from 'preact';
+import { options } from 'preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { formatTime } from '../../../src/app/editing/units.js';
 import { en } from '../../../src/app/messages/en.js';
@@ -144,29 +144,6 @@ describe('the timeline', () => {
     ).toEqual([]);
   });
 
-  it('has the preview drawn once for several keys, when they rest', async () => {
-    const { editor } = await connected();
-    // Preact tells its tools by this option of each component that it draws.
-    const hooks = options as { __r?: ((vnode: VNode) => void) | undefined };
-    const { __r: tell } = hooks;
-    let drawn = 0;
-    hooks.__r = (vnode) => {
-      if (typeof vnode.type === 'function' && vnode.type.name === 'FlightPreview') drawn++;
-      tell?.(vnode);
-    };
-    onTestFinished(() => {
-      hooks.__r = tell;
-    });
-    for (const text of ['4:00', '4:01', '4:02', '4:03']) {
-      editor.type({ kind: 'time', slot: 10 }, text);
-      await late();
-      await idle(200);
-    }
-    expect(drawn, 'the preview was drawn between the keys').toBe(0);
-    await idle(400);
-    expect(drawn, 'the preview is drawn once after the last key').toBe(1);
-  });
-
   it('is as it was left when the view comes back', async () => {
     const app = await connected();
     const picture = screen.getByRole('group', { name: messages.value.timeline.picture });
@@ -212,8 +189,7 @@ describe('the timeline', () => {
       const { player } = models.programPicture;
       const preview = within(screen.getByRole('region', { name: en.preview.title }));
       const click = async (): Promise<number> => {
-        fireEvent.pointerDown(preview.getByRole('button', { name }));
-        await idle(0);
+        await late();
         act(() => void fireEvent.click(preview.getByRole('button', { name })));
         player.pause();
         return player.time.value;

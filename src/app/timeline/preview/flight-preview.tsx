@@ -19,15 +19,13 @@ export interface FlightPreviewProps {
   /** What each servo moves, as the pilot says; null when that has to be guessed. */
   readonly named: readonly ServoUse[] | null;
   readonly onName: (uses: readonly ServoUse[] | null) => void;
-  /** The pilot is about to use the controls: what is drawn with a delay has to be true now. */
-  readonly onUse?: (() => void) | undefined;
 }
 
 /** With more servos, the list does not say what they move. */
 const MANY = 4;
 
 /** The flight of the program: what the servos move, when the motor stops, and what comes when. */
-export function FlightPreview({ program, player: given, named, onName, onUse }: FlightPreviewProps) {
+export function FlightPreview({ program, player: given, named, onName }: FlightPreviewProps) {
   const { preview } = messages.value;
   const id = useId();
   const player = useMemo(() => given ?? new Player(), [given]);
@@ -37,14 +35,7 @@ export function FlightPreview({ program, player: given, named, onName, onUse }: 
   useEffect(() => () => player.pause(), [player]);
   const uses = named ?? guess;
   return (
-    <section
-      class="preview"
-      aria-labelledby={id}
-      onFocusCapture={onUse}
-      onPointerDownCapture={onUse}
-      onClickCapture={onUse}
-      onInputCapture={onUse}
-    >
+    <section class="preview" aria-labelledby={id}>
       <h2 class="visually-hidden" id={id}>
         {preview.title}
       </h2>
