@@ -51,7 +51,7 @@ function placesOf(models: AppModels): Places {
   return {
     library: (
       <>
-        <ul class="library-list">
+        <ul class="panel library-list">
           <li>
             <a class="stack library-item" href={`#library/${FLIGHTS}`} onClick={() => flights.showOnly()}>
               <b>{flightMessages.title}</b>

@@ -33,7 +33,7 @@ export function ProgramPair({ first, second, names, title, actionOf, children }:
   useLayoutEffect(() => model.bringToFront(servo), [model, servo]);
   return (
     <div class="stack gap-4 program-pair">
-      <div class="stack gap-3 pair-values">
+      <div class="stack gap-3 panel pair-values">
         <p role="status">
           <strong>{changes.length === 0 ? words.same : words.differs(changes.length)}</strong>
         </p>

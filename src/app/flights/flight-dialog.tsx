@@ -118,7 +118,7 @@ function Result({ form }: { readonly form: FlightForm }) {
   return (
     <div class="stack gap-1 flight-field">
       <label for={id}>{words.result}</label>
-      <span class="flight-result-line">
+      <span class="buttons flight-result-line">
         <MeasureField form={form} measure="result" id={id} note={`${note} ${hint}`} />
         <button
           type="button"

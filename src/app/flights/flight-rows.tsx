@@ -18,7 +18,7 @@ interface FlightRowsProps {
 export function FlightRows({ days, ...props }: FlightRowsProps) {
   const { totals } = flightMessages;
   return (
-    <div class="flight-days">
+    <div class="stack">
       {days.map(({ key, latest, place, records }) => {
         const title = dotted([dayHeading(latest), place]);
         return (

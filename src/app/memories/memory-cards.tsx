@@ -66,7 +66,7 @@ function Card({ known, scale, ...props }: CardProps) {
   const program = lastRead(known);
   return (
     <li>
-      <article {...box} class={`stack memory-card ${isCurrent ? 'current' : ''}`} aria-labelledby={title}>
+      <article {...box} class={`stack panel memory-card ${isCurrent ? 'current' : ''}`} aria-labelledby={title}>
         <header>
           <h2 id={title}>{memoryName(memory)}</h2>
           <MemoryName session={session} memory={memory} />

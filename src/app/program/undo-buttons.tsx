@@ -30,7 +30,7 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
   if (!identity) return null;
   // The last step disables its own button, which would lose the focus. So it only says that it is off.
   return (
-    <div class="undo-buttons">
+    <div class="buttons undo-buttons">
       <button
         type="button"
         class="quiet"

@@ -19,7 +19,7 @@ export function AboutPage({ installation, update }: AboutPageProps) {
   const install = installation.install.value;
   const take = update.take.value;
   return (
-    <section class="setting">
+    <section class="stack setting">
       <h2>{words.title}</h2>
       <p>
         {words.version(version)} {installation.ready.value ? words.offline : words.notOffline}

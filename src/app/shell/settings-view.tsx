@@ -41,30 +41,30 @@ export function SettingsView(props: SettingsViewProps) {
           </a>
         </p>
       )}
-      <section class="setting">
+      <section class="stack setting">
         <h2>{words.look}</h2>
         <ThemeChoice theme={theme} />
       </section>
-      <section class="setting">
+      <section class="stack setting">
         <h2>{program.dt}</h2>
         <DtTimes preferences={preferences} />
       </section>
       {!session.link.unavailable && (
-        <section class="setting">
+        <section class="stack setting">
           <PortList session={session} onConnect={() => views.show('program')} />
           <SerialSettingsForm link={session.link} expert={views.expert.value} />
         </section>
       )}
-      <div class="setting">
+      <div class="stack setting">
         <AboutTimer session={session} />
       </div>
-      <section class="setting">
+      <section class="stack setting">
         <Check checked={views.expert.value} onChange={(checked) => views.setExpert(checked)}>
           {words.expert}
         </Check>
         <p class="hint">{words.expertHint}</p>
       </section>
-      <section class="setting">
+      <section class="stack setting">
         <h2>{words.kept}</h2>
         <div class="buttons">
           <button type="button" onClick={() => erase.open()}>

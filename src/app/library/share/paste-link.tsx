@@ -3,7 +3,6 @@ import { share } from '../../messages/en-share.js';
 import { FormButtons } from '../../ui/form-buttons.js';
 import { Problem } from '../../ui/problem.js';
 import { holdsLink, type Sharing } from './sharing.js';
-import './paste-link.css';
 
 /** Takes a link to a saved program, or the message that it is in. */
 export function PasteLink({ sharing }: { readonly sharing: Sharing }) {
@@ -12,7 +11,7 @@ export function PasteLink({ sharing }: { readonly sharing: Sharing }) {
   const isWrong = useSignal(false);
   return (
     <form
-      class="paste-link"
+      class="stack"
       onSubmit={(event) => {
         event.preventDefault();
         isWrong.value = !holdsLink(text.value);
@@ -20,8 +19,8 @@ export function PasteLink({ sharing }: { readonly sharing: Sharing }) {
       }}
     >
       <p>{words.lead}</p>
-      <label>
-        {offer.link}
+      <label class="field">
+        <span>{offer.link}</span>
         <input
           type="text"
           value={text.value}
