@@ -206,7 +206,7 @@ describe('hold to unlock', () => {
     await expect.poll(() => rig.timer.core.motorLocked).toBe(false);
     await release(pilot);
     await pilot.sees(en.bench.unlockMaybe);
-    await pilot.sees(en.link.stages.silent);
+    await pilot.sees('This page keeps asking');
     rig.uncover();
     await pilot.isConnected();
     await pilot.sees(en.bench.unlockMaybe);

@@ -48,10 +48,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
           {waiting.said.title}
         </h1>
       </div>
-      <p class="stage-lead">
-        {waiting.step !== null && <span>{words.stages.noAnswer(seconds)}</span>}{' '}
-        <span>{left === null ? waiting.said.advice : messages.value.disturbed(left)}</span>
-      </p>
+      <p class="stage-lead">{left === null ? waiting.said.advice : messages.value.disturbed(left)}</p>
       {waiting.step !== null && (
         <StepList
           steps={[

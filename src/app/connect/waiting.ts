@@ -50,7 +50,7 @@ export function waitingFor(state: LinkState, seconds: number): Waiting | null {
       if (seconds < AWAKE && state.status === 'searching')
         return { ...NOTHING, said: { title: link.status.searching, advice: link.stages.asking(state.baudRate) } };
       const step = seconds < NEAR ? 'switch' : seconds < OTHER ? 'near' : 'other';
-      const said = { title: link.stages.steps[step], advice: link.stages.silent };
+      const said = { title: link.stages.steps[step], advice: link.stages.noAnswer(seconds) };
       return { said, step, canChoose: true, help: seconds < NEAR ? null : 'waiting' };
     }
     case 'away':

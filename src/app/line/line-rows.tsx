@@ -1,7 +1,7 @@
+import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
 import type { LineRecord } from '../session/line-record.js';
 import { type LineView, STEP } from './line-view.js';
-import { rowText } from './row-text.js';
 import './line-rows.css';
 
 /** What was on the line, newest first: time, direction, meaning, bytes. */
@@ -42,14 +42,13 @@ interface LineRowProps {
 
 /** It reads nothing but the language: while its record is the same, it is not drawn again. */
 function LineRow({ record, way, timeText }: LineRowProps) {
-  const { name, meaning, bytes } = rowText(record);
   return (
     <li class={record.rejected || record.error ? 'damaged' : record.direction}>
       <span class="hint">{timeText(record.time)}</span> <span class="hint">{way}</span>{' '}
       <span class="what">
-        <b class="name">{name}</b> <span class="meaning">{meaning}</span>
+        <b class="name">{frameName(record)}</b> <span class="meaning">{describeFrame(record, record.layout)}</span>
       </span>{' '}
-      <code>{bytes}</code>
+      <code>{hexOf(record.bytes)}</code>
     </li>
   );
 }

@@ -1,9 +1,9 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import { searchFor } from '../messages/search.js';
+import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
+import { foldedOf, searchFor } from '../messages/search.js';
 import type { LineLog } from '../session/line-log.js';
 import type { LineRecord } from '../session/line-record.js';
 import { type Recording, type RecordingFault, readRecording } from './recording.js';
-import { rowText } from './row-text.js';
 
 /** Which entries are shown: all, those of one direction, or damaged ones. */
 export type LineFilter = 'all' | 'out' | 'in' | 'damaged';
@@ -128,9 +128,10 @@ function isOfKind({ direction, rejected, error }: LineRecord, filter: LineFilter
   return filter === 'damaged' ? rejected !== null || error !== null : direction === filter;
 }
 
+const wordsOf = foldedOf<LineRecord>((record) => [frameName(record), describeFrame(record, record.layout)]);
+
 function says(record: LineRecord, isFound: (folded: string) => boolean, hex: string | null): boolean {
-  const text = rowText(record);
-  return isFound(text.words) || (hex !== null && text.bytes.includes(hex));
+  return isFound(wordsOf(record)) || (hex !== null && hexOf(record.bytes).includes(hex));
 }
 
 /** Whole bytes in hex, with any spacing; null for any other text. */

@@ -23,8 +23,7 @@ export const link = {
     },
     asking: (rate: number) => `Asking at ${rate} baud.`,
     /** While waiting for an answer. Changes with each second. */
-    noAnswer: (seconds: number) => `No answer for ${seconds}\u00a0s.`,
-    silent: 'This page keeps asking and goes on by itself.',
+    noAnswer: (seconds: number) => `No answer for ${seconds}\u00a0s. This page keeps asking and goes on by itself.`,
     open: 'The adapter is open',
     /** The steps to take, in the list and, one at a time, large. */
     steps: {
