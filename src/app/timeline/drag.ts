@@ -17,15 +17,13 @@ export interface Limits {
 /**
  * The range in which a field can move. A time stays between its neighbours, at least one step from each; a neighbour
  * that it has reached or passed already does not hold it. The motor stop lies between launch and DT.
- * @param free lets a time pass its neighbours.
  */
-export function limitsOf(program: TimerProgram, field: ProgramField, free = false): Limits {
+export function limitsOf(program: TimerProgram, field: ProgramField): Limits {
   if (field.kind !== 'time') return { min: 0, max: MAX_POSITION };
   const { identity, times } = program;
   const { slot } = field;
   const step = stepSize(identity, field);
   const largest = Math.floor(MAX_TIME / step) * step;
-  if (free) return { min: 0, max: largest };
   const time = times[slot] as number;
   const before = slot > 1 ? (times[slot - 1] as number) : 0;
   const after = times[slot === 0 ? identity.functions : slot + 1] ?? MAX_TIME + 1;
@@ -36,19 +34,19 @@ export function limitsOf(program: TimerProgram, field: ProgramField, free = fals
 }
 
 /** The nearest value to which a field can move: a whole step within its limits. */
-export function snapped(program: TimerProgram, field: ProgramField, value: number, free = false): number {
+export function snapped(program: TimerProgram, field: ProgramField, value: number): number {
   const step = stepSize(program.identity, field);
-  return within(Math.round(value / step) * step, limitsOf(program, field, free));
+  return within(Math.round(value / step) * step, limitsOf(program, field));
 }
 
 /**
  * The value some steps up or down. From between two steps, the first step goes to the nearest one in that direction.
  */
-export function stepped(program: TimerProgram, field: ProgramField, steps: number, free = false): number {
+export function stepped(program: TimerProgram, field: ProgramField, steps: number): number {
   const step = stepSize(program.identity, field);
   const value = valueAt(program, field) ?? 0;
   const start = steps > 0 ? Math.floor(value / step) : Math.ceil(value / step);
-  return within((start + steps) * step, limitsOf(program, field, free));
+  return within((start + steps) * step, limitsOf(program, field));
 }
 
 function within(value: number, { min, max }: Limits): number {

@@ -15,17 +15,14 @@ const STEPS: Readonly<Record<string, number>> = {
 };
 const MANY = 10;
 
-/**
- * The value that a key gives to a field; null for any other key. Shift makes ten steps;
- * Alt lets a time pass its neighbours.
- */
+/** The value that a key gives to a field; null for any other key. Shift makes ten steps. */
 function valueByKey(program: TimerProgram, field: ProgramField, event: KeyboardEvent): number | null {
   if (event.ctrlKey || event.metaKey) return null;
-  if (event.key === 'Home') return limitsOf(program, field, event.altKey).min;
-  if (event.key === 'End') return limitsOf(program, field, event.altKey).max;
+  if (event.key === 'Home') return limitsOf(program, field).min;
+  if (event.key === 'End') return limitsOf(program, field).max;
   const steps = STEPS[event.key];
   if (steps === undefined) return null;
-  return stepped(program, field, event.shiftKey ? steps * MANY : steps, event.altKey);
+  return stepped(program, field, event.shiftKey ? steps * MANY : steps);
 }
 
 /** Keys on a handle. While a key is held it is one movement, which ends when the key is released. */
@@ -62,11 +59,9 @@ export class HandleKeys {
 }
 
 const ZOOM = 1.5;
-const PAN = 0.2;
 
 /**
- * Keys on the picture as a whole: left and right go from mark to mark, with Shift they move the view; up and down go
- * from servo to servo; + and − zoom.
+ * Keys on the picture as a whole: left and right go from mark to mark, up and down from servo to servo; + and − zoom.
  * @param anchor the place of the scale around which to zoom.
  */
 export function pictureKey(
@@ -83,7 +78,7 @@ export function pictureKey(
 }
 
 function actionOf(
-  { key, shiftKey }: KeyboardEvent,
+  { key }: KeyboardEvent,
   model: TimelineModel,
   program: TimerProgram,
   scale: Scale,
@@ -109,10 +104,8 @@ function actionOf(
     case '0':
       return () => model.fit();
     case 'ArrowRight':
-      if (shiftKey) return () => model.pan(PAN);
       return ask(now === null ? 0 : Math.min(scale.end, ...marks.filter((time) => time > now)));
     case 'ArrowLeft':
-      if (shiftKey) return () => model.pan(-PAN);
       return ask(now === null ? Math.max(...marks) : Math.max(0, ...marks.filter((time) => time < now)));
     case 'ArrowUp':
       return toServo(-1);

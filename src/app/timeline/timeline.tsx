@@ -9,8 +9,7 @@ import { Handles } from './handles.js';
 import { HandleKeys, pictureKey } from './key-control.js';
 import { highestOf } from './layout.js';
 import { Crosshair, Picture } from './picture.js';
-import type { Target } from './pointer/gesture.js';
-import { PointerControl } from './pointer/pointer-control.js';
+import { PointerControl, type Target } from './pointer/pointer-control.js';
 import { descriptionOf, Moment, Spoken } from './readout.js';
 import { TimelineNotes } from './timeline-notes.js';
 import { Tools } from './tools.js';
@@ -98,13 +97,7 @@ export function Timeline({ program, overlay = null, cursor, selected = null, nam
     svg.current?.querySelector<SVGElement>(`[data-field="${fieldKey(wantedField)}"]`)?.focus({ preventScroll: true });
   });
   useEffect(() => {
-    const { current } = svg;
-    // Only a listener that is not passive can stop the page from scrolling.
-    current?.addEventListener('wheel', pointer.wheel, { passive: false });
-    current?.addEventListener('touchstart', pointer.touch, { passive: false });
     return () => {
-      current?.removeEventListener('wheel', pointer.wheel);
-      current?.removeEventListener('touchstart', pointer.touch);
       pointer.cancel();
       keys.up();
       model.leave();
@@ -148,11 +141,12 @@ export function Timeline({ program, overlay = null, cursor, selected = null, nam
           aria-describedby={`${id}-about`}
           class="picture"
           onPointerDown={pointer.down}
-          onPointerMove={pointer.hover}
+          onPointerMove={pointer.move}
+          onPointerUp={pointer.up}
+          onPointerCancel={pointer.lost}
           onPointerLeave={pointer.leave}
           // The nearest handle gets the focus, not the topmost one.
           onMouseDown={(event) => event.preventDefault()}
-          onDblClick={pointer.doubleClick}
           onKeyDown={(event) => pictureKey(event, model, geometry, anchor())}
           onFocusOut={(event) => {
             const next = event.relatedTarget as Node | null;

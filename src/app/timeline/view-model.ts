@@ -130,13 +130,6 @@ export class TimelineModel {
     else this.#show(start + by * span, span);
   }
 
-  /** Shows two places at given shares of the view. */
-  hold(a: { place: number; share: number }, b: { place: number; share: number }): void {
-    const span = Math.min(1, Math.max(1 / DEEPEST, (b.place - a.place) / (b.share - a.share)));
-    const middle = (a.place + b.place) / 2;
-    this.#show(middle - ((a.share + b.share) / 2) * span, span);
-  }
-
   /** Shows everything. */
   fit(): void {
     this.view.value = WHOLE;

@@ -1,6 +1,7 @@
+import type { Geometry } from '../geometry.js';
 import type { TimelineModel } from '../view-model.js';
-import type { Gesture, Point, Report, Target } from './gesture.js';
-import { servoUnder, timeUnder } from './under-pointer.js';
+import type { Gesture } from './pointer-control.js';
+import { type Point, servoUnder, timeUnder } from './under-pointer.js';
 
 /** A smaller movement counts as standing still, in pixels. */
 const STILL = 4;
@@ -10,7 +11,6 @@ const STILL = 4;
  * A click selects the servo of the lane.
  */
 export class Look implements Gesture {
-  readonly holdsPage = false;
   readonly #model: TimelineModel;
   readonly #from: Point;
   /** Whether the picture is larger than the view. */
@@ -18,25 +18,25 @@ export class Look implements Gesture {
   #last: Point;
   #moved = false;
 
-  constructor(model: TimelineModel, from: Point) {
+  constructor(model: TimelineModel, geometry: Geometry, from: Point) {
     this.#model = model;
     this.#from = this.#last = from;
     this.#pans = model.zoomed;
+    this.move(geometry, from);
   }
 
-  move({ geometry }: Target, { point }: Report): boolean {
+  move(geometry: Geometry, point: Point): void {
     this.#moved ||= Math.abs(point.x - this.#from.x) > STILL;
     if (this.#pans && this.#moved) {
       this.#model.pan((this.#last.x - point.x) / geometry.layout.width);
       this.#last = point;
     } else this.#model.ask(timeUnder(geometry, point.x));
-    return false;
   }
 
-  up(target: Target, report: Report): void {
-    this.move(target, report);
+  up(geometry: Geometry, point: Point): void {
+    this.move(geometry, point);
     if (this.#moved) return;
-    const servo = servoUnder(target.geometry, this.#from);
+    const servo = servoUnder(geometry, this.#from);
     if (servo !== null) this.#model.bringToFront(servo);
   }
 

@@ -1,10 +1,12 @@
-import { type ProgramField, valueAt } from '../../../program/index.js';
+import { type ProgramField, type TimerProgram, valueAt } from '../../../program/index.js';
 import { stepSize } from '../../editing/edit.js';
 import { DragEdit, limitsOf, type OnEdit, snapped } from '../drag.js';
+import type { Geometry } from '../geometry.js';
 import type { Layout } from '../layout.js';
 import type { TimelineModel } from '../view-model.js';
 import { finenessAt, refined } from './fineness.js';
-import type { Gesture, Point, Report, Target } from './gesture.js';
+import type { Gesture } from './pointer-control.js';
+import type { Point } from './under-pointer.js';
 
 /** Outside of the plot the picture follows the handle, in each frame by this share of the distance. */
 const FOLLOW = 0.02;
@@ -12,37 +14,47 @@ const FOLLOW = 0.02;
 /** How far a tapping finger may tremble, in pixels. */
 const TREMBLE = 5;
 
+interface Taken {
+  readonly field: ProgramField;
+  readonly from: Point;
+  /** Gives the present program. */
+  readonly now: () => TimerProgram;
+  readonly onEdit: OnEdit;
+}
+
 /** A handle is held and moves its value. The further the pointer is from where it took the handle, the finer. */
 export class MoveHandle implements Gesture {
-  readonly holdsPage = true;
   readonly #model: TimelineModel;
   readonly #edit: DragEdit;
   readonly #from: Point;
+  readonly #drawn: () => Geometry;
+  /** How far the pointer may tremble, in pixels. */
+  readonly #tremble: number;
   /** The last reported place of the pointer, along the way of the handle. */
   #last: number;
   /** Where the handle would be without steps and limits, along its way, in pixels. */
   #at: number;
   #moved = false;
+  #frame = 0;
 
-  constructor(
-    model: TimelineModel,
-    { geometry: { layout }, now }: Target,
-    { field, from, onEdit }: { readonly field: ProgramField; readonly from: Point; readonly onEdit: OnEdit },
-  ) {
-    const program = now();
-    const value = valueAt(program, field) ?? 0;
+  /** @param drawn gives the picture as last drawn. */
+  constructor(model: TimelineModel, { field, from, now, onEdit }: Taken, drawn: () => Geometry, isFinger: boolean) {
+    const { layout } = drawn();
     this.#model = model;
     this.#edit = new DragEdit(now, field, onEdit);
     this.#from = from;
+    this.#drawn = drawn;
+    this.#tremble = isFinger ? TREMBLE : 0;
     this.#last = field.kind === 'time' ? from.x : from.y;
-    this.#at = this.#placeOf(layout, value);
+    this.#at = this.#placeOf(layout, valueAt(now(), field) ?? 0);
     model.take(this.#edit, layout.scale);
   }
 
-  move({ geometry: { layout } }: Target, { point, free, coarse }: Report): boolean {
+  move({ layout }: Geometry, point: Point): void {
+    cancelAnimationFrame(this.#frame);
     const { program, field } = this.#edit;
     const [along, across] = field.kind === 'time' ? (['x', 'y'] as const) : (['y', 'x'] as const);
-    if (!this.#hasMoved(point[along] - this.#from[along], coarse ? TREMBLE : 0)) return false;
+    if (!this.#hasMoved(point[along] - this.#from[along])) return;
     const way = point[along] - this.#last;
     this.#last = point[along];
     const fineness = finenessAt(point[across] - this.#from[across]);
@@ -53,29 +65,31 @@ export class MoveHandle implements Gesture {
       const plain = this.#valueAt(layout, this.#at) - before;
       this.#at = this.#placeOf(layout, before + refined(plain, way, stepSize(program.identity, field), fineness));
     }
-    if (field.kind === 'time' && fineness === 0) return this.#followPointer(layout, point.x, free);
-    this.#edit.move(snapped(program, field, this.#valueAt(layout, this.#at), free));
+    if (field.kind === 'time' && fineness === 0) {
+      this.#followPointer(layout, point);
+      return;
+    }
+    this.#edit.move(snapped(program, field, this.#valueAt(layout, this.#at)));
     if (field.kind === 'time') this.#keepInView(layout);
-    return false;
   }
 
-  up(target: Target, report: Report): void {
-    this.move(target, report);
+  up(geometry: Geometry, point: Point): void {
+    this.move(geometry, point);
+    cancelAnimationFrame(this.#frame);
     this.#edit.finish();
     this.#model.letGo();
   }
 
   cancel(): void {
+    cancelAnimationFrame(this.#frame);
     this.#edit.cancel();
     this.#model.letGo();
   }
 
-  /**
-   * Whether the pointer really moves it. The trembling of a finger does not count. @param way from where it was taken.
-   */
-  #hasMoved(way: number, trembling: number): boolean {
-    if (this.#moved || Math.abs(way) < Math.max(1, trembling)) return this.#moved;
-    this.#last += Math.sign(way) * trembling;
+  /** Whether the pointer really moves it. The trembling of a finger does not count. @param way from where it was taken. */
+  #hasMoved(way: number): boolean {
+    if (this.#moved || Math.abs(way) < Math.max(1, this.#tremble)) return this.#moved;
+    this.#last += Math.sign(way) * this.#tremble;
     this.#moved = true;
     return true;
   }
@@ -91,20 +105,18 @@ export class MoveHandle implements Gesture {
     return field.kind === 'position' ? layout.y(field.servo, value) : layout.x(value);
   }
 
-  /**
-   * Moves a time with the pointer. It stays in the plot; beyond the edge the picture follows.
-   * @returns whether the picture follows: the pointer stands still there and sends no reports.
-   */
-  #followPointer(layout: Layout, x: number, free: boolean): boolean {
+  /** Moves a time with the pointer. It stays in the plot; beyond the edge the picture follows, frame by frame. */
+  #followPointer(layout: Layout, point: Point): void {
     const { program, field, value } = this.#edit;
     const { left, right } = layout.box;
-    const beside = Math.min(0, x - left) + Math.max(0, x - right);
-    const { min, max } = limitsOf(program, field, free);
-    const follows = (beside > 0 && value < max) || (beside < 0 && value > min);
-    if (follows) this.#model.pan((beside * FOLLOW) / layout.width, true);
+    const beside = Math.min(0, point.x - left) + Math.max(0, point.x - right);
+    const { min, max } = limitsOf(program, field);
+    if ((beside > 0 && value < max) || (beside < 0 && value > min)) {
+      this.#model.pan((beside * FOLLOW) / layout.width, true);
+      this.#frame = requestAnimationFrame(() => this.move(this.#drawn(), point));
+    }
     const at = Math.min(right, Math.max(left, this.#at));
-    this.#edit.move(snapped(program, field, layout.time(at), free));
-    return follows;
+    this.#edit.move(snapped(program, field, layout.time(at)));
   }
 
   /** A handle that is moved finely takes the picture with it at its edges. */

@@ -1,8 +1,13 @@
 import type { ProgramField } from '../../../program/index.js';
 import { type Geometry, handlePlaces } from '../geometry.js';
 import { laneAt } from '../lanes.js';
-import type { Layout } from '../layout.js';
-import type { Point, Target } from './gesture.js';
+import type { Target } from './pointer-control.js';
+
+/** A place of the picture, in pixels from its upper left corner. */
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
 
 /** How near a pointer must come, in pixels: a finger covers 44, a mouse is exact. */
 const REACH = { coarse: 22, fine: 13 };
@@ -73,9 +78,4 @@ export function timeUnder({ flags, stages, motorStop, layout }: Geometry, x: num
   if (nearest && nearest.distance <= SNAP) return nearest.time;
   const { left, right } = layout.box;
   return Math.min(layout.scale.end, Math.round(layout.time(Math.min(right, Math.max(left, x)))));
-}
-
-/** The place of the scale under a pointer. */
-export function placeUnder({ view, box, width }: Layout, x: number): number {
-  return view.start + ((x - box.left) / width) * view.span;
 }
