@@ -1,4 +1,4 @@
-import { type ReadonlySignal, signal } from '@preact/signals';
+import { signal } from '@preact/signals';
 
 /** Stands for the program on the screen among the keys of settings. */
 export const ON_SCREEN = 'on screen';
@@ -19,29 +19,27 @@ export type PrintHome = 'program' | 'memories' | 'library';
 
 /** Which settings to print. The other views need to know nothing else about printing. */
 export class PrintOrder {
-  readonly #keys = signal<readonly string[]>([ON_SCREEN]);
+  // Only this model writes them.
   /** The keys of the settings in their order, {@link ON_SCREEN} among them. */
-  readonly keys: ReadonlySignal<readonly string[]> = this.#keys;
-
-  readonly #home = signal<PrintHome>('program');
+  readonly keys = signal<readonly string[]>([ON_SCREEN]);
   /** The view to which the print leads back. What is added to the print, or removed, does not change it. */
-  readonly home: ReadonlySignal<PrintHome> = this.#home;
+  readonly home = signal<PrintHome>('program');
 
   /** Prints only these settings; without any, the program on the screen. */
   choose(keys: readonly string[] = [ON_SCREEN]): void {
-    this.#keys.value = [...new Set(keys)];
-    this.#home.value = homeOf(keys[0]);
+    this.keys.value = [...new Set(keys)];
+    this.home.value = homeOf(keys[0]);
   }
 
   /** Removes all settings from the print. */
   clear(): void {
-    this.#keys.value = [];
+    this.keys.value = [];
   }
 
   /** Adds a setting to the print, or removes it. */
   toggle(key: string): void {
-    const keys = this.#keys.peek();
-    this.#keys.value = keys.includes(key) ? keys.filter((each) => each !== key) : [...keys, key];
+    const keys = this.keys.peek();
+    this.keys.value = keys.includes(key) ? keys.filter((each) => each !== key) : [...keys, key];
   }
 }
 

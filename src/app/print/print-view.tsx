@@ -1,6 +1,5 @@
 import { useSignal } from '@preact/signals';
 import { useId, useMemo } from 'preact/hooks';
-import { libraryMessages } from '../messages/en-library.js';
 import { print as words } from '../messages/en-print.js';
 import { dateText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
@@ -35,7 +34,6 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
           {names.print}
         </BackHead>
         <Choices print={print} />
-        {print.missing.value && <p role="status">{libraryMessages.setting.gone}</p>}
         <div class="buttons">
           <button
             type="button"

@@ -10,12 +10,13 @@ import { print as onPaper } from '../messages/en-print.js';
 import { modelMessages } from '../messages/en-which-model.js';
 import { dateText, messages, timerName } from '../messages/index.js';
 import { foldedText, searchFor } from '../messages/search.js';
+import { memoryOf } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { qrLinkOf, sharedOf } from '../session/setting-link.js';
 import { hintText, madeAs, programName, standingText } from '../session/standing-text.js';
 import type { SettingRecord } from '../storage/index.js';
 import { isOfLibrary, memoryKey, ON_SCREEN, PAPER_KEYS, type Paper, type PrintOrder } from './print-order.js';
-import { type Marks, memoryText, type Sheet, type SheetSource, sheetOf } from './sheet.js';
+import { type Marks, type Sheet, type SheetSource, sheetOf } from './sheet.js';
 
 /** The parts of a sheet that the pilot can choose besides the table. */
 export const SHEET_PARTS = ['timeline', 'notes', 'lines', 'code'] as const;
@@ -28,20 +29,16 @@ const USUAL_PARTS: readonly SheetPart[] = ['timeline', 'notes', 'lines'];
 export class Print {
   readonly #session: Session;
   readonly #page: string;
-  readonly #paper = signal<Paper>(loadSetting('print/paper', v.picklist(PAPER_KEYS)) ?? 'a5');
-  readonly #parts = signal<ReadonlySet<SheetPart>>(
-    new Set(loadSetting('print/parts', v.array(v.picklist(SHEET_PARTS))) ?? USUAL_PARTS),
-  );
-  readonly #search = signal('');
 
   readonly order: PrintOrder;
-  readonly paper: ReadonlySignal<Paper> = this.#paper;
-  readonly parts: ReadonlySignal<ReadonlySet<SheetPart>> = this.#parts;
+  // Only this model writes these.
+  readonly paper = signal<Paper>(loadSetting('print/paper', v.picklist(PAPER_KEYS)) ?? 'a5');
+  readonly parts = signal<ReadonlySet<SheetPart>>(
+    new Set(loadSetting('print/parts', v.array(v.picklist(SHEET_PARTS))) ?? USUAL_PARTS),
+  );
   /** The text of the search among the saved programs. */
-  readonly search: ReadonlySignal<string> = this.#search;
+  readonly search = signal('');
   readonly sheets: ReadonlySignal<readonly Sheet[]>;
-  /** Whether a chosen program is missing: another tab may have deleted it. */
-  readonly missing: ReadonlySignal<boolean>;
   /** The saved programs that the search finds, sorted by model. */
   readonly found: ReadonlySignal<readonly SettingRecord[]>;
   readonly hasProgram: ReadonlySignal<boolean>;
@@ -61,21 +58,16 @@ export class Print {
         return source ? [sheetOf(source, editor.shortDt.value)] : [];
       }),
     );
-    this.missing = computed(() => {
-      const kept = order.keys.value.filter(isOfLibrary);
-      return library.settings.loaded.value && kept.some((key) => !library.settings.get(key));
-    });
     this.memories = computed(() => {
-      const names = session.origin.timer.value?.memoryNames;
       return session.standings.readMemories().map(({ memory, known }) => {
-        const name = memoryText(memory, names?.[memory] ?? '');
+        const name = memoryOf(session.origin.timer.value, memory);
         const { lastReadAt } = messages.value.knowledge;
         const read = lastReadAt(known.state === 'read' ? dateText(known.at) : null);
         return { key: memoryKey(memory), name: dotted([name, read]) };
       });
     });
     this.found = computed(() => {
-      const isFound = searchFor(this.#search.value);
+      const isFound = searchFor(this.search.value);
       const places = new Map(library.models.list.value.map(({ key }, at) => [key, at]));
       const place = ({ setting }: SettingRecord): number => places.get(setting.model ?? '') ?? places.size;
       return library.settings.list.value
@@ -96,19 +88,19 @@ export class Print {
   }
 
   setPaper(paper: Paper): void {
-    this.#paper.value = paper;
+    this.paper.value = paper;
     saveSetting('print/paper', paper);
   }
 
   togglePart(part: SheetPart): void {
-    const parts = new Set(this.#parts.peek());
+    const parts = new Set(this.parts.peek());
     if (!parts.delete(part)) parts.add(part);
-    this.#parts.value = parts;
+    this.parts.value = parts;
     saveSetting('print/parts', [...parts]);
   }
 
   searchFor(text: string): void {
-    this.#search.value = text;
+    this.search.value = text;
   }
 
   #kept(key: string): SheetSource | null {
@@ -180,7 +172,7 @@ export class Print {
 
   /** Without the note, which would make the code too fine. */
   #linkOf(shared: Omit<SharedSetting, 'note'>): string | null {
-    if (!this.#parts.value.has('code')) return null;
+    if (!this.parts.value.has('code')) return null;
     return attempted(() => qrLinkOf({ ...shared, note: '' }, this.#page)?.link);
   }
 

@@ -69,15 +69,12 @@ export function SheetPaper({ sheet, paper, parts, printed }: SheetPaperProps) {
   );
 }
 
-/** A name with more characters would take half of the page. */
-const LONG = 24;
-
 /** The names, and the key figures. */
 function SheetHead({ sheet }: { readonly sheet: Sheet }) {
   return (
     <div class="leaf-head">
       <div class="leaf-title">
-        <h2 class={sheet.model.length > LONG ? 'is-long' : ''}>
+        <h2>
           <Blank label={messages.value.label.model} text={sheet.model} />
         </h2>
         <p class="leaf-name">
@@ -140,7 +137,7 @@ interface GroupProps {
 function SheetTable({ sheet: { program, servos, was }, group }: GroupProps) {
   const { tableCaption, absolute } = messages.value.program;
   return (
-    <div class={`leaf-table of-${group.length}`}>
+    <div class="leaf-table">
       <ProgramGrid
         program={program}
         caption={tableCaption}

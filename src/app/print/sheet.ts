@@ -4,13 +4,13 @@ import {
   fieldKey,
   type Model,
   type ProgramField,
-  type ServoUse,
   type TimerProgram,
 } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { dutyName, fieldLabel, fieldName, findingText, messages, timerName, valueText } from '../messages/index.js';
 import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
+import { memoryOf } from '../session/memory-names.js';
 
 /** The source of a sheet. */
 export interface SheetSource {
@@ -74,7 +74,7 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
       identity.functions - 1,
       identity.servos,
     ),
-    memory: memory === null ? '' : memoryText(memory, model?.memoryNames[memory] ?? ''),
+    memory: memory === null ? '' : memoryOf(model, memory),
     figures: keyFigures(program).map((figure) => ({
       ...figure,
       isShort: isShort && figure.field.kind === 'time' && figure.field.slot === identity.functions,
@@ -82,7 +82,10 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
     })),
     others: othersOf(program, was),
     was,
-    servos: program.positions.map((_, servo) => useName(model?.servos[servo])),
+    servos: program.positions.map((_, servo) => {
+      const use = model?.servos[servo];
+      return use ? dutyName(use) : '';
+    }),
     warnings: findings
       .filter(({ severity }) => severity !== 'warning')
       .map((finding) =>
@@ -114,14 +117,4 @@ function othersOf(program: TimerProgram, was: (field: ProgramField) => string): 
     ...(idle ? [{ label: words.idleThrottle, text: idle }] : []),
     ...(reserved ? [{ label: fieldLabel(identity, start), text: reserved }] : []),
   ];
-}
-
-/** “M1 “calm””, or “M1” without a name. */
-export function memoryText(memory: number, name: string): string {
-  const { memoryName } = messages.value;
-  return name === '' ? memoryName(memory) : `${memoryName(memory)} “${name}”`;
-}
-
-function useName(use: ServoUse | undefined): string {
-  return use ? dutyName(use) : '';
 }

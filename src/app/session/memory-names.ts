@@ -4,7 +4,7 @@ import { beginningOf } from './plain-names.js';
 import type { Session } from './session.js';
 
 /** The pilot's name for a memory of a model; empty without one. */
-export function givenName(model: Model | null, memory: number): string {
+export function givenName(model: Pick<Model, 'memoryNames'> | null, memory: number): string {
   return model?.memoryNames[memory] ?? '';
 }
 
@@ -17,7 +17,7 @@ export function memoryText({ origin }: Pick<Session, 'origin'>, memory: number):
  * The name of a memory of a model in a sentence.
  * @param memory counted from 0; null for a timer that does not say which is current.
  */
-export function memoryOf(model: Model | null, memory: number | null): string {
+export function memoryOf(model: Pick<Model, 'memoryNames'> | null, memory: number | null): string {
   const { memoryName, memoryNames, recovery } = messages.value;
   if (memory === null) return recovery.unknownMemory;
   const given = givenName(model, memory);

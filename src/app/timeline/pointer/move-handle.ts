@@ -86,7 +86,7 @@ export class MoveHandle implements Gesture {
     this.#model.letGo();
   }
 
-  /** Whether the pointer really moves it. The trembling of a finger does not count. @param way from where it was taken. */
+  /** Whether the pointer really moves it, not only trembles. @param way from where it was taken. */
   #hasMoved(way: number): boolean {
     if (this.#moved || Math.abs(way) < Math.max(1, this.#tremble)) return this.#moved;
     this.#last += Math.sign(way) * this.#tremble;

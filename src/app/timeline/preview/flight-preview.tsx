@@ -138,43 +138,21 @@ function Clock({ player }: { readonly player: Player }) {
 
 /** The latest event. A screen reader hears it during a flight, but not while the pilot only looks. */
 function Happening({ program, player }: ShownProps) {
-  const { timeline } = messages.value;
-  const text = useMemo(
-    () =>
-      computed(() => {
-        const time = player.shown.value;
-        return reachedAt(program, time).certain ? lastNames(program, time) : timeline.notKnown;
-      }),
-    [program, player, timeline],
-  );
-  const since = useMemo(
-    () =>
-      computed(() => {
-        const time = player.shown.value;
-        return reachedAt(program, time).certain ? (eventsBetween(program, -1, time).at(-1)?.time ?? null) : null;
-      }),
-    [program, player],
-  );
-  const isNow = useMemo(() => computed(() => since.value === player.shown.value), [since, player]);
+  const text = useMemo(() => computed(() => happened(program, player.shown.value)), [program, player]);
   const isUnderWay = useMemo(() => computed(() => player.cursor.value !== null), [player]);
-  return (
-    <p role={isUnderWay.value ? 'status' : undefined}>
-      {text.value}
-      {since.value !== null && (
-        // The clock above shows it, but is not heard.
-        <span class={isNow.value ? 'visually-hidden' : ''}> {messages.value.preview.at(momentText(since.value))}</span>
-      )}
-    </p>
-  );
+  return <p role={isUnderWay.value ? 'status' : undefined}>{text.value}</p>;
 }
 
-/** The latest event up to a time; all of them when several happen at once. */
-function lastNames(program: TimerProgram, time: number): string {
-  const events = eventsBetween(program, -1, time);
-  const last = events.at(-1);
-  if (!last) return messages.value.preview.launch;
-  return events
-    .filter((event) => event.time === last.time)
+function happened(program: TimerProgram, time: number): string {
+  const { preview, timeline } = messages.value;
+  if (!reachedAt(program, time).certain) return timeline.notKnown;
+  const last = eventsBetween(program, -1, time).at(-1)?.time;
+  return last === undefined ? preview.launch : `${namesAt(program, last)} ${preview.at(momentText(last))}`;
+}
+
+/** What happens at a time. */
+function namesAt(program: TimerProgram, time: number): string {
+  return eventsBetween(program, time - 1, time)
     .map((event) => eventName(program, event))
     .join(', ');
 }

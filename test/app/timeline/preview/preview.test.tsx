@@ -113,20 +113,6 @@ describe('the flight preview', () => {
     ]);
   });
 
-  it('does not show the time of an event twice, but says it', async () => {
-    const { player } = shown();
-    const seen = () => {
-      const hidden = happened().querySelector('.visually-hidden');
-      return [clock(), happened().textContent?.replace(hidden?.textContent ?? '', '')];
-    };
-    await seek(player, 0);
-    expect(seen()).toEqual(['0.00 s', 'Launch']);
-    await seek(player, 200);
-    expect([...seen(), said()]).toEqual(['2.00 s', 'Function 1', 'Function 1 at 2.00 s']);
-    await seek(player, 300);
-    expect(seen()).toEqual(['3.00 s', 'Function 1 at 2.00 s']);
-  });
-
   it('can be dragged from launch to the end, and says where it is', async () => {
     const { player } = shown();
     const slider = screen.getByRole<HTMLInputElement>('slider', { name: en.preview.time });
