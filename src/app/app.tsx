@@ -1,6 +1,5 @@
 import { useCallback, useEffect, useRef } from 'preact/hooks';
-import { COMPARE } from './compare/address.js';
-import { backupKey, memoryKey } from './compare/choice.js';
+import { backupKey, COMPARE, memoryKey } from './compare/choice.js';
 import { ConnectButtons } from './connect/connect-buttons.js';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';

@@ -1,4 +1,4 @@
-import { COMPARE } from './compare/address.js';
+import { COMPARE } from './compare/choice.js';
 import { FLIGHTS } from './flights/flight-filter.js';
 import type { SaveSetting } from './library/save-setting.js';
 import { offerScreen } from './library/share/share-screen.js';

@@ -1,7 +1,6 @@
 import { useEffect } from 'preact/hooks';
 import { takeDroppedFiles } from './browser/dropped-files.js';
-import { COMPARE } from './compare/address.js';
-import { backupKey, SCREEN, settingKey } from './compare/choice.js';
+import { backupKey, COMPARE, SCREEN, settingKey } from './compare/choice.js';
 import { CompareButton } from './compare/compare-button.js';
 import { FLIGHTS } from './flights/flight-filter.js';
 import { FlightsSection } from './flights/flights-section.js';

@@ -1,5 +1,7 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 
+/** The address of the comparison, after `#library/`. */
+export const COMPARE = 'compare';
 /** The key of the program on the screen. */
 export const SCREEN = 'screen';
 /** @param memory counted from 0. */

@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
-import { type Change, differences, fieldKey, type ProgramField } from '../../program/index.js';
+import { type Change, differences } from '../../program/index.js';
 import { comparingMessages } from '../messages/en-compare.js';
 import { obstacles } from '../messages/en-library.js';
 import { clockText, dayText, fieldInSentence, figureText, messages } from '../messages/index.js';
@@ -36,7 +36,7 @@ export function ComparePage({ session, pair, following, onBack }: ComparePagePro
       <BackHead back={messages.value.views.names.library} to={onBack} titleId="compare-title" heading={heading}>
         {words.title}
       </BackHead>
-      <div class="row compare-choice">
+      <div class="row gap-4 compare-choice">
         <Choice
           label={words.title}
           session={session}
@@ -81,11 +81,13 @@ function Pair({ session, compare, following, first, second }: PairProps) {
     if (value === null) return null;
     const { identity } = first.program;
     return (
-      <TakeButton
-        field={change.field}
-        name={words.takeOf(fieldInSentence(identity, change.field), figureText(identity, change.field, value))}
-        onTake={() => compare.take(change.field)}
-      />
+      <button
+        type="button"
+        aria-label={words.takeOf(fieldInSentence(identity, change.field), figureText(identity, change.field, value))}
+        onClick={() => compare.take(change.field)}
+      >
+        {words.take}
+      </button>
     );
   };
   return (
@@ -106,21 +108,6 @@ function Pair({ session, compare, following, first, second }: PairProps) {
   );
 }
 
-interface TakeButtonProps {
-  readonly field: ProgramField;
-  readonly name: string;
-  readonly onTake: () => void;
-}
-
-function TakeButton({ field, name, onTake }: TakeButtonProps) {
-  const { compare: words } = comparingMessages;
-  return (
-    <button type="button" class="compare-take" data-take={fieldKey(field)} aria-label={name} onClick={onTake}>
-      {words.take}
-    </button>
-  );
-}
-
 interface ChoiceProps {
   readonly label: string;
   readonly session: Session;
@@ -138,7 +125,7 @@ function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
     { name: backups.title, of: sides.filter(({ kind }) => kind === 'backup') },
   ];
   return (
-    <label>
+    <label class="choice">
       <span>{label}</span>
       <select
         value={chosen?.key ?? ''}

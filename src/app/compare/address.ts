@@ -1,2 +1,0 @@
-/** The address of the comparison, after `#library/`. */
-export const COMPARE = 'compare';
