@@ -134,14 +134,7 @@ describe('a library file', () => {
     ['no models', changed('"models"', '"model"'), 'wrong-type models 1:1'],
     ['no name', changed('"name": "Lancer 07"', '"nam": "Lancer 07"'), 'wrong-type models[0].name 7:5'],
     ['a wrong class', changed('"timerClass": "Q"', '"timerClass": "QQ"'), 'wrong-type models[0].timerClass 10:21'],
-    ['a time as a number', changed('"0.30"', '0.30'), 'wrong-type settings[0].program.slots[1].time 35:34'],
-    [
-      'ends of a servo in the wrong order',
-      changed('"low": 20', '"low": 96'),
-      'out-of-range models[0].servos[0].low 13:51',
-    ],
-    ['a finer time', changed('"0.30"', '"0.305"'), 'wrong-type settings[0].program.slots[1].time 35:34'],
-    ['a longer time', changed('"0.30"', '"655.36"'), 'out-of-range settings[0].program.slots[1].time 35:34'],
+    // What else a program in a file may not be is in file-values.test.ts.
     ['no motor stop', changed('"motorStop"', '"reserved"'), 'wrong-type settings[0].program.motorStop 28:18'],
     [
       'a step too far',
@@ -153,31 +146,7 @@ describe('a library file', () => {
       changed('[25, 15]', '[25, 15, 0]'),
       'wrong-count settings[0].program.slots[1].positions 35:55',
     ],
-    ['a servo too few', changed('[25, 15]', '[25]'), 'wrong-count settings[0].program.slots[1].positions 35:55'],
-    [
-      'slots in another order',
-      changed('"slot": "1"', '"slot": "2"'),
-      'unknown-word settings[0].program.slots[1].slot 35:21',
-    ],
-    ['a slot too few', changed(/ {10}\{ "slot": "3".*\n/, ''), 'unknown-word settings[0].program.slots[3].slot 37:21'],
-    ['no DT', changed(/,\n {10}\{ "slot": "DT".*\n/, '\n'), 'wrong-count settings[0].program.slots 33:18'],
-    ['a memory too many', changed('"memory": "M2"', '"memory": "M5"'), 'unknown-word settings[0].program.memory 30:19'],
     ['M0', changed('"memory": "M2"', '"memory": "M0"'), 'unknown-word settings[0].program.memory 30:19'],
-    [
-      'too many servos',
-      changed(/"servos": 2 /, '"servos": 99 '),
-      'bad-identity settings[0].program.identity.servos 29:102',
-    ],
-    [
-      'no day',
-      changed('2026-11-18T11:06:40.000Z",\n      "p', '2026-02-30T11:06:40.000Z",\n      "p'),
-      'wrong-type settings[0].at 27:13',
-    ],
-    [
-      'a day before all days',
-      changed('2026-11-18T11:06:40.000Z",\n      "p', '1969-12-31T11:06:40.000Z",\n      "p'),
-      'out-of-range settings[0].at 27:13',
-    ],
     ['too much wind', changed('"wind": 1.5', '"wind": 1e999'), 'out-of-range flights[0].wind 67:15'],
   ])('that is %s is refused with its place', (_, text, expected) => {
     expect(refused(text).replace(' undefined:undefined', '')).toBe(expected);

@@ -111,10 +111,7 @@ describe('the requests that turn one program into another', () => {
 
   it('are one SETTIMERS, a SETSERVO for each position, a SETLOWRPM', () => {
     const from = usual('Q');
-    const to = {
-      ...edited(from, [0, 900], [10, 6000], [2, 10, 1]),
-      idleThrottle: 5,
-    };
+    const to = { ...edited(from, [0, 900], [10, 6000], [2, 10, 1]), idleThrottle: 5 };
     expect(changeRequests(from, to)).toEqual([
       { name: 'SETTIMERS', times: to.times },
       { name: 'SETSERVO', function: 10, servo: 2, position: 1 },
@@ -145,93 +142,64 @@ describe('the check', () => {
     expect(found(usual('E'))).toEqual([]);
   });
 
-  const cases: [string, string, [number, number][], string[]][] = [
-    ['a time past 16 bits', 'B', [[10, 65536]], ['error time-out-of-range time:10']],
-    ['a negative time', 'B', [[3, -1]], ['error time-out-of-range time:3']],
-    ['part of a hundredth', 'B', [[3, 250.5]], ['error time-not-whole time:3']],
-    ['no number at all', 'B', [[3, Number.NaN]], ['error time-not-whole time:3']],
-    ['a falling time on Q', 'Q', [[5, 340]], ['serious time-falls time:5']],
-    ['a falling time on B', 'B', [[5, 340]], ['warning time-falls time:5']],
-    ['a falling time on E', 'E', [[5, 340]], ['warning time-falls time:5']],
+  const cases: [string, string, Record<number, number>, string[]][] = [
+    ['a time past 16 bits', 'B', { 10: 65536 }, ['error time-out-of-range time:10']],
+    ['a negative time', 'B', { 3: -1 }, ['error time-out-of-range time:3']],
+    ['part of a hundredth', 'B', { 3: 250.5 }, ['error time-not-whole time:3']],
+    ['no number at all', 'B', { 3: Number.NaN }, ['error time-not-whole time:3']],
+    ['a falling time on Q', 'Q', { 5: 340 }, ['serious time-falls time:5']],
+    ['a falling time on B', 'B', { 5: 340 }, ['warning time-falls time:5']],
+    ['a falling time on E', 'E', { 5: 340 }, ['warning time-falls time:5']],
     [
       'a falling time on a class that nobody knows',
       'X',
-      [[5, 340]],
+      { 5: 340 },
       ['serious time-falls time:5', 'warning class-unknown -'],
     ],
-    ['a DT before the last function', 'B', [[10, 800]], ['warning time-falls time:10', 'serious dt-short time:10']],
-    ['nothing of the order beside a time that is no time', 'B', [[4, 65536]], ['error time-out-of-range time:4']],
-    ['a motor stop at DT', 'Q', [[0, 18000]], ['warning motor-run-long time:0', 'warning time-outside-manual time:0']],
-    ['a motor stop where DT is no time', 'Q', [[10, -1]], ['error time-out-of-range time:10']],
-    [
-      'the shortest and the longest time of the manual on Q',
-      'Q',
-      [
-        [1, 10],
-        [9, 9990],
-      ],
-      [],
-    ],
-    ['a time shorter than in the manual on Q', 'Q', [[1, 9]], ['warning time-outside-manual time:1']],
-    ['the shortest time of the manual on B', 'B', [[1, 1]], []],
-    ['a time of nothing on B', 'B', [[1, 0]], ['warning time-outside-manual time:1']],
-    ['two functions at one time', 'B', [[5, 350]], ['warning position-never-reached time:5']],
+    ['a DT before the last function', 'B', { 10: 800 }, ['warning time-falls time:10', 'serious dt-short time:10']],
+    ['nothing of the order beside a time that is no time', 'B', { 4: 65536 }, ['error time-out-of-range time:4']],
+    ['a motor stop at DT', 'Q', { 0: 18000 }, ['warning motor-run-long time:0', 'warning time-outside-manual time:0']],
+    ['a motor stop where DT is no time', 'Q', { 10: -1 }, ['error time-out-of-range time:10']],
+    ['the shortest and the longest time of the manual on Q', 'Q', { 1: 10, 9: 9990 }, []],
+    ['a time shorter than in the manual on Q', 'Q', { 1: 9 }, ['warning time-outside-manual time:1']],
+    ['the shortest time of the manual on B', 'B', { 1: 1 }, []],
+    ['a time of nothing on B', 'B', { 1: 0 }, ['warning time-outside-manual time:1']],
+    ['two functions at one time', 'B', { 5: 350 }, ['warning position-never-reached time:5']],
     [
       'a motor stop after DT',
       'Q',
-      [
-        [10, 6000],
-        [0, 6100],
-      ],
+      { 10: 6000, 0: 6100 },
       ['serious motor-stop-after-dt time:0', 'warning motor-run-long time:0'],
     ],
-    ['a motor run of 40 s', 'Q', [[0, 4000]], []],
-    ['a motor run of more than 40 s', 'Q', [[0, 4010]], ['warning motor-run-long time:0']],
-    ['a reserved time on B', 'B', [[0, 12345]], []],
-    ['a step finer than a tenth on Q', 'Q', [[1, 55]], ['warning time-too-fine time:1']],
-    ['hundredths for function 2 on B', 'B', [[2, 151]], []],
-    ['hundredths for function 3 on B', 'B', [[3, 251]], ['warning time-too-fine time:3']],
-    ['a DT of part of a second', 'B', [[10, 18050]], ['warning time-too-fine time:10']],
-    ['a function past 99.9 s', 'B', [[9, 10000]], ['warning time-outside-manual time:9']],
+    ['a motor run of 40 s', 'Q', { 0: 4000 }, []],
+    ['a motor run of more than 40 s', 'Q', { 0: 4010 }, ['warning motor-run-long time:0']],
+    ['a reserved time on B', 'B', { 0: 12345 }, []],
+    ['a step finer than a tenth on Q', 'Q', { 1: 55 }, ['warning time-too-fine time:1']],
+    ['hundredths for function 2 on B', 'B', { 2: 151 }, []],
+    ['hundredths for function 3 on B', 'B', { 3: 251 }, ['warning time-too-fine time:3']],
+    ['a DT of part of a second', 'B', { 10: 18050 }, ['warning time-too-fine time:10']],
+    ['a function past 99.9 s', 'B', { 9: 10000 }, ['warning time-outside-manual time:9']],
     [
       'a function 2 past 9.99 s on B',
       'B',
-      [
-        [2, 1000],
-        [3, 1010],
-        [4, 1020],
-        [5, 1030],
-        [6, 1040],
-        [7, 1050],
-        [8, 1060],
-        [9, 1070],
-      ],
+      { 2: 1000, 3: 1010, 4: 1020, 5: 1030, 6: 1040, 7: 1050, 8: 1060, 9: 1070 },
       ['warning time-outside-manual time:2'],
     ],
-    ['a DT under a minute', 'B', [[10, 5900]], ['warning dt-short time:10']],
-    ['a DT of a minute', 'B', [[10, 6000]], []],
-    ['a DT of ten seconds', 'B', [[10, 1000]], ['warning dt-short time:10']],
+    ['a DT under a minute', 'B', { 10: 5900 }, ['warning dt-short time:10']],
+    ['a DT of a minute', 'B', { 10: 6000 }, []],
+    ['a DT of ten seconds', 'B', { 10: 1000 }, ['warning dt-short time:10']],
     [
       'a DT in hundredths that was meant in seconds',
       'B',
-      [
-        [9, 100],
-        [8, 90],
-        [7, 80],
-        [6, 70],
-        [5, 60],
-        [4, 50],
-        [3, 40],
-        [2, 30],
-        [1, 20],
-        [10, 180],
-      ],
+      { 9: 100, 8: 90, 7: 80, 6: 70, 5: 60, 4: 50, 3: 40, 2: 30, 1: 20, 10: 180 },
       ['warning time-too-fine time:10', 'serious dt-short time:10'],
     ],
-    ['no rule of steps on E', 'E', [[3, 251]], []],
+    ['no rule of steps on E', 'E', { 3: 251 }, []],
   ];
+  const bySlot = (times: Record<number, number>) =>
+    Object.entries(times).map(([slot, time]) => [Number(slot), time] as const);
   for (const [name, timerClass, times, expected] of cases) {
-    it(name, () => expect(found(edited(usual(timerClass), ...times))).toEqual(expected));
+    it(name, () => expect(found(edited(usual(timerClass), ...bySlot(times)))).toEqual(expected));
   }
 
   it('says when equal times have the same positions, so that no position is lost', () => {
