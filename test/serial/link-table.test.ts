@@ -4,328 +4,190 @@ import { nextStatus } from '../../src/serial/link-table.js';
 import { answerNonsense, canBeOpened } from './bench.js';
 import { type LinkBench, type LinkBenchOptions, linkBench, slowChooser, way } from './link-bench.js';
 
-interface Journey {
-  readonly name: string;
-  readonly options?: LinkBenchOptions;
-  readonly go: (bench: LinkBench) => Promise<unknown>;
-  /** What the link told, and where it stands at the end of it. */
-  readonly way: string;
-}
+/** Something that a pilot, a cable, a timer or another program does. */
+type Act = (bench: LinkBench) => unknown;
 
-const asleep = ({ timer }: LinkBench): void => timer.core.sleep();
-
-/** Lets another program take the port as soon as the page lets go of it. */
-function snatch({ port }: LinkBench): void {
-  port.device.onopenchange = (opened) => {
-    if (!opened) port.device.busy = true;
+/** Connects, and turns the clock until the link has settled. */
+const connect: Act = (bench) => bench.connect();
+/** Begins to connect. */
+const begin: Act = ({ link, port }) => void link.connect(port);
+const choose: Act = ({ clock, link }) => clock.run(link.choose());
+const stop: Act = ({ clock, link }) => clock.run(link.stop());
+const wait =
+  (ms: number): Act =>
+  ({ clock }) =>
+    clock.advance(ms);
+const unplug: Act = ({ adapter }) => adapter.unplug();
+const replug: Act = ({ adapter }) => adapter.replug();
+/** The stream of the port fails. */
+const fail: Act = ({ port }) => port.device.error('lost');
+const sleep: Act = ({ timer }) => timer.core.sleep();
+const press: Act = ({ timer }) => timer.core.press();
+/** Another program takes the port. */
+const hold: Act = ({ port }) => void Object.assign(port.device, { busy: true });
+/** It does so as soon as the page lets go of it. */
+const snatch: Act = (bench) => {
+  bench.port.device.onopenchange = (opened) => opened || hold(bench);
+};
+const release: Act = ({ port }) => void Object.assign(port.device, { busy: false, onopenchange: null });
+const isOpening: Act = ({ link }) => expect(link.state).toMatchObject({ status: 'opening' });
+/** Another port, with something that answers and is no timer. */
+const meetNonsense =
+  (answersFirst: boolean): Act =>
+  async (bench) => {
+    const other = bench.serial.plug({}, { granted: true });
+    if (answersFirst) void answerNonsense(other);
+    await bench.connect(other);
+    if (!answersFirst) void answerNonsense(other);
   };
-}
 
-/** Gives the port back. */
-function release({ port }: LinkBench): void {
-  port.device.onopenchange = null;
-  port.device.busy = false;
-}
+const BUSY: LinkBenchOptions = { plug: { busy: true } };
+const NO_SUCH_RATE = { ...DEFAULT_SETTINGS, baudRate: 0 };
 
-const JOURNEYS: readonly Journey[] = [
-  {
-    name: 'a timer that answers',
-    go: ({ connect }) => connect(),
-    way: 'opening > searching > on',
-  },
-  {
-    name: 'a port from the chooser',
-    options: { plug: { granted: false } },
-    go: ({ clock, link }) => clock.run(link.choose()),
-    way: 'choosing > opening > searching > on',
-  },
-  {
-    name: 'a chooser that is dismissed',
-    go: ({ serial, link }) => {
-      serial.choose(null);
-      return link.choose();
-    },
-    way: 'choosing > off (nothing-chosen)',
-  },
-  {
-    name: 'a browser without Web Serial',
-    options: { link: { serial: undefined } },
-    go: ({ link }) => link.choose(),
-    way: 'off (unsupported)',
-  },
-  {
-    name: 'a timer that sleeps',
-    go: async (bench) => {
-      asleep(bench);
-      await bench.connect();
-      await bench.clock.advance(5000);
-      bench.timer.core.press();
-      await bench.clock.advance(2000);
-    },
-    way: 'opening > searching > waiting > on',
-  },
-  {
-    name: 'a port that another program holds for a while',
-    options: { plug: { busy: true } },
-    go: async ({ clock, link, port }) => {
-      void link.connect(port);
-      await clock.advance(5000);
-      port.device.busy = false;
-      await clock.advance(2000);
-    },
-    way: 'opening > searching > on',
-  },
-  {
-    name: 'a port that another program holds',
-    options: { plug: { busy: true } },
-    go: ({ connect }) => connect(),
-    way: 'opening > off (busy)',
-  },
-  {
-    name: 'a port that is not plugged in',
-    go: async ({ adapter, connect }) => {
-      adapter.unplug();
-      await connect();
-    },
-    way: 'opening > off (unplugged)',
-  },
-  {
-    name: 'a port that is unplugged while another program holds it',
-    options: { plug: { busy: true } },
-    go: async ({ adapter, clock, link, port }) => {
-      void link.connect(port);
-      await clock.advance(2500);
-      adapter.unplug();
-      await clock.advance(0);
-    },
-    way: 'opening > off (unplugged)',
-  },
-  {
-    name: 'settings that the port does not take',
-    go: ({ port, connect }) => connect(port, { ...DEFAULT_SETTINGS, baudRate: 0 }),
-    way: 'opening > off (bad-settings)',
-  },
-  {
-    name: 'something that answers and is no timer',
-    go: async (bench) => {
-      const other = bench.serial.plug({}, { granted: true });
-      void answerNonsense(other);
-      await bench.connect(other);
-    },
-    way: 'opening > searching > off (bad-reply)',
-  },
-  {
-    name: 'something that wakes and is no timer',
-    go: async ({ serial, connect, clock }) => {
-      const other = serial.plug({}, { granted: true });
-      await connect(other);
-      void answerNonsense(other);
-      await clock.advance(5000);
-    },
-    way: 'opening > searching > waiting > off (bad-reply)',
-  },
-  {
-    name: 'a port that is snatched between two rates',
-    options: { answersAt: 19200 },
-    go: async (bench) => {
-      snatch(bench);
-      void bench.link.connect(bench.port);
-      await bench.clock.advance(5000);
-      expect(bench.link.state).toMatchObject({ status: 'opening' });
-      release(bench);
-      await bench.clock.advance(5000);
-    },
-    way: 'opening > searching > opening > searching > on',
-  },
-  {
-    name: 'a port that is snatched while it is waited for',
-    go: async (bench) => {
-      asleep(bench);
-      await bench.connect();
-      snatch(bench);
-      await bench.clock.advance(10_000);
-      expect(bench.link.state).toMatchObject({ status: 'opening' });
-      release(bench);
-      bench.timer.core.press();
-      await bench.clock.advance(5000);
-    },
-    way: 'opening > searching > waiting > opening > searching > on',
-  },
-  {
-    name: 'a cable that is pulled and plugged in again',
-    go: async ({ connect, adapter, clock }) => {
-      await connect();
-      adapter.unplug();
-      await clock.advance(60_000);
-      adapter.replug();
-      await clock.advance(1000);
-    },
-    way: 'opening > searching > on > away > opening > searching > on',
-  },
-  {
-    name: 'a cable that returns as another port',
-    go: async ({ connect, adapter, clock }) => {
-      await connect();
-      adapter.unplug();
-      await clock.advance(60_000);
-      adapter.returnAsNew();
-      await clock.advance(1000);
-    },
-    way: 'opening > searching > on > away > opening > searching > on',
-  },
-  {
-    name: 'a cable that is pulled while rates are tried',
-    options: { plug: { timing: true } },
-    go: async (bench) => {
-      asleep(bench);
-      void bench.link.connect(bench.port);
-      await bench.clock.advance(2000);
-      bench.adapter.unplug();
-      await bench.clock.advance(1000);
-    },
-    way: 'opening > searching > away',
-  },
-  {
-    name: 'a cable that is pulled while the timer is waited for',
-    go: async (bench) => {
-      asleep(bench);
-      await bench.connect();
-      await bench.clock.advance(2500);
-      bench.adapter.unplug();
-      await bench.clock.advance(1000);
-    },
-    way: 'opening > searching > waiting > away',
-  },
-  {
-    name: 'a cable that is pulled again while the port is opened again',
-    go: async ({ connect, adapter, port, clock }) => {
-      await connect();
-      adapter.unplug();
-      await clock.advance(1000);
-      port.device.busy = true;
-      adapter.replug();
-      await clock.advance(2500);
-      adapter.unplug();
-      await clock.advance(1000);
-    },
-    way: 'opening > searching > on > away > opening > away',
-  },
-  {
-    name: 'a stream that fails with its plug in',
-    go: async ({ connect, port, clock }) => {
-      await connect();
-      port.device.error('lost');
-      await clock.advance(1000);
-    },
-    way: 'opening > searching > on > away > opening > searching > on',
-  },
-  {
-    name: 'a stream that fails before its plug is seen to be out',
-    go: async ({ connect, adapter, port, clock }) => {
-      await connect();
-      port.device.error('lost');
-      await clock.advance(50);
-      adapter.unplug();
-      await clock.advance(1000);
-    },
-    way: 'opening > searching > on > away',
-  },
-  {
-    name: 'a port that fails whenever it is open',
-    go: async ({ port, clock, link }) => {
-      port.device.onopenchange = (opened) => opened && port.device.error('lost');
-      void link.connect(port);
-      await clock.advance(60_000);
-    },
-    way: `${'opening > searching > away > '.repeat(6)}off (lost)`,
-  },
-  {
-    name: 'a timer that falls silent and answers again',
-    go: async (bench) => {
-      await bench.connect();
-      asleep(bench);
-      bench.link.wait();
-      await bench.clock.advance(3000);
-      bench.timer.core.press();
-      await bench.clock.advance(2000);
-    },
-    way: 'opening > searching > on > waiting > on',
-  },
-  {
-    name: 'another timer in the place of the first',
-    go: async ({ connect, timer, clock, link }) => {
-      await connect();
-      Object.assign(timer.core.identity, { firmware: '537' });
-      await clock.run(link.recheck());
-      await clock.advance(0);
-    },
-    way: 'opening > searching > on > searching > on',
-  },
-  {
-    name: 'a pilot who stops the chooser',
-    options: { link: { serial: slowChooser() } },
-    go: ({ link }) => {
-      void link.choose();
-      return link.stop();
-    },
-    way: 'choosing > off',
-  },
-  {
-    name: 'a pilot who stops the opening',
-    options: { plug: { busy: true } },
-    go: async ({ clock, link, port }) => {
-      void link.connect(port);
-      await clock.advance(2500);
-      await clock.run(link.stop());
-    },
-    way: 'opening > closing > off',
-  },
-  {
-    name: 'a pilot who stops the search',
-    go: async (bench) => {
-      asleep(bench);
-      void bench.link.connect(bench.port);
-      await bench.clock.advance(2000);
-      await bench.clock.run(bench.link.stop());
-    },
-    way: 'opening > searching > closing > off',
-  },
-  {
-    name: 'a pilot who stops the waiting',
-    go: async (bench) => {
-      asleep(bench);
-      await bench.connect();
-      await bench.clock.advance(2000);
-      await bench.clock.run(bench.link.stop());
-    },
-    way: 'opening > searching > waiting > closing > off',
-  },
-  {
-    name: 'a pilot who is done',
-    go: async ({ connect, clock, link }) => {
-      await connect();
-      await clock.run(link.stop());
-    },
-    way: 'opening > searching > on > closing > off',
-  },
-  {
-    name: 'a pilot who gives up a port that is away',
-    go: async ({ connect, adapter, clock, link }) => {
-      await connect();
-      adapter.unplug();
-      await clock.advance(1000);
-      await clock.run(link.stop());
-    },
-    way: 'opening > searching > on > away > closing > off',
-  },
-  {
-    name: 'a pilot who connects again without stopping',
-    go: async ({ connect }) => {
-      await connect();
-      await connect();
-    },
-    way: 'opening > searching > on > closing > opening > searching > on',
-  },
+/** What is done, what the link tells, and where it stands at the end of it. */
+const JOURNEYS: readonly [name: string, options: LinkBenchOptions, acts: readonly Act[], way: string][] = [
+  ['a timer that answers', {}, [connect], 'opening > searching > on'],
+  ['a port from the chooser', { plug: { granted: false } }, [choose], 'choosing > opening > searching > on'],
+  ['a chooser that is dismissed', {}, [({ serial }) => serial.choose(null), choose], 'choosing > off (nothing-chosen)'],
+  ['a browser without Web Serial', { link: { serial: undefined } }, [choose], 'off (unsupported)'],
+  ['a timer that sleeps', {}, [sleep, connect, wait(5000), press, wait(2000)], 'opening > searching > waiting > on'],
+  [
+    'a port that another program holds for a while',
+    BUSY,
+    [begin, wait(5000), release, wait(2000)],
+    'opening > searching > on',
+  ],
+  ['a port that another program holds', BUSY, [connect], 'opening > off (busy)'],
+  ['a port that is not plugged in', {}, [unplug, connect], 'opening > off (unplugged)'],
+  [
+    'a port that is unplugged while another program holds it',
+    BUSY,
+    [begin, wait(2500), unplug, wait(0)],
+    'opening > off (unplugged)',
+  ],
+  [
+    'settings that the port does not take',
+    {},
+    [(bench) => bench.connect(bench.port, NO_SUCH_RATE)],
+    'opening > off (bad-settings)',
+  ],
+  ['something that answers and is no timer', {}, [meetNonsense(true)], 'opening > searching > off (bad-reply)'],
+  [
+    'something that wakes and is no timer',
+    {},
+    [meetNonsense(false), wait(5000)],
+    'opening > searching > waiting > off (bad-reply)',
+  ],
+  [
+    'a port that is snatched between two rates',
+    { answersAt: 19200 },
+    [snatch, begin, wait(5000), isOpening, release, wait(5000)],
+    'opening > searching > opening > searching > on',
+  ],
+  [
+    'a port that is snatched while it is waited for',
+    {},
+    [sleep, connect, snatch, wait(10_000), isOpening, release, press, wait(5000)],
+    'opening > searching > waiting > opening > searching > on',
+  ],
+  [
+    'a cable that is pulled and plugged in again',
+    {},
+    [connect, unplug, wait(60_000), replug, wait(1000)],
+    'opening > searching > on > away > opening > searching > on',
+  ],
+  [
+    'a cable that returns as another port',
+    {},
+    [connect, unplug, wait(60_000), ({ adapter }) => adapter.returnAsNew(), wait(1000)],
+    'opening > searching > on > away > opening > searching > on',
+  ],
+  [
+    'a cable that is pulled while rates are tried',
+    { plug: { timing: true } },
+    [sleep, begin, wait(2000), unplug, wait(1000)],
+    'opening > searching > away',
+  ],
+  [
+    'a cable that is pulled while the timer is waited for',
+    {},
+    [sleep, connect, wait(2500), unplug, wait(1000)],
+    'opening > searching > waiting > away',
+  ],
+  [
+    'a cable that is pulled again while the port is opened again',
+    {},
+    [connect, unplug, wait(1000), hold, replug, wait(2500), unplug, wait(1000)],
+    'opening > searching > on > away > opening > away',
+  ],
+  [
+    'a stream that fails with its plug in',
+    {},
+    [connect, fail, wait(1000)],
+    'opening > searching > on > away > opening > searching > on',
+  ],
+  [
+    'a stream that fails before its plug is seen to be out',
+    {},
+    [connect, fail, wait(50), unplug, wait(1000)],
+    'opening > searching > on > away',
+  ],
+  [
+    'a port that fails whenever it is open',
+    {},
+    [
+      (bench) => {
+        bench.port.device.onopenchange = (opened) => opened && fail(bench);
+      },
+      begin,
+      wait(60_000),
+    ],
+    `${'opening > searching > away > '.repeat(6)}off (lost)`,
+  ],
+  [
+    'a timer that falls silent and answers again',
+    {},
+    [connect, sleep, ({ link }) => link.wait(), wait(3000), press, wait(2000)],
+    'opening > searching > on > waiting > on',
+  ],
+  [
+    'another timer in the place of the first',
+    {},
+    [
+      connect,
+      ({ timer }) => Object.assign(timer.core.identity, { firmware: '537' }),
+      ({ clock, link }) => clock.run(link.recheck()),
+      wait(0),
+    ],
+    'opening > searching > on > searching > on',
+  ],
+  [
+    'a pilot who stops the chooser',
+    { link: { serial: slowChooser() } },
+    [({ link }) => void link.choose(), stop],
+    'choosing > off',
+  ],
+  ['a pilot who stops the opening', BUSY, [begin, wait(2500), stop], 'opening > closing > off'],
+  ['a pilot who stops the search', {}, [sleep, begin, wait(2000), stop], 'opening > searching > closing > off'],
+  [
+    'a pilot who stops the waiting',
+    {},
+    [sleep, connect, wait(2000), stop],
+    'opening > searching > waiting > closing > off',
+  ],
+  ['a pilot who is done', {}, [connect, stop], 'opening > searching > on > closing > off'],
+  [
+    'a pilot who gives up a port that is away',
+    {},
+    [connect, unplug, wait(1000), stop],
+    'opening > searching > on > away > closing > off',
+  ],
+  [
+    'a pilot who connects again without stopping',
+    {},
+    [connect, connect],
+    'opening > searching > on > closing > opening > searching > on',
+  ],
 ];
 
 describe('the table', () => {
@@ -352,10 +214,10 @@ describe('the way of', () => {
   /** Each step that was taken: from where to where. */
   const steps = new Set<string>();
 
-  it.each(JOURNEYS)('$name', async ({ options, go, way: expected }) => {
+  it.each(JOURNEYS)('%s', async (_, options, acts, expected) => {
     const bench = linkBench(options);
     const { states, clock, link, adapter } = bench;
-    await go(bench);
+    for (const act of acts) await act(bench);
     expect(way(states)).toBe(expected);
     expect(link.state).toBe(states.at(-1));
 
