@@ -15,21 +15,6 @@ describe('a loss', () => {
     expect(port.readable).toBeNull();
   });
 
-  test('ends the loop of the standard', async () => {
-    const { serial, port } = await openPort();
-    let turns = 0;
-    const loop = async (): Promise<void> => {
-      while (port.readable && turns++ < 5) {
-        const reader = port.readable.getReader();
-        serial.unplug(port);
-        await reader.cancel().catch(() => {});
-        reader.releaseLock();
-      }
-    };
-    await loop();
-    expect(turns).toBe(1);
-  });
-
   test('does not disturb a writer that closes with nothing to send: it resolves, and writable is a new stream', async () => {
     const { serial, port } = await openPort();
     const { writable } = port;

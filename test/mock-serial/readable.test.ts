@@ -163,14 +163,6 @@ describe('readable attribute: errors', () => {
     expect(await failure(second.read())).toBe('BreakError');
   });
 
-  test('an error comes at once when a read waits', async () => {
-    const { port, device } = await openPort();
-    const read = failure(reading(port).read());
-    await settled();
-    device.error('break');
-    expect(await read).toBe('BreakError');
-  });
-
   test('each of several errors ends its own stream', async () => {
     const { port, device } = await openPort();
     device.error('break');

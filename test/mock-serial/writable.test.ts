@@ -74,6 +74,7 @@ describe('writable attribute: chunks', () => {
     ['nothing', undefined],
     ['null', null],
     ['shared memory', new Uint8Array(new SharedArrayBuffer(4))],
+    ['what only says that it is a buffer', { [Symbol.toStringTag]: 'ArrayBuffer', byteLength: 2 }],
   ])('TypeError when it is %s', async (_, chunk) => {
     const { port, device } = await openPort();
     expect(await failure(writing(port).write(chunk as Uint8Array))).toBe('TypeError');

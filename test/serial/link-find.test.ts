@@ -292,38 +292,6 @@ describe('a port that is busy', () => {
     expect(link.state.status).toBe('on');
   });
 
-  it('between two rates is opened a second later', async () => {
-    const { clock, link, port, states } = linkBench({ answersAt: 19200 });
-    const open = port.open.bind(port);
-    let opened = 0;
-    port.open = async (options) => {
-      opened++;
-      // Once at each rate, and at the likeliest again.
-      if (opened > 1 && opened <= 1 + RATES.length)
-        throw new DOMException('Failed to open serial port.', 'NetworkError');
-      await open(options);
-    };
-    void link.connect(port);
-    await clock.advance(1500);
-    expect(link.state).toMatchObject({ status: 'opening', refusals: 1 });
-    await clock.advance(5000);
-    expect(link.state.status).toBe('on');
-    expect(way(states)).toBe('opening > searching > opening > searching > on');
-  });
-
-  it('between two quiet questions is reported, and opened when it is free', async () => {
-    const { clock, link, port, timer } = await waiting();
-    // The next time that the port is closed is for the third of the rates.
-    await clock.advance(5000);
-    port.device.busy = true;
-    await clock.advance(6000);
-    expect(link.state.status).toBe('opening');
-    port.device.busy = false;
-    timer.core.press();
-    await clock.advance(2000);
-    expect(link.state.status).toBe('on');
-  });
-
   it('is given up after 15 seconds', async () => {
     const { clock, connect, link, port } = linkBench({ plug: { busy: true } });
     const begin = clock.now();

@@ -105,15 +105,6 @@ describe('a port that returns', () => {
     expect(port.device.opened).not.toBeNull();
   });
 
-  it('is connected again as a new object of the same kind', async () => {
-    const { link, clock, adapter } = await on();
-    adapter.unplug();
-    await clock.advance(1000);
-    adapter.returnAsNew();
-    await clock.advance(500);
-    expect(portOf(link)).toBe(adapter.port);
-  });
-
   it.each(['the same', 'a new'])('is noticed when it was unplugged for no time, as %s object', async (as) => {
     const { link, clock, adapter, states } = await on();
     adapter.unplug();
@@ -305,13 +296,6 @@ describe('a port that returns', () => {
 });
 
 describe('a stream that fails with its plug in', () => {
-  it('is opened again within half a second', async () => {
-    const { link, clock, port } = await on();
-    port.device.error('lost');
-    await clock.advance(500);
-    expect(link.state.status).toBe('on');
-  });
-
   it('is tried for 15 seconds when the port does not open again', async () => {
     const { clock, port, states } = await on();
     port.device.error('lost');

@@ -271,17 +271,6 @@ describe('connect()', () => {
     expect(way(states)).toBe('opening > closing > opening > searching > on');
     expect(other.device.opened).toBeNull();
   });
-
-  it('closes what is open before it opens another port', async () => {
-    const { clock, link, port, serial } = await on();
-    const other = serial.plug({}, { granted: true });
-    other.device.onopenchange = (opened) => expect([opened && port.device.opened]).toEqual([null]);
-    void link.connect(other);
-    await clock.advance(1000);
-    expect(link.state.status).toBe('searching');
-    expect(portOf(link)).toBe(other);
-    expect(port.device.opened).toBeNull();
-  });
 });
 
 describe('choose()', () => {
