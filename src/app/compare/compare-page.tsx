@@ -125,7 +125,7 @@ function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
     { name: backups.title, of: sides.filter(({ kind }) => kind === 'backup') },
   ];
   return (
-    <label class="choice">
+    <label class="field">
       <span>{label}</span>
       <select
         value={chosen?.key ?? ''}

@@ -68,7 +68,7 @@ function LineChoice({ view }: { readonly view: LineView }) {
         chosen={view.filter.value}
         onChoose={(filter) => view.setFilter(filter)}
       />
-      <label class="choice search">
+      <label class="field search">
         <span>{label.search}</span>
         <input
           type="search"

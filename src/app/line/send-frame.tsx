@@ -54,7 +54,7 @@ function Bytes({ form }: { readonly form: FrameForm }) {
   const fault = form.fault.value;
   return (
     <div class="stack gap-1">
-      <label class="choice">
+      <label class="field">
         <span>{send.bytes}</span>
         <input
           type="text"
