@@ -108,8 +108,8 @@ export function ProgramTable({ session, bench, follow, marked, tools: given }: P
   return (
     <>
       <div
-        class={`table-box ${hasMotor ? 'with-motor' : ''} ${isLarge ? 'large' : ''}`}
-        style={{ '--rows': slots.length, '--servos': servos.length }}
+        class={`table-box ${isLarge ? 'large' : ''}`}
+        style={{ '--rows': slots.length + (hasMotor ? 1 : 0), '--servos': servos.length }}
       >
         <div class="table-scroller">
           <table
