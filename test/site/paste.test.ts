@@ -209,7 +209,7 @@ test('a sheet as the page shows it for printing is copied and pasted back', asyn
   }
   await paste(app, 'Function 5, S3', copied);
   const dialog = app.page.getByRole('dialog', { name: edits.pasting.apply });
-  await expect.poll(() => dialog.innerText()).toContain(edits.pasting.lead(4, false));
+  await expect.poll(() => dialog.innerText()).toContain(edits.pasting.lead(4));
   await dialog.getByRole('button', { name: edits.pasting.apply, exact: true }).click();
   await dialog.waitFor({ state: 'hidden' });
   await expect.poll(() => app.entries()).toEqual(before);

@@ -57,6 +57,17 @@ export function intervalKey(slot: number): string {
   return `interval:${slot}`;
 }
 
+/**
+ * The slot before whose row the motor stop of a Q stands: they are in the order of time. A function at the same time
+ * comes after it, because it moves with the motor stop. One more than the last slot when it comes after DT; null on
+ * other classes.
+ */
+export function motorRow({ identity, times }: TimerProgram): number | null {
+  if (identity.timerClass !== 'Q') return null;
+  const next = times.findIndex((time, slot) => slot > 0 && time >= (times[0] ?? 0));
+  return next < 0 ? times.length : next;
+}
+
 /** The rectangle with these two corners, in either order. */
 export function rangeBetween(a: GridCell, b: GridCell): GridRange {
   return {

@@ -105,12 +105,10 @@ export const edits = {
     choose: 'Choose',
     leaveOut: 'Leave out',
     table: 'What goes where',
-    /** @param rest what is left besides that which cannot be pasted. */
-    lead: (count: number, rest: boolean) =>
-      `${rest ? 'The rest' : 'This'} changes ${count === 0 ? 'nothing' : cells(count)}.`,
+    lead: (count: number) => `This changes ${count === 0 ? 'nothing' : cells(count)}.`,
     /** In a table, an ambiguous text is read in one way only, so the page says which. */
     reading: (field: string, text: string, time: string) => `${field}: “${text}” is read as ${time}.`,
-    problems: (all: boolean) => (all ? 'This cannot be pasted' : 'Part of this cannot be pasted'),
+    problems: 'This cannot be pasted:',
     /** Where a problem is that belongs to no field: in the text that was copied. */
     place: (row: number, column: number) => `Row ${row}, column ${column} of the copied text`,
     problem: (place: string, text: string, reason: string) => `${place}${text === '' ? '' : `, “${text}”`}: ${reason}`,

@@ -20,7 +20,7 @@ export interface Pasting {
   readonly text: string;
 }
 
-/** How many problems are named. */
+/** How much of a list is named. */
 const TOLD = 8;
 
 interface PasteDialogProps {
@@ -62,7 +62,6 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
   const preview = previewPaste(working, range, text, { answers: answers.value, unreadable: editor.unreadable.value });
   const { changes, values, problems, readings, questions } = preview;
   const isOpen = questions.some(({ answer }) => answer === null);
-  const isNone = values.length === 0;
   const apply = (): void => {
     editor.apply(pasted(preview));
     close();
@@ -88,38 +87,45 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
       {problems.length > 0 && (
         <div class="notice bad">
           <p>
-            <strong>{words.problems(isNone)}</strong>
+            <strong>{words.problems}</strong>
           </p>
-          <ul>
-            {problems.slice(0, TOLD).map((problem) => (
-              <li key={`${problem.row} ${problem.column} ${problem.code}`}>
-                {words.problem(placeOf(identity, problem), problem.text, pasteProblemText(problem))}
-              </li>
-            ))}
-          </ul>
-          {problems.length > TOLD && <p>{messages.value.more(problems.length - TOLD)}</p>}
+          <Told
+            texts={problems.map((problem) =>
+              words.problem(placeOf(identity, problem), problem.text, pasteProblemText(problem)),
+            )}
+          />
         </div>
       )}
-      <p>{words.lead(changes.length, problems.length > 0 && !isNone)}</p>
+      <p>{words.lead(changes.length)}</p>
       <PasteTable before={working} after={withValues(working, values)} preview={preview} />
       {readings.length > 0 && (
         <div class="notice">
-          <ul>
-            {readings.slice(0, TOLD).map(({ field, text, value }) => (
-              <li key={`${field.kind} ${field.slot} ${text}`}>
-                {words.reading(gridLabel(identity, field), text, spokenTime(value))}
-              </li>
-            ))}
-          </ul>
-          {readings.length > TOLD && <p>{messages.value.more(readings.length - TOLD)}</p>}
+          <Told
+            texts={readings.map(({ field, text, value }) =>
+              words.reading(gridLabel(identity, field), text, spokenTime(value)),
+            )}
+          />
         </div>
       )}
       <div class="buttons">
         <CancelButton onClick={close} />
-        <button type="button" class="primary" disabled={isNone || isOpen} onClick={apply}>
+        <button type="button" class="primary" disabled={values.length === 0 || isOpen} onClick={apply}>
           {words.apply}
         </button>
       </div>
+    </>
+  );
+}
+
+function Told({ texts }: { readonly texts: readonly string[] }) {
+  return (
+    <>
+      <ul>
+        {texts.slice(0, TOLD).map((text) => (
+          <li key={text}>{text}</li>
+        ))}
+      </ul>
+      {texts.length > TOLD && <p>{messages.value.more(texts.length - TOLD)}</p>}
     </>
   );
 }

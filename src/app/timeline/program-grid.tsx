@@ -6,6 +6,7 @@ import {
   gridField,
   INTERVAL_COLUMN,
   intervalAt,
+  motorRow,
   TIME_COLUMN,
 } from '../editing/grid.js';
 import { formatInterval } from '../editing/units.js';
@@ -97,13 +98,10 @@ function headingOf(column: number, servoName: (servo: number) => string): string
   return column === INTERVAL_COLUMN ? edits.table.interval : servoName(column - FIRST_SERVO_COLUMN);
 }
 
-/** A function at the time of the motor stop comes after it, as in the table on the screen. */
-function rowsOf({ identity, times }: TimerProgram): GridRow[] {
-  const rows: GridRow[] = times.map((_, slot) => slot);
-  if (identity.timerClass === 'Q') {
-    const next = times.findIndex((time, slot) => slot > 0 && time >= (times[0] ?? 0));
-    rows.splice(next < 0 ? rows.length : next, 0, 'motor');
-  }
+function rowsOf(program: TimerProgram): GridRow[] {
+  const rows: GridRow[] = program.times.map((_, slot) => slot);
+  const motor = motorRow(program);
+  if (motor !== null) rows.splice(motor, 0, 'motor');
   return rows;
 }
 

@@ -429,21 +429,6 @@ describe('the line', () => {
     await goTo('line');
     expect(screen.getByRole<HTMLInputElement>('searchbox').value).toBe('GETSERVO');
   });
-
-  it('shows each message with its direction, name and bytes, newest first', async () => {
-    await connected();
-    await goTo('line');
-    const log = within(screen.getByRole('table', { name: 'Line' }));
-    const rows = log.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent?.trim()));
-    expect(rows).toHaveLength(15);
-    expect(rows.at(-1)?.slice(1)).toEqual([en.line.out, 'Identify · GETSWVER', '00 00 00 00 00 03 6b 6b 45']);
-    expect(rows[5]?.slice(1)).toEqual([
-      en.line.in,
-      'Read idle throttle, reply · GETLOWRPM 30, unit unknown',
-      '00 00 00 00 00 04 76 1e 94 45',
-    ]);
-    expect(rows[1]?.[0]).toMatch(/^\d\d:\d\d:\d\d\.\d{3}$/);
-  });
 });
 
 describe('after a loss', () => {
