@@ -76,7 +76,7 @@ function placesOf(models: AppModels): Places {
     ),
     modelSections: (record) => (
       <>
-        <FlightsSection {...flightsOf} of={{ model: record.key }} />
+        <FlightsSection {...flightsOf} of={{ kind: 'model', id: record.key, name: record.model.name }} />
         <BackupList
           session={session}
           of={record}
@@ -100,6 +100,8 @@ function placesOf(models: AppModels): Places {
         />
       </>
     ),
-    settingSections: ({ key }) => <FlightsSection {...flightsOf} of={{ setting: key }} />,
+    settingSections: ({ key, setting }) => (
+      <FlightsSection {...flightsOf} of={{ kind: 'setting', id: key, name: setting.name }} />
+    ),
   };
 }

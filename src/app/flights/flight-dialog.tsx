@@ -1,7 +1,5 @@
-import { useSignal } from '@preact/signals';
 import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
-import { on } from '../browser/lifecycle.js';
 import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { dtText, messages } from '../messages/index.js';
@@ -16,7 +14,7 @@ import { placesOf, ROUND_MAXIMUM } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { clockOf, dayHeading, heldText, resultText } from './flight-text.js';
 import { measureText } from './measures.js';
-import { MeasureField, MeasureProblem, Stepper } from './stepper.js';
+import { Stepper } from './stepper.js';
 import './flight-dialog.css';
 
 interface FlightDialogProps {
@@ -58,7 +56,6 @@ function Form({ id, session, log }: FormProps) {
     return opened ? new FlightForm(log, opened.flight, before) : null;
   }, [id, log, flights]);
   const box = useRef<HTMLFormElement>(null);
-  useEffect(() => on('hide', () => form?.keepNow()), [form]);
   if (!form) return null;
   const flight = form.flight.value;
   const done = (event: Event): void => {
@@ -89,7 +86,7 @@ function Form({ id, session, log }: FormProps) {
           rows={2}
           maxLength={LIMITS.note}
           value={flight.note}
-          onInput={({ currentTarget }) => form.setNote(currentTarget.value)}
+          onInput={({ currentTarget }) => form.set({ note: currentTarget.value })}
         />
       </label>
       <Where session={session} form={form} />
@@ -113,13 +110,23 @@ function Form({ id, session, log }: FormProps) {
 
 function Result({ form }: { readonly form: FlightForm }) {
   const { form: words } = flightMessages;
-  const [id, note, hint] = [useId(), useId(), useId()];
+  const field = useId();
   const { result } = form.flight.value;
   return (
-    <div class="stack gap-1 flight-field">
-      <label for={id}>{words.result}</label>
-      <span class="buttons flight-result-line">
-        <MeasureField form={form} measure="result" id={id} note={`${note} ${hint}`} />
+    <div class="stack">
+      <Stepper form={form} measure="result" label={words.result} unit="s" field={field} />
+      {form.either.value && (
+        <TimeQuestion
+          label={words.result}
+          either={form.either.value}
+          onAnswer={(value, byKey) => {
+            form.answer(value);
+            if (byKey) document.getElementById(field)?.focus();
+          }}
+          onEscape={() => form.answer(null)}
+        />
+      )}
+      <div class="row">
         <button
           type="button"
           class="chip"
@@ -129,22 +136,8 @@ function Result({ form }: { readonly form: FlightForm }) {
         >
           {words.fullShort}
         </button>
-      </span>
-      {form.either.value && (
-        <TimeQuestion
-          label={words.result}
-          either={form.either.value}
-          onAnswer={(value, byKey) => {
-            form.answer(value);
-            if (byKey) document.getElementById(id)?.focus();
-          }}
-          onEscape={() => form.answer(null)}
-        />
-      )}
-      <MeasureProblem form={form} measure="result" unit="s" note={note} />
-      <span class="hint" id={hint}>
-        {result === null ? words.resultHint : understood(result)}
-      </span>
+        <span class="hint">{result === null ? words.resultHint : understood(result)}</span>
+      </div>
     </div>
   );
 }
@@ -174,24 +167,20 @@ const FLY_OFF = 'fly-off';
 /** The rounds that have buttons. */
 const ROUNDS: readonly string[] = ['1', '2', '3', '4', '5', FLY_OFF];
 
-/** A round that a button tells is not told again in the field for others. */
 function Round({ form }: { readonly form: FlightForm }) {
   const { form: words } = flightMessages;
   const { round } = form.flight.value;
-  // While it is typed: “1” may become “12”.
-  const typed = useSignal('');
-  const isTold = ROUNDS.includes(round) && round !== typed.value;
   return (
-    <fieldset class="stack gap-1 flight-field flight-rounds">
+    <fieldset class="stack gap-1 flight-field">
       <legend>{words.round}</legend>
-      <span class="flight-chips">
+      <span class="row">
         {ROUNDS.map((value) => (
           <button
             type="button"
             class="chip"
             key={value}
             aria-pressed={round === value}
-            onClick={() => form.pickRound(value)}
+            onClick={() => form.set({ round: round === value ? '' : value })}
           >
             {value === FLY_OFF ? words.flyOff : value}
           </button>
@@ -200,16 +189,9 @@ function Round({ form }: { readonly form: FlightForm }) {
           type="text"
           autocomplete="off"
           aria-label={words.round}
-          placeholder={words.otherRound}
           maxLength={LIMITS.round}
-          value={isTold ? '' : round}
-          onInput={({ currentTarget }) => {
-            typed.value = currentTarget.value;
-            form.setRound(typed.value);
-          }}
-          onBlur={() => {
-            typed.value = '';
-          }}
+          value={round}
+          onInput={({ currentTarget }) => form.set({ round: currentTarget.value })}
         />
       </span>
     </fieldset>
@@ -278,7 +260,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
             autocomplete="off"
             maxLength={LIMITS.place}
             value={flight.place}
-            onInput={({ currentTarget }) => form.setPlace(currentTarget.value)}
+            onInput={({ currentTarget }) => form.set({ place: currentTarget.value })}
           />
         </label>
         <datalist id={places}>
@@ -296,7 +278,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
             ]}
             nameOf={(key) => (key === null ? noModel : (models.get(key)?.model.name ?? flight.modelName))}
             chosen={flight.model}
-            onChoose={(key) => form.setModel(models.get(key)?.model ?? null)}
+            onChoose={(model) => form.set({ model, modelName: models.get(model)?.model.name ?? '' })}
           />
         </label>
       </div>

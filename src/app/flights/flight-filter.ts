@@ -4,15 +4,20 @@ export const FLIGHTS = 'flights';
 export const PERIODS = ['all', 'today', 'year'] as const;
 type Period = (typeof PERIODS)[number];
 
+/** A model, or a saved program, whose flights are shown. */
+export interface FlownBy {
+  readonly kind: 'model' | 'setting';
+  readonly id: string;
+  readonly name: string;
+}
+
 /** Which flights of the log are shown. An empty field filters nothing. */
 export interface FlightFilter {
-  /** A model by its id; null for any. */
-  readonly model: string | null;
-  /** A saved program by its id; null for any. */
-  readonly setting: string | null;
+  /** Whose flights; null for all. */
+  readonly of: FlownBy | null;
   /** Words that must stand somewhere in the texts of a flight. */
   readonly text: string;
   readonly period: Period;
 }
 
-export const NO_FILTER: FlightFilter = { model: null, setting: null, text: '', period: 'all' };
+export const NO_FILTER: FlightFilter = { of: null, text: '', period: 'all' };

@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
-import type { Flight, Model } from '../../program/index.js';
+import type { Flight } from '../../program/index.js';
 import type { Ambiguous } from '../editing/units.js';
 import { dayOf, momentOf, nextRound, timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
@@ -29,8 +29,6 @@ export class FlightForm {
   readonly #before: Pick<Flight, Measure | 'round'>;
   /** The value of the field that is being typed in, from before that. */
   #resting: number | null = null;
-  #waits = false;
-  #keeping = false;
 
   /** @param before the flights before this one, the latest first. */
   constructor(log: FlightLog, opened: Flight, before: readonly Flight[]) {
@@ -113,26 +111,9 @@ export class FlightForm {
     if (isDate) this.#change({ at });
   }
 
-  setRound(round: string): void {
-    this.#change({ round });
-  }
-
-  /** Sets the round of a button. Pressed again, the button removes it. */
-  pickRound(round: string): void {
-    this.setRound(this.flight.peek().round === round ? '' : round);
-  }
-
-  setPlace(place: string): void {
-    this.#change({ place });
-  }
-
-  setNote(note: string): void {
-    this.#change({ note });
-  }
-
-  /** @param model null for none. */
-  setModel(model: Model | null): void {
-    this.#change({ model: model?.id ?? null, modelName: model?.name ?? '' });
+  /** Changes what needs no reading. */
+  set(changes: Partial<Pick<Flight, 'round' | 'place' | 'note' | 'model' | 'modelName'>>): void {
+    this.#change(changes);
   }
 
   #text(field: Field, text: string | null): void {
@@ -144,24 +125,7 @@ export class FlightForm {
 
   #change(changes: Partial<Flight>): void {
     this.#changes.value = { ...this.#changes.peek(), ...changes };
-    void this.#keep();
-  }
-
-  /** The pilot leaves the page: keeps what waits for the save in progress. */
-  keepNow(): void {
-    if (this.#waits) void this.#log.change(this.#opened.id, this.#changes.peek());
-  }
-
-  /** One save at a time: changes that come during a save wait for the next one. */
-  async #keep(): Promise<void> {
-    this.#waits = true;
-    if (this.#keeping) return;
-    this.#keeping = true;
-    while (this.#waits) {
-      this.#waits = false;
-      await this.#log.change(this.#opened.id, this.#changes.peek());
-    }
-    this.#keeping = false;
+    void this.#log.change(this.#opened.id, changes);
   }
 }
 

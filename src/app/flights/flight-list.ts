@@ -30,13 +30,12 @@ export interface FlightDay {
  * @param now milliseconds since 1970, because periods end today.
  */
 export function filtered(records: readonly FlightRecord[], filter: FlightFilter, now: number): readonly FlightRecord[] {
-  const { model, setting } = filter;
+  const { of } = filter;
   const from = beginOf(filter.period, now);
   const isFound = searchFor(filter.text);
   return records.filter((record) => {
     const { flight } = record;
-    if (model !== null && flight.model !== model) return false;
-    if (setting !== null && flight.setting !== setting) return false;
+    if (of && flight[of.kind] !== of.id) return false;
     if (flight.at < from) return false;
     return filter.text === '' || isFound(textOf(record));
   });

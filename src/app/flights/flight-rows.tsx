@@ -41,18 +41,12 @@ export function FlightRows({ days, ...props }: FlightRowsProps) {
 
 interface RowProps extends Omit<FlightRowsProps, 'days'> {
   readonly record: FlightRecord;
-  /** The list stands under a model or a setting, not under days. */
-  readonly of?: 'model' | 'setting';
 }
 
-export function Row({ record: { key, flight }, shortDt, onOpen, of }: RowProps) {
+function Row({ record: { key, flight }, shortDt, onOpen }: RowProps) {
   const { row: words } = flightMessages;
   const { wind, temperature, round, result, note, program } = flight;
-  const day = of && dotted([dayHeading(flight), flight.place]);
-  // A name that all rows share stands above them.
-  const name = of === 'setting' ? '' : of === 'model' ? flight.settingName : flight.modelName || messages.value.noModel;
   const facts = [
-    (name && day) || null,
     round === '' ? null : words.round(round),
     wind === null ? null : words.wind(measureText(wind)),
     temperature === null ? null : words.temperature(measureText(temperature)),
@@ -63,8 +57,8 @@ export function Row({ record: { key, flight }, shortDt, onOpen, of }: RowProps) 
       <button type="button" class="flight-row" onClick={() => onOpen(key)}>
         <span class="flight-time">{clockOf(flight)}</span>
         <span class="flight-what">
-          <b>{name || day}</b>
-          {!of && flight.settingName && `\u00a0· ${flight.settingName}`}
+          <b>{flight.modelName || messages.value.noModel}</b>
+          {flight.settingName && `\u00a0· ${flight.settingName}`}
         </span>
         {facts.some(Boolean) && <small class="flight-facts">{dotted(facts)}</small>}
         <span class="flight-end">

@@ -1,14 +1,16 @@
 import { useEffect, useLayoutEffect } from 'preact/hooks';
+import { saveFile } from '../browser/save-file.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import type { FlightRecord } from '../storage/index.js';
 import { BackHead } from '../ui/back-head.js';
-import { CsvExport } from './csv-export.js';
 import { FilterBar } from './filter-bar.js';
 import { NO_FILTER } from './flight-filter.js';
-import { filtered, grouped } from './flight-list.js';
+import { dayOf, filtered, grouped } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { FlightRows } from './flight-rows.js';
+import { flightsCsv, marksOf } from './flights-csv.js';
 import { FlyingThis } from './flying-this.js';
 import { TotalsLine } from './totals-line.js';
 import './flights-view.css';
@@ -66,7 +68,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
       )}
       {list.value.length > 0 && (
         <>
-          {(list.value.length >= MANY || filter !== NO_FILTER) && <FilterBar session={session} log={log} />}
+          {(list.value.length >= MANY || filter !== NO_FILTER) && <FilterBar log={log} />}
           <div class="row flights-sum">
             <TotalsLine records={shown} />
             {shown.length < list.value.length && (
@@ -78,7 +80,9 @@ export function FlightsView({ session, log }: FlightsViewProps) {
           {shown.length === 0 && <p class="hint">{words.nothingFound}</p>}
           {loaded.value && (
             <div class="buttons">
-              <CsvExport records={shown} />
+              <button type="button" disabled={shown.length === 0} onClick={() => saveTable(shown)}>
+                {words.csv.save}
+              </button>
             </div>
           )}
           <FlightRows days={grouped(shown)} shortDt={session.shortDt} onOpen={(key) => log.fillIn(key)} />
@@ -86,4 +90,11 @@ export function FlightsView({ session, log }: FlightsViewProps) {
       )}
     </div>
   );
+}
+
+/** As a table for a spreadsheet, in the way of the browser's language. */
+function saveTable(records: readonly FlightRecord[]): void {
+  const flights = records.map(({ flight }) => flight);
+  const text = flightsCsv(flights, { marks: marksOf(), heads: flightMessages.csv.columns });
+  saveFile(`flights-${dayOf({ at: Date.now() })}.csv`, text, 'text/csv');
 }

@@ -10,12 +10,18 @@ interface StepperProps {
   readonly measure: Measure;
   readonly label: string;
   readonly unit: string;
+  /** The id of its field. */
+  readonly field?: string;
 }
 
-/** A number for cold hands: a field between a large button down and one up. */
-export function Stepper({ form, measure, label, unit }: StepperProps) {
+/** A number for cold hands: a field between a large button down and one up, and why a typed text is none. */
+export function Stepper({ form, measure, label, unit, field }: StepperProps) {
   const { less, moreOf } = messages.value;
-  const [id, note] = [useId(), useId()];
+  const { form: words } = flightMessages;
+  const [own, note] = [useId(), useId()];
+  const id = field ?? own;
+  const problem = form.problems.value.get(measure);
+  const { min, max } = RANGES[measure];
   return (
     <div class="stepper">
       <label for={id}>
@@ -25,57 +31,27 @@ export function Stepper({ form, measure, label, unit }: StepperProps) {
         <button type="button" aria-label={less(label)} onClick={() => form.step(measure, -1)}>
           {'−'}
         </button>
-        <MeasureField {...{ form, measure, id, note }} />
+        <input
+          type="text"
+          // A number pad without minus sign and colon would be useless here.
+          inputMode={measure === 'wind' ? 'decimal' : 'text'}
+          autocomplete="off"
+          id={id}
+          aria-describedby={note}
+          aria-invalid={problem !== undefined}
+          value={form.textOf(measure)}
+          onInput={({ currentTarget }) => form.type(measure, currentTarget.value)}
+          onBlur={() => form.leave(measure)}
+        />
         <button type="button" aria-label={moreOf(label)} onClick={() => form.step(measure, 1)}>
           {'+'}
         </button>
       </span>
-      <MeasureProblem {...{ form, measure, unit, note }} />
+      {problem && (
+        <p class="bad-text stepper-problem" id={note} role="alert">
+          {problem === 'out-of-range' ? words.range(min, max, unit) : words.unreadable[problem]}
+        </p>
+      )}
     </div>
-  );
-}
-
-interface MeasureFieldProps {
-  readonly form: FlightForm;
-  readonly measure: Measure;
-  readonly id: string;
-  /** The id of the text about it. */
-  readonly note: string;
-}
-
-export function MeasureField({ form, measure, id, note }: MeasureFieldProps) {
-  return (
-    <input
-      type="text"
-      // A number pad without minus sign and colon would be useless here.
-      inputMode={measure === 'wind' ? 'decimal' : 'text'}
-      autocomplete="off"
-      id={id}
-      aria-describedby={note}
-      aria-invalid={form.problems.value.has(measure)}
-      value={form.textOf(measure)}
-      onInput={({ currentTarget }) => form.type(measure, currentTarget.value)}
-      onBlur={() => form.leave(measure)}
-    />
-  );
-}
-
-interface MeasureProblemProps {
-  readonly form: FlightForm;
-  readonly measure: Measure;
-  readonly unit: string;
-  readonly note: string;
-}
-
-/** Why a number was refused. */
-export function MeasureProblem({ form, measure, unit, note }: MeasureProblemProps) {
-  const { form: words } = flightMessages;
-  const problem = form.problems.value.get(measure);
-  if (!problem) return null;
-  const { min, max } = RANGES[measure];
-  return (
-    <p class="bad-text stepper-problem" id={note} role="alert">
-      {problem === 'out-of-range' ? words.range(min, max, unit) : words.unreadable[problem]}
-    </p>
   );
 }

@@ -49,7 +49,6 @@ export const flightMessages = {
     fullShort: '180 s',
     round: 'Round',
     flyOff: 'Fly-off',
-    otherRound: 'Other',
     wind: 'Wind',
     windUnit: 'm/s',
     temperature: 'Temperature',

@@ -1,3 +1,4 @@
+import { on } from '../browser/lifecycle.js';
 import { attempt, NoAnswer } from '../browser/services.js';
 
 /** How long the storage may take for one call, in milliseconds. */
@@ -33,6 +34,7 @@ export class StorageQuestions {
   constructor(watch: StorageWatch, ...shelves: string[]) {
     this.#watch = watch;
     this.#shelves = shelves;
+    on('leave', () => this.#send());
   }
 
   /**
@@ -52,7 +54,7 @@ export class StorageQuestions {
       this.#waiting.add(send);
       if (waits) void this.#changes.then(send);
       else if (kind === 'read') send();
-      else for (const each of this.#waiting) each();
+      else this.#send();
     });
     // Without the results: each would hold the one before, for as long as the page is open.
     if (kind === 'change') this.#changes = Promise.allSettled([this.#changes, answer]).then(() => {});
@@ -82,5 +84,9 @@ export class StorageQuestions {
       }
       throw error;
     }
+  }
+  /** The pilot leaves the page: all that wait have their turn now, in their order. */
+  #send(): void {
+    for (const each of this.#waiting) each();
   }
 }

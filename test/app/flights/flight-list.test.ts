@@ -20,8 +20,11 @@ import { anyLog, recordOf } from './flights.js';
 
 const NOW = new Date(2026, 0, 18, 12).getTime();
 const anyFilter: fc.Arbitrary<FlightFilter> = fc.record({
-  model: fc.constantFrom(null, 'lancer', 'gone'),
-  setting: fc.constantFrom(null, 'calm'),
+  of: fc.constantFrom(null, ...(['lancer', 'gone'] as const).map((id) => ({ kind: 'model', id, name: '' }) as const), {
+    kind: 'setting',
+    id: 'calm',
+    name: '',
+  } as const),
   text: fc.constantFrom('', 'a', 'gyu 1', 'É'),
   period: fc.constantFrom(...PERIODS),
 });
@@ -47,7 +50,7 @@ describe('the filter of the log', () => {
         expect(filtered(log, filter, NOW)).toEqual(inTurn);
         const days = { all: '', today: '2026-01-18', year: '2026-01-01' };
         for (const { flight } of inTurn) {
-          if (filter.model !== null) expect(flight.model).toBe(filter.model);
+          if (filter.of) expect(flight[filter.of.kind]).toBe(filter.of.id);
           expect(dayOf(flight) >= days[filter.period]).toBe(true);
         }
       }),

@@ -249,25 +249,14 @@ describe('the form of a flight', () => {
     expect(other.form.textOf('wind')).toBe('2');
   });
 
-  it('removes a round when it is picked twice, and a date', async () => {
+  it('takes a date, and keeps it where a text is none', async () => {
     const { app, form } = await opened();
-    form.pickRound('3');
-    expect(form.flight.value.round).toBe('3');
-    form.pickRound('3');
-    expect(form.flight.value.round).toBe('');
     expect(form.when).toBe('2026-11-22T14:05');
     form.setWhen('2026-11-20T09:30');
     await idle(0);
     expect(latest(app).at).toBe(new Date(2026, 10, 20, 9, 30).getTime());
     form.setWhen('');
     expect([form.problems.value.has('at'), latest(app).at]).toEqual([true, new Date(2026, 10, 20, 9, 30).getTime()]);
-  });
-
-  it('keeps the last of many letters typed while the browser is slow', async () => {
-    const { app, form } = await opened();
-    for (const note of ['g', 'go', 'goo', 'good']) form.setNote(note);
-    await idle(0);
-    expect(kept(app).map(({ note }) => note)).toEqual(['good']);
   });
 
   it('proposes the next round and the last wind of the day, and notes them with one tap', async () => {
