@@ -144,12 +144,12 @@ test.each([
     await app.button(en.overview.readAll).click();
     await app.page.getByText('memories were read').waitFor();
     await see('all read');
-    await app.page.getByLabel('Copy to…: M2').click();
+    await app.page.getByLabel('Copy to…: M2', { exact: true }).click();
     await see('memories, read');
     await app.button('Compare with M1: M3').click();
     await see('memories compared');
     await app.goTo('Memories');
-    await app.page.getByLabel('Copy to…: M1').click();
+    await app.page.getByLabel('Copy to…: M1', { exact: true }).click();
     await app.button('Copy M1 to M3').click();
     await dialog.getByRole('checkbox').first().waitFor();
     await see('copy');

@@ -114,7 +114,7 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   await isIn(app.page.locator('.memories label').last());
   await app.page.locator('.strip-close').click();
   await app.goTo('Memories');
-  await app.page.getByLabel('Copy to…: M1').click();
+  await app.page.getByLabel('Copy to…: M1', { exact: true }).click();
   await isIn(app.button('Copy M1 to M5'));
   await app.expectNoSidewaysScrolling();
   for (const help of HELP_PAGES) {
@@ -133,7 +133,7 @@ test('a copy of a memory shows all three servos on a small phone in the sun', as
   await app.goTo('Memories');
   await app.button(en.overview.readAll).click();
   await app.page.getByText('memories were read').waitFor();
-  await app.page.getByLabel('Copy to…: M1').click();
+  await app.page.getByLabel('Copy to…: M1', { exact: true }).click();
   await app.button('Copy M1 to M3').click();
   const grid = app.page.getByRole('dialog').locator('.program-grid');
   await grid.waitFor();
@@ -166,7 +166,7 @@ test('on a desktop two memories stand beside each other, with the buttons of eac
   const found = await app.page.locator('.memory-card').evaluateAll((cards) => ({
     columns: new Set(cards.map((card) => card.getBoundingClientRect().left)).size,
     lines: cards.map((card) => {
-      const buttons = [...card.querySelectorAll('.card-actions button')];
+      const buttons = [...card.querySelectorAll('.card-actions > *')];
       return new Set(buttons.map((button) => button.getBoundingClientRect().top)).size;
     }),
   }));
@@ -247,7 +247,7 @@ test.each([
   await app.text('M255 has not been read').waitFor();
   await app.expectNoSidewaysScrolling();
   await app.goTo('Memories');
-  await app.page.getByLabel('Copy to…: M1').click();
+  await app.page.getByLabel('Copy to…: M1', { exact: true }).click();
   const pick = app.button('Copy M1 to M255');
   await pick.scrollIntoViewIfNeeded();
   await expect.poll(() => isSeen(pick)).toBe(true);

@@ -99,7 +99,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
   await app.page.getByText(en.notes['backed-up'].title).waitFor();
   expect(await memories(), 'a backup changes no memory').toEqual(before);
 
-  await app.page.getByLabel('Copy to…: M1').click();
+  await app.page.getByLabel('Copy to…: M1', { exact: true }).click();
   await app.button('Copy M1 to M3').click();
   const copy = job('Copy M1 to M3');
   expect(await copy.getByRole('button', { name: /^Write/ }).isDisabled(), 'a copy can start only after the tick').toBe(

@@ -109,7 +109,7 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
       await app.page.getByText('memories were read').waitFor();
       await pilot.press(app.button('Compare with M1: M2'));
       await pilot.press(app.page.getByRole('link', { name: 'Memories', exact: true }));
-      await pilot.press(app.page.getByLabel('Copy to…: M1'));
+      await pilot.press(app.page.getByLabel('Copy to…: M1', { exact: true }));
       await pilot.press(app.button('Copy M1 to M2'));
       await pilot.press(dialog(app).getByRole('checkbox', { name: 'The propeller is off' }));
       await pilot.press(dialog(app).getByRole('button', { name: /^(Copy|Write)/ }));

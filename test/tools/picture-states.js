@@ -670,7 +670,7 @@ export const states = {
     reach: async (page) => {
       await connect(page);
       await goTo(page, 'memories');
-      await page.getByLabel('Copy to…: M1').click();
+      await page.getByLabel('Copy to…: M1', { exact: true }).click();
       await press(page, /^Copy M1 to M/);
       await page.getByRole('dialog').getByRole('checkbox').first().waitFor();
     },

@@ -67,7 +67,7 @@ function Card({ known, scale, ...props }: CardProps) {
   return (
     <li>
       <article {...box} class={`stack panel memory-card ${isCurrent ? 'current' : ''}`} aria-labelledby={title}>
-        <header>
+        <header class="row">
           <h2 id={title}>{memoryName(memory)}</h2>
           <MemoryName session={session} memory={memory} />
           {isCurrent && isConnected && (
@@ -99,7 +99,7 @@ interface FiguresProps extends Pick<CardProps, 'session' | 'known'> {
 function Figures({ session, known, program: { identity } }: FiguresProps) {
   const { look, program: names } = messages.value;
   return (
-    <p class="card-figures">
+    <p class="row card-figures">
       {keyFields(identity).map((field, at) => {
         const values = possibleValues(known, field);
         const texts = values.map((value) => figureText(identity, field, value));

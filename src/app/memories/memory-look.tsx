@@ -55,7 +55,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
       </div>
       {known.state === 'read' && (
         <>
-          <p class="held-figures">
+          <p class="row held-figures">
             {keyFigures(known.program).map(({ label, text }, at) => {
               // DT comes first.
               const isShort = at === 0 && session.shortDt.isShort(known.program);

@@ -9,7 +9,7 @@ import '../write/unfinished-band.css';
  * behind it.
  */
 export function UnfinishedBand(props: UnfinishedProps) {
-  const { recovery: words } = messages.value;
+  const { more } = messages.value;
   const isOpen = useSignal(false);
   // What can be done about a write waits while the dialog of another one is open.
   const isWriting = props.write.current.value !== null;
@@ -31,7 +31,7 @@ export function UnfinishedBand(props: UnfinishedProps) {
             aria-expanded={isOpen.value}
             onClick={() => (isOpen.value = !isOpen.value)}
           >
-            {words.more(jobs.length - 1)}
+            {more(jobs.length - 1)}
           </button>
         </p>
       )}
@@ -46,7 +46,7 @@ function Unfinished({ entry }: { readonly entry: Entry }) {
   const asked = useSignal<Way['sure'] | null>(null);
   const sure = asked.value;
   return (
-    <section class={isGrave ? 'uncertain' : 'recovery'} aria-label={name}>
+    <section class={`row ${isGrave ? 'uncertain' : 'recovery'}`} aria-label={name}>
       <p key={title}>
         <strong>{title}</strong> {said && <span>{said}</span>}
       </p>

@@ -8,15 +8,7 @@ import { memoryOf, memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import type { OpenTrial } from '../session/trials.js';
 import type { OpenJob } from '../session/unfinished-work.js';
-import {
-  graveText,
-  interruptedText,
-  isHere,
-  triedElsewhere,
-  triedText,
-  type Where,
-  whereOf,
-} from '../write/unfinished-text.js';
+import { graveText, isHere, triedElsewhere, triedText, type Where, whereOf } from '../write/unfinished-text.js';
 import type { ValueTable } from '../write/value-table.js';
 import type { WriteJob } from '../write/write-job.js';
 import { finishWrite, takeGoal } from './finish-write.js';
@@ -121,7 +113,7 @@ function offered({ session, write: job }: UnfinishedProps, offer: Offer): Entry 
   if (offer.kind === 'memories') {
     const { title } = timer['memory-left'];
     const { original } = offer.record;
-    const said = words.left(interruptedText(offer.record), memoryName(original), memoryOf(null, offer.current));
+    const said = words.left(memoryName(original), memoryOf(null, offer.current));
     const back: Way = { ...fly(original), look: 'primary' };
     return { name: title, isGrave: false, title, said, ways: [back, otherTimer, leave] };
   }

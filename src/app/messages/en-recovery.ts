@@ -20,22 +20,12 @@ export const recovery = {
   before: 'Before',
   elsewhere: (memory: string) =>
     `A write into ${memory} of a timer of this kind was interrupted. Make ${memory} fly next to see what it holds.`,
-  /** @param interrupted one of the sentences below. */
-  left: (interrupted: string, original: string, current: string) =>
-    `${interrupted} Now ${current} flies next. Before that it was ${original}.`,
+  left: (original: string, current: string) =>
+    `Work on the memories was interrupted. Now ${current} flies next. Before that it was ${original}.`,
   /** By a note of this page alone: nobody has asked the timer since. */
   mayFly: (memory: string) => `${memory} may fly next: selecting it was interrupted.`,
-  mayNotFly: (original: string, interrupted: string) => `${interrupted} Another memory than ${original} may fly next.`,
-  interrupted: {
-    look: (memory: string) => `A look at ${memory} was interrupted.`,
-    'back-up': 'Reading all memories was interrupted.',
-    copy: 'A copy was interrupted.',
-    restore: 'A restore was interrupted.',
-    /** For notes of earlier versions. */
-    unknown: 'Work on the memories was interrupted.',
-  },
-  /** What else is unfinished. */
-  more: (count: number) => `And ${count} more`,
+  mayNotFly: (original: string) =>
+    `Work on the memories was interrupted. Another memory than ${original} may fly next.`,
   unknownMemory: 'an unknown memory',
 };
 

@@ -70,6 +70,6 @@ export const write = {
     advice: `Some of the values may be in ${memory} now. Read it, and look at all of it before you fly it.`,
   }),
   refused: 'Nothing was written.',
-  status: { verified: 'verified', differs: 'differs', unknown: 'not known' },
+  status: { differs: 'differs', unknown: 'not known' },
   putBack: 'changed by itself, put back',
 };

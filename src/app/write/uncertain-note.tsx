@@ -14,7 +14,7 @@ export function UncertainNote({ session }: { readonly session: Session }) {
   const here = session.knowledge.uncertain.value.filter((one) => isHere(session, whereOf(one)) || isShown(one));
   if (here.length === 0) return null;
   return (
-    <div class="uncertain">
+    <div class="stack uncertain">
       {here.map((one) => (
         <p key={one.key}>{uncertainText(one, null)}</p>
       ))}

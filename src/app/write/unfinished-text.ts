@@ -61,21 +61,13 @@ export function triedElsewhere(session: Session, trial: OpenTrial): string {
   return messages.value.bench.triedIn(placeText(session, whereOf(trial), trial.before.memory));
 }
 
-/** “A look at M3 was interrupted.” */
-export function interruptedText({ job, memory }: UnfinishedRoundTrip): string {
-  const { interrupted } = messages.value.recovery;
-  return job === 'look' || job === 'select'
-    ? interrupted.look(memoryOf(null, memory ?? null))
-    : interrupted[job ?? 'unknown'];
-}
-
 /** “M3 of the F1Q 536 may fly next: selecting it was interrupted.” */
 function leftText(session: Session, record: UnfinishedRoundTrip): string {
   const { recovery: words } = messages.value;
   const where = whereOf(record);
   if (record.job === 'look' || record.job === 'select')
     return words.mayFly(placeText(session, where, record.memory ?? null));
-  return words.mayNotFly(placeText(session, where, record.original), interruptedText(record));
+  return words.mayNotFly(placeText(session, where, record.original));
 }
 
 function placeText(session: Session, where: Where, memory: number | null): string {

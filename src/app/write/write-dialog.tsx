@@ -100,7 +100,7 @@ function KeyFigures({ session, change }: { readonly session: Session; readonly c
   // A goal without an idle throttle leaves it as it is.
   const goal = { ...change.goal, idleThrottle: change.goal.idleThrottle ?? before.idleThrottle };
   return (
-    <p class="key-figures">
+    <p class="row key-figures">
       {keyFields(identity).map((field, at) => {
         const [from, to] = [valueAt(before, field), valueAt(goal, field)];
         // DT comes first.
@@ -137,11 +137,7 @@ function ReviewStep({ session, write, review }: ReviewProps) {
       )}
       {isEdits && <Conflicts editor={session.editor} />}
       <Refusals session={session} changes={changes} />
-      <CrossingCheck
-        crossing={crossing}
-        acknowledged={write.crossed.value}
-        onAcknowledge={(wanted) => write.cross(wanted)}
-      />
+      <CrossingCheck crossing={crossing} write={write} />
       {isEdits && <Serious write={write} identity={changes[0]?.goal.identity} />}
       {all.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
       {(!isEdits || all.length > 0) && <p>{leadOf(session, review)}</p>}
@@ -350,11 +346,11 @@ function EndTable({ session, end: { report, change, memory }, isOnly }: EndTable
       <ValueTable
         identity={change.goal.identity}
         names={[words.wanted, words.readBack]}
-        rows={shown.map(({ field, wanted, held, status, asked }) => ({
+        rows={shown.map(({ field, wanted, held, status }) => ({
           field,
           values: [wanted, held],
           // An unknown value has its own text already.
-          note: status === 'unknown' ? null : asked || status !== 'verified' ? words.status[status] : words.putBack,
+          note: { unknown: null, differs: words.status.differs, verified: words.putBack }[status],
         }))}
         lastCounts
       />

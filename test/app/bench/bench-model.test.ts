@@ -399,17 +399,6 @@ describe('following', () => {
     expect(stored(app)).toEqual([]);
   });
 
-  it('is off as soon as all memories are read', async () => {
-    const app = await followingBench();
-    const following: boolean[] = [];
-    app.timer.core.onAnswer = ({ name }) => {
-      if (name === 'SETMEMORY') following.push(app.follow.on.value);
-    };
-    await run(app.memories.backUp());
-    expect([following.length, following.includes(true)]).toEqual([4, false]);
-    expect(app.session.nextFlight.open.value).toBe(false);
-  });
-
   it('leaves the choice open for a value that may or may not be stored', async () => {
     const app = await followingBench();
     app.timer.core.onAnswer = ({ name }) => {

@@ -331,20 +331,6 @@ describe('servos that follow', () => {
     );
   });
 
-  it('do not count what waits for a write', async () => {
-    await opened();
-    await press('Function 4');
-    await flip();
-    await type('Function 4, S2', '70');
-    expect(note()).toContain('1 tried in the timer');
-    expect(note()).not.toContain('for Write');
-    await type('Function 4, S1', '71');
-    await type('Function 9 time', '25');
-    expect(note()).toContain('2 tried in the timer, 1 waits for Write');
-    await type('Function 5, S1', '7');
-    expect(note()).toContain('2 tried in the timer, 2 wait for Write');
-  });
-
   it('say why they have stopped, whether the timer was read since, and what may have moved', async () => {
     const { timer } = await opened();
     await press('Function 4');

@@ -203,13 +203,6 @@ describe('servos that follow', () => {
   });
 });
 
-it('servos are not sent to another function by an edit there', async () => {
-  const app = await following();
-  set(app, [position(0, 6), 7]);
-  await idle();
-  expect([told(app), [...app.follow.awaited.value]]).toEqual([[], [6]]);
-});
-
 describe('following ends', () => {
   const ends: [reason: string, what: string, done: (app: AppBench) => unknown][] = [
     ['over', 'the page is out of sight', ({ follow }) => follow.stop('over')],

@@ -243,19 +243,6 @@ describe('a browser that does not keep everything', () => {
     expect(contents(made)[3]).toEqual(answer ? before[1] : before[3]);
     expect([made.timer.core.memory, made.session.knowledge.uncertain.value]).toEqual([1, []]);
   });
-
-  it('that never answers is given five seconds', async () => {
-    const made = await bench();
-    made.session.safety.confirm();
-    await review(made, { kind: 'copy', from: 1, to: 3 });
-    made.store.backups.save = () => new Promise(() => {});
-    made.write.goOn();
-    await idle(9000);
-    expect(made.session.runner.job.value?.asking).toBe(true);
-    made.write.dismiss();
-    await asked(made);
-    expect(made.session.notices.current.value).toEqual({ kind: 'note', code: 'nothing-written' });
-  });
 });
 
 describe('what is about to be written', () => {
@@ -290,18 +277,6 @@ describe('what is about to be written', () => {
     expect(made.write.current.value).toMatchObject({ step: 'review', moved: 'timer' });
     expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
     expect(made.session.knowledge.uncertain.value).toEqual([]);
-  });
-
-  it('belongs to the connection on which it was shown, and disappears with it', async () => {
-    const made = await bench();
-    await review(made, COPY);
-    made.adapter.unplug();
-    await idle();
-    expect(made.write.current.value).toBeNull();
-    made.adapter.replug();
-    await idle();
-    await goOn(made);
-    expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETTIMERS');
   });
 });
 

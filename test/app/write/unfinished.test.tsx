@@ -41,15 +41,15 @@ const CUT: readonly [job: string, said: string, start: (app: AppBench) => Promis
   ],
   [
     'reading all memories',
-    `Reading all memories was interrupted. Another memory than M1 of ${OTHER} may fly next.`,
+    recovery.mayNotFly(`M1 of ${OTHER}`),
     async () => {
       await press(en.overview.readAll);
     },
   ],
-  ['a copy', `A copy was interrupted. Another memory than M1 of ${OTHER} may fly next.`, () => press('Copy M1 to M3')],
+  ['a copy', recovery.mayNotFly(`M1 of ${OTHER}`), () => press('Copy M1 to M3')],
   [
     'a restore',
-    `A restore was interrupted. Another memory than M1 of ${OTHER} may fly next.`,
+    recovery.mayNotFly(`M1 of ${OTHER}`),
     async ({ write, editor }) => {
       const program = { ...(editor.baseline.value as NonNullable<typeof editor.baseline.value>), memory: 2 };
       const backup = { key: '1', savedAt: 1, reason: 'write', program, simulated: false } as const;
@@ -205,9 +205,9 @@ describe('several unfinished jobs', () => {
     expect(document.querySelectorAll('.unfinished > section')).toHaveLength(1);
     expect(band()).toContain('It is not known what M1 holds: DT is 3:00 min or 6:00 min.');
     expect(band()).not.toContain(en.timer['memory-left'].title);
-    await press(recovery.more(1));
+    await press(en.more(1));
     expect(band()).toContain(en.timer['memory-left'].title);
-    expect(button(recovery.more(1)).getAttribute('aria-expanded')).toBe('true');
+    expect(button(en.more(1)).getAttribute('aria-expanded')).toBe('true');
   });
 
   it('an interrupted write is in sight above every view after a replug', async () => {
