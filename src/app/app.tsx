@@ -12,7 +12,6 @@ import { Header } from './shell/header.js';
 import { ViewFrame } from './shell/view-frame.js';
 import { ViewLinks } from './shell/view-links.js';
 import type { View } from './shell/views.js';
-import './ui/last-drawing.js';
 import './app.css';
 
 /** The whole page: gives each part the models that it needs. */

@@ -89,6 +89,31 @@ describe('the mark of a function is moved', () => {
     await expect.poll(() => app.undo.isDisabled()).toBe(true);
   });
 
+  test('by mouse, many times, and no drawing but the last one is kept', async () => {
+    const { app, mark } = await opened();
+    const { mouse } = app.page;
+    const { x, y } = await middleOf(mark);
+    const devTools = await app.page.context().newCDPSession(app.page);
+    await devTools.send('Performance.enable');
+    const nodes = async (): Promise<number> => {
+      await devTools.send('HeapProfiler.collectGarbage');
+      const { metrics } = await devTools.send('Performance.getMetrics');
+      return metrics.find(({ name }) => name === 'Nodes')?.value ?? 0;
+    };
+    const drag = async (): Promise<void> => {
+      await mouse.move(x, y);
+      await mouse.down();
+      for (let way = 1; way <= 30; way++) await mouse.move(x + way, y);
+      await mouse.move(x, y);
+      await mouse.up();
+      await stands(mark, 11.5);
+    };
+    await drag();
+    const first = await nodes();
+    for (let again = 0; again < 6; again++) await drag();
+    expect(await nodes()).toBeLessThan(first + 40);
+  });
+
   test('by finger, and the page stays where it is', async () => {
     const seen = await opened(PHONE);
     const { page } = seen.app;

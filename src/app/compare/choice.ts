@@ -1,4 +1,4 @@
-import { batch, type ReadonlySignal, signal } from '@preact/signals';
+import { batch, signal } from '@preact/signals';
 
 /** The address of the comparison, after `#library/`. */
 export const COMPARE = 'compare';
@@ -11,16 +11,15 @@ export const backupKey = (key: string): string => `backup/${key}`;
 
 /** Which two programs are compared. Outlasts the page of the comparison. */
 export class ComparedPair {
-  readonly #first = signal<string | null>(null, { name: 'firstSide' });
-  readonly #second = signal<string | null>(null, { name: 'secondSide' });
-  readonly first: ReadonlySignal<string | null> = this.#first;
-  readonly second: ReadonlySignal<string | null> = this.#second;
+  // Only this model writes them.
+  readonly first = signal<string | null>(null, { name: 'firstSide' });
+  readonly second = signal<string | null>(null, { name: 'secondSide' });
 
   /** Chooses by keys; null leaves the choice to the page. */
   show(first: string | null, second: string | null): void {
     batch(() => {
-      this.#first.value = first;
-      this.#second.value = second;
+      this.first.value = first;
+      this.second.value = second;
     });
   }
 }

@@ -1,4 +1,4 @@
-import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { DragEdit, limitsOf, type OnEdit, stepped } from './drag.js';
 import { marksOf } from './flight.js';
 import type { Geometry } from './geometry.js';
@@ -58,6 +58,11 @@ export class HandleKeys {
   };
 }
 
+/** Gives a handle the keyboard focus. */
+export function focusHandle(svg: Element, field: ProgramField): void {
+  svg.querySelector<SVGElement>(`[data-field="${fieldKey(field)}"]`)?.focus({ preventScroll: true });
+}
+
 const ZOOM = 1.5;
 
 /**
@@ -71,14 +76,16 @@ export function pictureKey(
   anchor: number | undefined,
 ): void {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target !== event.currentTarget) return;
-  const action = actionOf(event, model, program, layout.scale, anchor);
+  const svg = event.currentTarget as SVGElement;
+  const action = actionOf(event.key, svg, model, program, layout.scale, anchor);
   if (!action) return;
   take(event);
   action();
 }
 
 function actionOf(
-  { key }: KeyboardEvent,
+  key: string,
+  svg: SVGElement,
   model: TimelineModel,
   program: TimerProgram,
   scale: Scale,
@@ -116,7 +123,7 @@ function actionOf(
     case 'End':
       return ask(Math.max(...marks));
     case 'Enter':
-      return () => model.want({ kind: 'time', slot: 1 });
+      return () => focusHandle(svg, { kind: 'time', slot: 1 });
     case 'Escape':
       return now === null ? null : ask(null);
     default:

@@ -1,5 +1,4 @@
 import type { TimerProgram } from '../../program/index.js';
-import { messages } from '../messages/index.js';
 import { motorStopOf, stagesOf } from './flight.js';
 import { lanesOf } from './lanes.js';
 import { highestOf, Layout, WHOLE } from './layout.js';
@@ -46,7 +45,6 @@ export function SmallLanes({
   const stages = stagesOf(program);
   const dt = rounded(layout.x(stages.at(-1)?.from ?? 0));
   const stop = rounded(layout.x(motorStopOf(program) ?? 0));
-  const { program: words } = messages.value;
   return (
     <div class="small-lanes">
       <svg viewBox={`0 0 ${WIDTH} ${height}`} preserveAspectRatio="none" aria-hidden="true">
@@ -60,14 +58,6 @@ export function SmallLanes({
           {names.map((name) => (
             <span key={name}>{name}</span>
           ))}
-          <span class="small-of-dt" style={{ insetInlineEnd: `${100 - (dt / WIDTH) * 100}%` }}>
-            {words.dt}
-          </span>
-          {stop > 0 && (
-            <span class="small-of-motor" style={{ insetInlineStart: `min(${(stop / WIDTH) * 100}%, 100% - 4rem)` }}>
-              {words.motor}
-            </span>
-          )}
         </div>
       )}
     </div>

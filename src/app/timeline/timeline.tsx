@@ -89,15 +89,15 @@ export function Timeline({ program, overlay = null, cursor, selected = null, nam
 
   const target = useRef<Target | null>(null);
   const pointer = useMemo(() => new PointerControl(model, () => target.current), [model]);
-  const wantedField = model.wanted.value;
   useLayoutEffect(() => {
     target.current = svg.current && { svg: svg.current, geometry, now, onEdit };
-    if (!wantedField) return;
-    model.want(null);
-    svg.current?.querySelector<SVGElement>(`[data-field="${fieldKey(wantedField)}"]`)?.focus({ preventScroll: true });
   });
   useEffect(() => {
+    const { current } = svg;
+    // Only a listener that is not passive can stop the page from scrolling.
+    current?.addEventListener('touchstart', pointer.touch, { passive: false });
     return () => {
+      current?.removeEventListener('touchstart', pointer.touch);
       pointer.cancel();
       keys.up();
       model.leave();

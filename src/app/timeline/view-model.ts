@@ -33,8 +33,6 @@ export class TimelineModel {
   readonly pointed = signal<ProgramField | null>(null);
   /** Whether the keyboard focus is on a handle. */
   readonly entered = signal(false);
-  /** The field whose handle gets the focus as soon as it is there. */
-  readonly wanted = signal<ProgramField | null>(null);
   /** The part in view. */
   readonly view = signal<TimeView>(WHOLE);
 
@@ -47,7 +45,6 @@ export class TimelineModel {
     this.askAloud(null);
     this.pointAt(null);
     this.entered.value = false;
-    this.wanted.value = null;
   }
 
   /** @param time in hundredths of a second; null for no time. */
@@ -80,7 +77,6 @@ export class TimelineModel {
     const { field } = edit;
     this.asked.value = null;
     if (field.kind === 'position') this.front.value = field.servo;
-    this.wanted.value = field;
     this.finer.value = false;
     this.moving.value = { edit, scale };
   }
@@ -100,11 +96,6 @@ export class TimelineModel {
   /** The keyboard focus goes to the handles, or leaves them. */
   setEntered(entered: boolean): void {
     this.entered.value = entered;
-  }
-
-  /** Wants the focus at the handle of a field; null once it is there. */
-  want(field: ProgramField | null): void {
-    this.wanted.value = field;
   }
 
   /**

@@ -1,4 +1,3 @@
-import type { ComponentChildren } from 'preact';
 import { messages } from '../messages/index.js';
 
 /** Leaves a dialog, and nothing is done. */
@@ -15,15 +14,12 @@ interface FormButtonsProps {
   readonly label: string;
   readonly disabled?: boolean;
   readonly onCancel: () => void;
-  /** Buttons before these. */
-  readonly children?: ComponentChildren;
 }
 
 /** The end of a form in a dialog: leaves it, or sends it. */
-export function FormButtons({ label, disabled, onCancel, children }: FormButtonsProps) {
+export function FormButtons({ label, disabled, onCancel }: FormButtonsProps) {
   return (
     <div class="buttons">
-      {children}
       <CancelButton onClick={onCancel} />
       <button type="submit" class="primary" disabled={disabled}>
         {label}

@@ -380,6 +380,18 @@ describe('fingers', () => {
     expect([...seen]).toEqual(Array.from(seen, (_, count) => begin + count * step));
     expect(log.at(-1)).toMatch(/\.$/);
   });
+
+  it('stop the page from scrolling on a handle, but not beside one', async () => {
+    shown();
+    const { clientX, clientY } = placeOf(handle('DT, S1'));
+    const scrolls = async (x: number, y: number): Promise<boolean> => {
+      await act(() => void fireEvent.pointerDown(picture(), finger(1, x, y)));
+      const free = fireEvent(picture(), new Event('touchstart', { bubbles: true, cancelable: true }));
+      await act(() => void fireEvent.pointerUp(picture(), finger(1, x, y)));
+      return free;
+    };
+    expect([await scrolls(clientX, clientY), await scrolls(clientX - 30, clientY - 60)]).toEqual([false, true]);
+  });
 });
 
 describe('the keyboard', () => {

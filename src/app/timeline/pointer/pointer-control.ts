@@ -1,6 +1,7 @@
 import type { TimerProgram } from '../../../program/index.js';
 import type { OnEdit } from '../drag.js';
 import type { Geometry } from '../geometry.js';
+import { focusHandle } from '../key-control.js';
 import type { TimelineModel } from '../view-model.js';
 import { Look } from './look.js';
 import { MoveHandle } from './move-handle.js';
@@ -53,8 +54,14 @@ export class PointerControl {
         : new Look(this.#model, geometry, from);
     this.#held = { id: event.pointerId, gesture };
     this.#model.pointAt(null);
+    if (field && onEdit) focusHandle(svg, field);
     svg.setPointerCapture?.(event.pointerId);
     window.addEventListener('keydown', this.#key, { capture: true });
+  };
+
+  /** A finger on a handle does not scroll the page; one beside the handles does. Comes after {@link down}. */
+  readonly touch = (event: TouchEvent): void => {
+    if (this.#model.moving.peek()) event.preventDefault();
   };
 
   readonly move = (event: PointerEvent): void => {
