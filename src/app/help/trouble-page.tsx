@@ -18,7 +18,7 @@ export function TroublePage({ connection }: { readonly connection: (symptom: Sym
           <details key={symptom} class="panel" name="symptom">
             <summary>{title}</summary>
             {steps.length > 0 && (
-              <ol>
+              <ol class="stack">
                 {steps.map((step) => (
                   <li key={step}>{step}</li>
                 ))}
