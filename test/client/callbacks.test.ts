@@ -93,22 +93,3 @@ it('without reportError, an error of a callback is thrown after the job', async 
   const [first] = later.filter((work) => work.toString().includes('throw'));
   expect(first).toThrow(trouble);
 });
-
-describe('a hook that gates the write', () => {
-  it.each(['throws', 'rejects'])(
-    'makes the job fail when onMemory %s, and the first memory is current again',
-    async (how) => {
-      const { client, timer, run } = bench();
-      const goal = { ...(await run(client.readProgram())), memory: 2 };
-      timer.core.memory = 1;
-      const onMemory = (): Promise<void> => {
-        if (how === 'throws') throw trouble;
-        return Promise.reject(trouble);
-      };
-      await expect(run(client.writeMemories([goal], { onMemory }))).rejects.toBe(trouble);
-      expect(timer.core.memory).toBe(1);
-      expect(timer.core.answered.some(({ name }) => name === 'SETTIMERS' || name === 'SETSERVO')).toBe(false);
-      expect(reported).not.toHaveBeenCalled();
-    },
-  );
-});

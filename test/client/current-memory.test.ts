@@ -72,13 +72,6 @@ describe('an answer that names another memory than the one that was read', () =>
     expect([[...client.quirksFound.keys()], client.quirksAssumed]).toEqual([[], {}]);
     expect(count(), 'GETMEMORY goes out until two answers agree, and once at the end').toBe(5);
   });
-
-  it('is asked for again when it names no memory at all', async () => {
-    const { client, timer, run } = bench();
-    answering(timer, 'GETMEMORY', (count) => (count === 0 ? [] : undefined));
-    expect((await run(client.readProgram())).memory).toBe(0);
-    expect([...client.quirksFound.keys()]).toEqual([]);
-  });
 });
 
 describe('an impossible memory', () => {

@@ -1,7 +1,5 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { TimerClient } from '../../src/client/index.js';
-import { VirtualClock } from '../../src/line/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { fromHex } from '../tools/bytes.js';
 import { bench, contentOf, edited, names } from './bench.js';
@@ -67,30 +65,6 @@ describe('a line that damages bytes', () => {
   });
 });
 
-describe('replies that come late', () => {
-  it('are never taken for the reply to a later request: the times of the other memory', async () => {
-    // The reply to GETTIMERS comes after its time is up, when the memory has been changed.
-    const { client, timer, run, clock } = bench({}, { margin: 100 });
-    await run(client.identify());
-    const first = [...timer.core.content.times];
-    timer.core.sleep();
-    const reading = run(client.readProgram().catch((error: unknown) => error));
-    expect(await reading).toMatchObject({ code: 'no-answer' });
-    timer.core.press();
-    await run(client.selectMemory(2));
-    const program = await run(client.readProgram());
-    expect(program.times).toEqual(timer.core.memories[2]?.times);
-    expect(program.times).not.toEqual(first);
-    expect(clock.now()).toBeGreaterThan(0);
-  });
-
-  it('do not confuse a slow timer: each answer belongs to its question', async () => {
-    // Slower than the margin allows: every reply is late until the fences have caught up.
-    const { client, timer, run } = bench({ latency: 450 }, { margin: 200 });
-    expect(await run(client.readProgram())).toEqual(contentOf(timer));
-  });
-});
-
 describe('stopping while the line is being cleared', () => {
   it('ends within one reply time, even while it waits for the latest possible reply', async () => {
     const { client, timer, run, clock } = bench();
@@ -103,27 +77,6 @@ describe('stopping while the line is being cleared', () => {
     const begin = clock.now();
     await expect(run(client.readProgram({ signal: stop.signal }))).rejects.toMatchObject({ code: 'aborted' });
     expect(clock.now() - begin).toBeLessThan(3100);
-  });
-
-  it.each(['asked to stop', 'the port is lost'])('ends on a line that never falls silent when %s', async (why) => {
-    const clock = new VirtualClock();
-    let line: ReadableStreamDefaultController<Uint8Array> | undefined;
-    const readable = new ReadableStream<Uint8Array>({
-      start: (controller) => {
-        line = controller;
-      },
-    });
-    const client = new TimerClient({ readable, writable: new WritableStream() }, { clock });
-    const stop = new AbortController();
-    const asking = client.identify({ signal: stop.signal }).catch((error: unknown) => error);
-    for (let ms = 0; ms < 1500; ms += 20) {
-      line?.enqueue(Uint8Array.of(0xaa));
-      await clock.advance(20);
-    }
-    // The first request has been given up by now, and it is listened for a moment of silence.
-    if (why === 'asked to stop') stop.abort();
-    else line?.error(new Error('The line is cut.'));
-    expect(await clock.run(asking)).toMatchObject({ code: why === 'asked to stop' ? 'aborted' : 'port-lost' });
   });
 });
 

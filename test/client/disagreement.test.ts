@@ -1,11 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { TimerClient } from '../../src/client/index.js';
 import { BAD_REPLIES, READS } from '../../src/client/retry-policy.js';
-import { VirtualClock } from '../../src/line/index.js';
-import { FrameDecoder } from '../../src/protocol/index.js';
-import { VirtualTimer } from '../../src/simulator/index.js';
 import { answering, type Bench, bench, contentOf, memoryOf, names } from './bench.js';
-import { crowd } from './crowd.js';
 
 /** A client that has seen damage, so that it believes no single answer. */
 async function suspicious(timerClass = 'B'): Promise<Bench> {
@@ -63,24 +58,6 @@ describe('answers of which no two agree', () => {
       if (name === 'GETSERVOPOS' && --left === 0) timer.core.memory = 1;
     };
     expect(await run(client.readProgram())).toEqual(memoryOf(timer, 1));
-  });
-
-  it.each([
-    ['frames came that nobody asked for: somebody else is in the beam', false, 'crowded'],
-    ['damage came as well: the line is bad', true, 'unstable'],
-  ])('and %s', async (_, damage, code) => {
-    const clock = new VirtualClock();
-    const timer = new VirtualTimer({ clock });
-    const port = crowd(timer);
-    const client = new TimerClient(port, { clock });
-    await clock.run(client.identify());
-    answering(timer, 'GETMEMORY', (count) => [count % 2]);
-    const stray = timer.core.answer(
-      new FrameDecoder().push(Uint8Array.of(0, 0, 0, 0, 0, 3, 0x61, 0x61, 0x45))[0] as never,
-    );
-    port.stray = (_index, _code, moment) =>
-      moment === 'after' ? (damage ? Uint8Array.of(...(stray ?? []), 7) : stray) : undefined;
-    await expect(clock.run(client.request({ name: 'GETMEMORY' }))).rejects.toMatchObject({ code });
   });
 });
 

@@ -36,12 +36,6 @@ describe('reading several memories', () => {
     expect(names(timer.core.answered).some(isSelect)).toBe(false);
   });
 
-  it('asks B for the idle throttle only on request', async () => {
-    const { client, run } = bench();
-    expect((await run(client.readMemories())).programs[1]?.idleThrottle).toBeNull();
-    expect((await run(client.readMemories({ idleThrottle: true }))).programs[1]?.idleThrottle).toBe(30);
-  });
-
   it('selects nothing when the timer does not say which memory is current', async () => {
     const { client, timer, run } = bench({ quirks: { memoryReplyEmpty: true } });
     await expect(run(client.readMemories())).rejects.toMatchObject({ code: 'memory-unknown' });
@@ -110,17 +104,6 @@ describe('reading several memories', () => {
       code: 'memory-left',
       details: { expected: 1, found: 3 },
       cause: { code: 'port-lost' },
-    });
-  });
-
-  it('says that it is not known which memory is left when selecting got no answer', async () => {
-    const { client, timer, run } = bench();
-    timer.core.onAnswer = ({ name }) => {
-      if (isSelect(name)) timer.cut();
-    };
-    await expect(run(client.readMemories({ memories: [2] }))).rejects.toMatchObject({
-      code: 'memory-left',
-      details: { expected: 0, found: null },
     });
   });
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { answering, bench, contentOf, edited, memoryOf, names, readBench } from './bench.js';
+import { answering, bench, contentOf, memoryOf, names, readBench } from './bench.js';
 
 const Q = { identity: { timerClass: 'Q' } };
 
@@ -46,18 +46,6 @@ describe('a way through several memories', () => {
       await run(client.writeMemories([{ ...memoryOf(timer, 1), idleThrottle }], { onMemory }));
     }
     expect(read).toEqual([30, null]);
-  });
-
-  it('writes into no memory that holds other values than expected, and says which', async () => {
-    const { client, timer, run } = bench();
-    const held = memoryOf(timer, 1);
-    const report = await run(
-      client.writeMemories([edited(held, [10, 30000])], { baselines: [edited(held, [10, 20000])] }),
-    );
-    expect(report.stopped).toMatchObject({
-      code: 'stale',
-      message: 'memory 1 holds something else than was believed',
-    });
   });
 });
 

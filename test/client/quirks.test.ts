@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { QuirkCode } from '../../src/client/index.js';
 import { COMMANDS, type CommandName, encodeReply, FrameDecoder } from '../../src/protocol/index.js';
-import type { TimerQuirks, VirtualTimer } from '../../src/simulator/index.js';
+import type { TimerQuirks } from '../../src/simulator/index.js';
 import { answering, bench, contentOf, edited, names, readBench } from './bench.js';
 
 const found = (client: { quirksFound: ReadonlyMap<QuirkCode, unknown> }): QuirkCode[] => [...client.quirksFound.keys()];
@@ -353,27 +353,6 @@ describe('servo before function', () => {
     ]);
     expect(contentOf(timer)).toEqual(baseline);
     expect(client.quirksAssumed).toEqual({ servoFirst: true });
-  });
-
-  it('is not suspected when a write ends for another reason at a function number without a servo', async () => {
-    const cases: [string, (timer: VirtualTimer, stop: AbortController) => unknown, CommandName][] = [
-      ['aborted', (_, stop) => stop.abort(), 'SETSERVO'],
-      ['no-answer', ({ core }) => core.sleep(), 'SETTIMERS'],
-      ['no-answer', ({ core }) => core.sleep(), 'MOVETOFUNC'],
-    ];
-    for (const [code, happen, at] of cases) {
-      const { client, timer, run, baseline } = await readBench();
-      const stop = new AbortController();
-      const moveServos = at === 'MOVETOFUNC';
-      const goal = moveServos ? edited(baseline, [1, 5, 99]) : edited(baseline, [10, 30000], [1, 5, 99]);
-      const answer = timer.core.answer.bind(timer.core);
-      timer.core.answer = (frame, bare) => {
-        if (frame.code === COMMANDS[at].request) happen(timer, stop);
-        return answer(frame, bare);
-      };
-      const report = await run(client.writeProgram(goal, { baseline, moveServos, signal: stop.signal }));
-      expect([at, report.stopped?.code, found(client)]).toEqual([at, code, []]);
-    }
   });
 
   it('is suspected when a function number without a servo gets no answer, and nothing is reported as written', async () => {

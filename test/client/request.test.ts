@@ -1,8 +1,8 @@
 import { describe, expect, expectTypeOf, it } from 'vitest';
-import { type Progress, TimerClient, TimerError } from '../../src/client/index.js';
+import { TimerClient, TimerError } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
 import { VirtualTimer } from '../../src/simulator/index.js';
-import { answering, bench, edited, names } from './bench.js';
+import { answering, bench, names } from './bench.js';
 
 describe('one request', () => {
   it('gives the values of its reply, typed by its name', async () => {
@@ -110,27 +110,6 @@ describe('what a client hands out', () => {
     await client[Symbol.asyncDispose]();
     expect(timer.readable.locked).toBe(false);
     await expect(clock.run(client.identify())).rejects.toBeInstanceOf(TimerError);
-  });
-
-  it('says of each job how much is done: a number from 0 to 1 that never falls', async () => {
-    const { client, run } = bench();
-    const shares: number[] = [];
-    const onProgress = ({ fraction }: Progress): void => void shares.push(fraction);
-    const ended = (): number[] => {
-      const told = shares.splice(0);
-      expect(told).toEqual([...told].sort((a, b) => a - b));
-      for (const each of told) expect(each >= 0 && each <= 1).toBe(true);
-      return told;
-    };
-    const baseline = await run(client.readProgram({ onProgress }));
-    expect(ended().at(-1)).toBe(1);
-    await run(client.writeProgram(edited(baseline, [10, 30_000]), { baseline, onProgress }));
-    expect(ended().at(-1)).toBe(1);
-    await run(client.writeProgram(baseline, { baseline: edited(baseline, [10, 30_000]), onProgress }));
-    expect(ended().at(-1)).toBe(1);
-    const same = await run(client.readProgram());
-    await run(client.writeProgram(same, { baseline: same, onProgress }));
-    expect(ended().some(Number.isNaN)).toBe(false);
   });
 });
 
