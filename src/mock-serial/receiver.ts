@@ -26,7 +26,8 @@ export class Receiver {
   #backlog: (Item | Mark)[] = [];
   /** How many bytes were lost before the last mark. */
   #lostBefore = 0;
-  #stream: ReadableStream<Uint8Array> | null = null;
+  /** The standard's [[readable]]. */
+  stream: ReadableStream<Uint8Array> | null = null;
   #controller: ReadableByteStreamController | null = null;
   /** Whether the page waits for a read. */
   #wanted = false;
@@ -35,11 +36,6 @@ export class Receiver {
   /** @param onCancel called when the page cancels the stream, so that nothing comes that was sent before. */
   constructor(onCancel: () => void) {
     this.#onCancel = onCancel;
-  }
-
-  /** The standard's [[readable]]. */
-  get stream(): ReadableStream<Uint8Array> | null {
-    return this.#stream;
   }
 
   get full(): boolean {
@@ -82,8 +78,8 @@ export class Receiver {
       },
       cancel: () => this.#cancel(),
     };
-    this.#stream = new ReadableStream(source, { highWaterMark: 0 });
-    return this.#stream;
+    this.stream = new ReadableStream(source, { highWaterMark: 0 });
+    return this.stream;
   }
 
   push(bytes: Uint8Array): void {
@@ -171,19 +167,19 @@ export class Receiver {
 
   /** The standard's "handle closing the readable stream", without the part that `close()` waits for. */
   #replaceStream(): void {
-    this.#stream = null;
+    this.stream = null;
     this.#controller = null;
     this.#wanted = false;
   }
 
   async #cancel(): Promise<void> {
-    const stream = this.#stream;
+    const stream = this.stream;
     // The page cannot read of the loss any more, and yet there is no new stream after it.
     if (this.#over) this.#fatal = true;
     this.#discard();
     this.#onCancel();
     await null;
-    if (this.#stream === stream) this.#replaceStream();
+    if (this.stream === stream) this.#replaceStream();
   }
 
   #discard(): void {

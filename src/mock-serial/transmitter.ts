@@ -50,7 +50,8 @@ export class Transmitter {
   #held = 0;
   #waiting: Uint8Array[] = [];
   readonly #departures = new Set<() => void>();
-  #stream: WritableStream<Uint8Array> | null = null;
+  /** The standard's [[writable]]. */
+  stream: WritableStream<Uint8Array> | null = null;
   #controller: WritableStreamDefaultController | null = null;
   #operation: Operation | null = null;
   /** What the buffer had room for of each chunk when the page wrote it, in the order of the writes. */
@@ -66,14 +67,9 @@ export class Transmitter {
     this.#follows = follows;
   }
 
-  /** The standard's [[writable]]. */
-  get stream(): WritableStream<Uint8Array> | null {
-    return this.#stream;
-  }
-
   /** Settles when there is no stream any more: an operation or the loss of the device has ended it. */
   get ended(): Promise<void> {
-    if (!this.#stream) return Promise.resolve();
+    if (!this.stream) return Promise.resolve();
     return new Promise((resolve) => this.#onEnded.push(resolve));
   }
 
@@ -93,7 +89,7 @@ export class Transmitter {
   createStream(): WritableStream<Uint8Array> | null {
     if (this.#fatal) return null;
     this.#heads = [];
-    this.#stream = new WritableStream<Uint8Array>(
+    this.stream = new WritableStream<Uint8Array>(
       {
         start: (controller) => {
           this.#controller = controller;
@@ -105,7 +101,7 @@ export class Transmitter {
       },
       { highWaterMark: this.#capacity, size: (chunk) => this.#sizeOf(chunk) },
     );
-    return this.#stream;
+    return this.stream;
   }
 
   /** See `MockDevice.failNextWrite`. */
@@ -181,7 +177,7 @@ export class Transmitter {
   }
 
   async #drain(): Promise<void> {
-    const stream = this.#stream;
+    const stream = this.stream;
     try {
       await this.#run(() => {
         // Nothing is left to send, so a loss does not matter: a browser says the same.
@@ -189,7 +185,7 @@ export class Transmitter {
       });
     } finally {
       // Also when an abort has ended the wait: the stream then ends without another call.
-      if (this.#stream === stream) this.#replaceStream();
+      if (this.stream === stream) this.#replaceStream();
     }
   }
 
@@ -277,7 +273,7 @@ export class Transmitter {
 
   /** The standard's "handle closing the writable stream", without the part that `close()` waits for. */
   #replaceStream(): void {
-    this.#stream = null;
+    this.stream = null;
     this.#controller = null;
     const ended = this.#onEnded;
     this.#onEnded = [];

@@ -15,16 +15,12 @@ const LONGEST_WAIT = 3000;
 export class PortOpener {
   readonly port: SerialPortLike;
   readonly #clock: Clock;
-  #open: OpenedSettings | null = null;
+  /** The settings of the open port; null while it is closed. */
+  settings: OpenedSettings | null = null;
 
   constructor(port: SerialPortLike, clock: Clock) {
     this.port = port;
     this.#clock = clock;
-  }
-
-  /** The settings of the open port; null while it is closed. */
-  get settings(): OpenedSettings | null {
-    return this.#open;
   }
 
   /**
@@ -33,7 +29,7 @@ export class PortOpener {
    * @throws ConnectionError `busy`, `unplugged` or `bad-settings`. Use {@link close} afterwards in any case.
    */
   async open(settings: OpenedSettings, stop: AbortSignal): Promise<void> {
-    if (this.#open && this.#open.baudRate === settings.baudRate) return;
+    if (this.settings && this.settings.baudRate === settings.baudRate) return;
     await this.close();
     const { baudRate, dataBits, stopBits, parity } = settings;
     try {
@@ -42,7 +38,7 @@ export class PortOpener {
         opening.then(() => this.port.close()).catch(() => {});
         return;
       }
-      this.#open = settings;
+      this.settings = settings;
       await this.#settles(this.#setSignals(settings), stop);
     } catch (error) {
       throw this.#refusal(error);
@@ -51,8 +47,8 @@ export class PortOpener {
 
   /** Closes the port. Never throws: an unplugged port may refuse, and then nothing is left to close. */
   async close(): Promise<void> {
-    if (!this.#open) return;
-    this.#open = null;
+    if (!this.settings) return;
+    this.settings = null;
     await this.#settles(this.port.close(), AbortSignal.abort()).catch(() => {});
   }
 
@@ -87,7 +83,7 @@ export class PortOpener {
     if (this.port.connected === false) return new ConnectionError('unplugged', 'the port is not plugged in', error);
     const isUnfit = error instanceof TypeError || (error instanceof DOMException && error.name === 'NotSupportedError');
     // A port that is already open has refused the settings of DTR and RTS.
-    if (isUnfit || this.#open)
+    if (isUnfit || this.settings)
       return new ConnectionError('bad-settings', 'the port does not take these settings', error);
     return new ConnectionError('busy', 'the port cannot be opened', error);
   }

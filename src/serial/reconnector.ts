@@ -17,14 +17,14 @@ const STEADY = 10_000;
 export class Reconnector {
   readonly #context: LinkContext;
   readonly #stop: AbortController;
-  #known: KnownPort;
+  known: KnownPort;
   #portSession: PortSession | null = null;
   #watch: ReturnWatch | null = null;
   #failures = 0;
   #ended: Promise<void> = Promise.resolve();
 
   constructor(known: KnownPort, context: Omit<LinkContext, 'stop' | 'wasOpen'>) {
-    this.#known = known;
+    this.known = known;
     this.#stop = new AbortController();
     this.#context = {
       ...context,
@@ -34,10 +34,6 @@ export class Reconnector {
         if (!this.#stop.signal.aborted) context.tell(event, state);
       },
     };
-  }
-
-  get known(): KnownPort {
-    return this.#known;
   }
 
   start(): void {
@@ -63,7 +59,7 @@ export class Reconnector {
 
   async #run(): Promise<void> {
     for (let event: 'open' | 'returned' = 'open'; !this.#stop.signal.aborted; event = 'returned') {
-      this.#portSession = new PortSession(this.#context, this.#known);
+      this.#portSession = new PortSession(this.#context, this.known);
       const end = await this.#portSession.run(event);
       this.#portSession = null;
       const error = end.why === 'lost' ? await this.#await(end) : end.why === 'failed' ? end.error : null;
@@ -89,11 +85,11 @@ export class Reconnector {
       if (watch.gone.aborted) this.#failures = 0;
       // A stream may fail before the browser says that the plug was pulled.
       if (!unplugged && !(await watch.isThere())) {
-        const { port, info } = this.#known;
+        const { port, info } = this.known;
         this.#context.tell('unplugged', { status: 'away', port, info, error, unplugged: true });
       }
       const port = await watch.returned(this.#stop.signal);
-      if (port) this.#known = known(port);
+      if (port) this.known = known(port);
       return null;
     } finally {
       this.#watch = null;
