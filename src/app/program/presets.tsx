@@ -22,11 +22,11 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
   const presets = preferences.presets.value;
   if (presets.length === 0) return null;
   return (
-    <fieldset class="presets">
-      <legend>
-        <span aria-hidden="true">{program.dt}</span>
-        <span class="visually-hidden">{edits.presets.title}</span>
-      </legend>
+    <fieldset class="row gap-1 presets">
+      <legend class="visually-hidden">{edits.presets.title}</legend>
+      <span class="hint" aria-hidden="true">
+        {program.dt}
+      </span>
       {presets.map((value) => (
         <button
           type="button"

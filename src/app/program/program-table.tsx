@@ -11,7 +11,7 @@ import { MotorRowBefore, ThrottleRow } from './own-rows.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
 import { ProgramRow, type ProgramRowProps } from './program-row.js';
 import { RangeBar } from './range-bar.js';
-import { RowTools } from './row-tools.js';
+import type { RowTools } from './row-tools.js';
 import { useSelectRange } from './select-range.js';
 import { Selection } from './selection.js';
 import { cellAt } from './table-cells.js';
@@ -22,8 +22,8 @@ import './program-table.css';
 import './table-box.css';
 
 interface ProgramTableProps extends Pick<ProgramRowProps, 'session' | 'bench' | 'follow' | 'marked'> {
-  /** The tools of the rows, when something outside opens them, too. Default: its own. */
-  readonly tools?: RowTools;
+  /** The tools of the rows. */
+  readonly tools: RowTools;
   /** Explains the values. */
 }
 
@@ -32,14 +32,13 @@ const MOST_SLOTS = 12;
 const MOST_SERVOS = 4;
 
 /** Rows from start to DT; columns for time, interval and servos. It works like a spreadsheet. */
-export function ProgramTable({ session, bench, follow, marked, tools: given }: ProgramTableProps) {
+export function ProgramTable({ session, bench, follow, marked, tools }: ProgramTableProps) {
   const { editor } = session;
   const { program, edits } = messages.value;
   const selection = useMemo(() => new Selection(), []);
   const hand = useHand();
   const rested = useRested(editor);
   const place = useMemo(() => new MotorPlace(editor), [editor]);
-  const tools = useMemo(() => given ?? new RowTools(editor), [given, editor]);
   const pasting = useSignal<Pasting | null>(null);
   const obstacle = useSignal<string | null>(null);
   /** Whether intervals are shown in place of times, where there is no room for both. */

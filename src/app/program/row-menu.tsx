@@ -58,7 +58,7 @@ export function RowMenu({ tools, identity, slot, name, shifts, isChanged, revert
       <button
         ref={opener}
         type="button"
-        class="row-opener"
+        class="cell-cover row-opener"
         tabIndex={-1}
         aria-label={table.rowTools(name)}
         title={table.rowTools(name)}

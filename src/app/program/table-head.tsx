@@ -18,7 +18,7 @@ export function TableHead({ servos, onSwitch }: TableHeadProps) {
       <tr>
         <th scope="col" aria-label={program.slot}>
           <span class="visually-hidden">{program.slot}</span>
-          <a class="head-help" href="#help/words" title={table.explain}>
+          <a class="cell-cover head-help" href="#help/words" title={table.explain}>
             <span class="visually-hidden">{table.explain}</span>
           </a>
         </th>
@@ -51,7 +51,7 @@ function TimeHead({ class: name, onSwitch, children }: TimeHeadProps) {
       {children} <span class="head-unit">{messages.value.times.units.s}</span>
       <button
         type="button"
-        class="column-switch"
+        class="cell-cover column-switch"
         aria-label={messages.value.edits.table.switch}
         onClick={() => {
           const { current } = head;
