@@ -10,6 +10,7 @@ import './shell/status-strip.css';
 import './connect/start-screen.css';
 import './connect/start-cards.css';
 import './connect/step-list.css';
+import './timeline/picture.css';
 import './timeline/servo-class.css';
 import './timeline/small-lanes.css';
 import { afterPaint, nextTask } from './browser/after-paint.js';
