@@ -90,7 +90,7 @@ export function stretchedScale(marks: readonly number[], { minGap, runOut, other
   const end = times.at(-1) as number;
   const stops = rising([...own, end]);
   const gaps = stops.length - 1;
-  if (gaps === 0) return evenScale(0);
+  if (gaps === 0) return new Scale([0, RUN_OUT], [0, 1]);
 
   const room = 1 - runOut;
   const even = Math.min(minGap, (EVEN_SHARE * room) / gaps);
@@ -107,11 +107,6 @@ export function stretchedScale(marks: readonly number[], { minGap, runOut, other
     for (const weight of inside) places.push((places.at(-1) as number) + weight * each);
   }
   return new Scale([...times, end + RUN_OUT], [...places, 1]);
-}
-
-/** An axis on which every second has the same length. */
-export function evenScale(end: number): Scale {
-  return new Scale([0, drawable(end) + RUN_OUT], [0, 1]);
 }
 
 /** The numbers in rising order, each once. */

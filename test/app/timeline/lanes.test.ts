@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { leastHeightOf, measuresOf } from '../../../src/app/timeline/geometry.js';
 import { laneAt, lanesOf, leastHeight } from '../../../src/app/timeline/lanes.js';
 import { Layout } from '../../../src/app/timeline/layout.js';
-import { finenessAt, refined } from '../../../src/app/timeline/pointer/fineness.js';
-import { evenScale } from '../../../src/app/timeline/scale.js';
+import { isFine, refined } from '../../../src/app/timeline/pointer/fineness.js';
+import { Scale } from '../../../src/app/timeline/scale.js';
 import { TimelineModel } from '../../../src/app/timeline/view-model.js';
 import { programOf } from '../programs.js';
 
@@ -65,7 +65,7 @@ describe('the lanes', () => {
     fc.assert(
       fc.property(lanes, fc.integer({ min: 0, max: 130 }), ({ servos, lanes, bottom }, position) => {
         const box = { left: 0, right: 100, top: 36, bottom };
-        const layout = new Layout(evenScale(100), { start: 0, span: 1 }, box, lanes, 130);
+        const layout = new Layout(new Scale([0, 100], [0, 1]), { start: 0, span: 1 }, box, lanes, 130);
         for (let servo = 0; servo < servos; servo++) {
           const { top, bottom } = lanes[servo] as (typeof lanes)[number];
           const y = layout.y(servo, position);
@@ -92,25 +92,17 @@ describe('moving finely', () => {
   const way = fc.double({ min: -200, max: 200, noNaN: true });
   const plain = fc.double({ min: -60_000, max: 60_000, noNaN: true });
 
-  it('goes as far as the pointer near the lane, and never the other way', () => {
-    expect([0, 20, -48].map(finenessAt)).toEqual([0, 0, 0]);
-    fc.assert(
-      fc.property(plain, way, fc.double({ min: 0, max: 1, noNaN: true }), (plain, way, fineness) => {
-        expect(refined(plain, way, 10, 0) - plain).toBeCloseTo(0, 9);
-        const went = refined(plain, way, 10, fineness);
-        expect(Math.abs(went)).toBeLessThanOrEqual(Math.abs(plain));
-        expect(went * plain).toBeGreaterThanOrEqual(0);
-      }),
-    );
+  it('is for a pointer that is far away', () => {
+    expect([0, 20, -90, 91, -500].map(isFine)).toEqual([false, false, false, true, true]);
   });
 
-  it('is finer the further away, at last less than a step for ten pixels', () => {
-    const shares = [60, 100, 140, 180, 500].map(finenessAt);
-    expect(shares).toEqual([...shares].sort((a, b) => a - b));
-    expect(shares.at(-1)).toBe(1);
+  it('goes less far than the pointer, never the other way, and less than a step for ten pixels', () => {
     fc.assert(
       fc.property(plain, way, fc.constantFrom(1, 10, 100), (plain, way, step) => {
-        expect(Math.abs(refined(plain, way, step, 1))).toBeLessThanOrEqual((Math.abs(way) * step) / 10 + 1e-6);
+        const went = refined(plain, way, step);
+        expect(Math.abs(went)).toBeLessThanOrEqual(Math.abs(plain) / 4 + 1e-6);
+        expect(went * plain).toBeGreaterThanOrEqual(0);
+        expect(Math.abs(went)).toBeLessThanOrEqual((Math.abs(way) * step) / 10 + 1e-6);
       }),
     );
   });

@@ -5,7 +5,7 @@ import { limitsOf, snapped, stepped } from '../../../src/app/timeline/drag.js';
 import { eventsBetween, flightEnd, reachedAt, stagesOf } from '../../../src/app/timeline/flight.js';
 import { layoutOf, marksIn, measuresOf, scaleOf } from '../../../src/app/timeline/geometry.js';
 import { spread } from '../../../src/app/timeline/layout.js';
-import { evenScale, RUN_OUT, Scale, stretchedScale } from '../../../src/app/timeline/scale.js';
+import { RUN_OUT, Scale, stretchedScale } from '../../../src/app/timeline/scale.js';
 import { shortTime, ticks } from '../../../src/app/timeline/ticks.js';
 import { TimelineModel } from '../../../src/app/timeline/view-model.js';
 import type { ProgramField } from '../../../src/program/index.js';
@@ -19,6 +19,8 @@ const options = fc.record({
   others: fc.array(time, { maxLength: 30 }),
 });
 const stretched = fc.tuple(times, options).map(([marks, given]) => stretchedScale(marks, given));
+/** An axis on which every second has the same length. */
+const evenScale = (end: number): Scale => new Scale([0, end + RUN_OUT], [0, 1]);
 const even = fc.integer({ min: 0, max: 65535 }).map(evenScale);
 const anyScale: fc.Arbitrary<Scale> = fc.oneof(stretched, even);
 
@@ -31,20 +33,16 @@ describe('times that no timer has', () => {
   it('are drawn in a bounded number of steps', () => {
     fc.assert(
       fc.property(fc.array(hostile, { minLength: 1, maxLength: 20 }), fc.array(hostile), (marks, others) => {
-        for (const scale of [
-          stretchedScale(marks, { minGap: 0.05, runOut: 0.05, others }),
-          evenScale(marks[0] as number),
-        ]) {
-          let places = 0;
-          const place = scale.place.bind(scale);
-          scale.place = (at) => {
-            if (++places > 10_000) throw new Error('no end of it');
-            return place(at);
-          };
-          const shown = ticks(scale, [0], [], { from: 0, to: 1, gap: 0.02 });
-          expect(shown.every(Number.isFinite)).toBe(true);
-          expect(scale.times.every((at, i) => i === 0 || at > (scale.times[i - 1] as number))).toBe(true);
-        }
+        const scale = stretchedScale(marks, { minGap: 0.05, runOut: 0.05, others });
+        let places = 0;
+        const place = scale.place.bind(scale);
+        scale.place = (at) => {
+          if (++places > 10_000) throw new Error('no end of it');
+          return place(at);
+        };
+        const shown = ticks(scale, [0], [], { from: 0, to: 1, gap: 0.02 });
+        expect(shown.every(Number.isFinite)).toBe(true);
+        expect(scale.times.every((at, i) => i === 0 || at > (scale.times[i - 1] as number))).toBe(true);
       }),
       { numRuns: 500 },
     );

@@ -4,7 +4,7 @@ import { DragEdit, limitsOf, type OnEdit, snapped } from '../drag.js';
 import type { Geometry } from '../geometry.js';
 import type { Layout } from '../layout.js';
 import type { TimelineModel } from '../view-model.js';
-import { finenessAt, refined } from './fineness.js';
+import { isFine, refined } from './fineness.js';
 import type { Gesture } from './pointer-control.js';
 import type { Point } from './under-pointer.js';
 
@@ -22,7 +22,7 @@ interface Taken {
   readonly onEdit: OnEdit;
 }
 
-/** A handle is held and moves its value. The further the pointer is from where it took the handle, the finer. */
+/** A handle is held and moves its value. Far from where it took the handle, the pointer moves it finely. */
 export class MoveHandle implements Gesture {
   readonly #model: TimelineModel;
   readonly #edit: DragEdit;
@@ -57,15 +57,15 @@ export class MoveHandle implements Gesture {
     if (!this.#hasMoved(point[along] - this.#from[along])) return;
     const way = point[along] - this.#last;
     this.#last = point[along];
-    const fineness = finenessAt(point[across] - this.#from[across]);
-    this.#model.refine(fineness > 0);
+    const finer = isFine(point[across] - this.#from[across]);
+    this.#model.refine(finer);
     const before = this.#valueAt(layout, this.#at);
     this.#at += way;
-    if (fineness > 0) {
+    if (finer) {
       const plain = this.#valueAt(layout, this.#at) - before;
-      this.#at = this.#placeOf(layout, before + refined(plain, way, stepSize(program.identity, field), fineness));
+      this.#at = this.#placeOf(layout, before + refined(plain, way, stepSize(program.identity, field)));
     }
-    if (field.kind === 'time' && fineness === 0) {
+    if (field.kind === 'time' && !finer) {
       this.#followPointer(layout, point);
       return;
     }

@@ -6,7 +6,7 @@ import { dutyName, messages, momentText, slotLabel } from '../../messages/index.
 import { eventsBetween, type FlightEvent, flightEnd, motorStopOf, reachedAt } from '../flight.js';
 import { servoClass } from '../servo-class.js';
 import { ModelSketch, type SurfaceAngle } from './model-sketch.js';
-import { Player } from './player.js';
+import type { Player } from './player.js';
 import { PlayerControls } from './player-controls.js';
 import { ServoDialog } from './servo-dialog.js';
 import { guessedUses, isLetGo, movedAtDt, SURFACES, type Surface, servoOf, turnOf } from './surfaces.js';
@@ -14,8 +14,7 @@ import './flight-preview.css';
 
 export interface FlightPreviewProps {
   readonly program: TimerProgram;
-  /** The player, when a timeline shares it. Default: its own. */
-  readonly player?: Player | undefined;
+  readonly player: Player;
   /** What each servo moves, as the pilot says; null when that has to be guessed. */
   readonly named: readonly ServoUse[] | null;
   readonly onName: (uses: readonly ServoUse[] | null) => void;
@@ -25,10 +24,9 @@ export interface FlightPreviewProps {
 const MANY = 4;
 
 /** The flight of the program: what the servos move, when the motor stops, and what comes when. */
-export function FlightPreview({ program, player: given, named, onName }: FlightPreviewProps) {
+export function FlightPreview({ program, player, named, onName }: FlightPreviewProps) {
   const { preview } = messages.value;
   const id = useId();
-  const player = useMemo(() => given ?? new Player(), [given]);
   const naming = useSignal(false);
   const guess = useMemo(() => guessedUses(program), [program]);
   useLayoutEffect(() => player.setEnd(flightEnd(program)), [player, program]);
