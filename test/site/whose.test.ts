@@ -50,7 +50,7 @@ test('values of one model over the timer of another keep their name, on paper, i
   await app.button(libraryMessages.save.open).click();
   const dialog = app.page.getByRole('dialog');
   await dialog.getByRole('textbox', { name: libraryMessages.save.name }).fill('calm');
-  await dialog.getByRole('combobox', { name: 'Model' }).selectOption('New model');
+  await dialog.getByRole('combobox', { name: 'Model' }).selectOption(libraryMessages.models.make);
   await dialog.getByRole('textbox', { name: en.label.name, exact: true }).fill('Lancer');
   await dialog.getByRole('button', { name: 'Save', exact: true }).click();
   await app.text('calm of Lancer: saved').waitFor();

@@ -130,11 +130,10 @@ function Result({ form }: { readonly form: FlightForm }) {
         <button
           type="button"
           class="chip"
-          aria-label={words.full}
           aria-pressed={result === ROUND_MAXIMUM}
           onClick={() => form.type('result', String(ROUND_MAXIMUM))}
         >
-          {words.fullShort}
+          {words.full}
         </button>
         <span class="hint">{result === null ? words.resultHint : understood(result)}</span>
       </div>

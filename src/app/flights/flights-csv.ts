@@ -1,4 +1,5 @@
 import { type Flight, valueAt } from '../../program/index.js';
+import { flightMessages } from '../messages/en-flights.js';
 import { dayOf, offsetText, timeOfDay } from './flight-list.js';
 
 /** How a country writes tables and numbers. Where numbers have a comma, semicolons stand between columns. */
@@ -13,25 +14,10 @@ export function marksOf(language?: string): Marks {
   return hasComma ? { separator: ';', decimal: ',' } : { separator: ',', decimal: '.' };
 }
 
+const { columns: HEADS } = flightMessages.csv;
+export type CsvColumn = keyof typeof HEADS;
 /** The columns of the file, in their order. */
-export const CSV_COLUMNS = [
-  'date',
-  'time',
-  'zone',
-  'place',
-  'model',
-  'setting',
-  'timerClass',
-  'memory',
-  'dt',
-  'motorStop',
-  'wind',
-  'temperature',
-  'round',
-  'result',
-  'note',
-] as const;
-export type CsvColumn = (typeof CSV_COLUMNS)[number];
+export const CSV_COLUMNS = Object.keys(HEADS) as CsvColumn[];
 
 /** Texts that a spreadsheet would calculate instead of showing. Some take the wide signs for the narrow ones. */
 const FORMULA = /^(?:'|\s*[=+\-@＝＋－＠]|[\t\r\n])/;
@@ -40,14 +26,10 @@ const FORMULA = /^(?:'|\s*[=+\-@＝＋－＠]|[\t\r\n])/;
  * The flights as a table for spreadsheets (RFC 4180). UTF-8 with a mark at the start, so that Excel recognises it;
  * dates in ISO 8601, on the clock of the field. A text that looks like a formula gets an apostrophe before it, and so
  * does a text that begins with one: a reader removes one apostrophe.
- * @param heads the names of the columns, with their units.
  */
-export function flightsCsv(
-  flights: readonly Flight[],
-  { marks, heads }: { readonly marks: Marks; readonly heads: Readonly<Record<CsvColumn, string>> },
-): string {
+export function flightsCsv(flights: readonly Flight[], marks: Marks): string {
   const rows = [
-    CSV_COLUMNS.map((column) => quoted(heads[column])),
+    CSV_COLUMNS.map((column) => quoted(HEADS[column])),
     ...flights.map((flight) => CSV_COLUMNS.map((column) => cell(flight, column, marks))),
   ];
   return `\uFEFF${rows.map((row) => `${row.join(marks.separator)}\r\n`).join('')}`;

@@ -94,7 +94,9 @@ export function FlightsView({ session, log }: FlightsViewProps) {
 
 /** As a table for a spreadsheet, in the way of the browser's language. */
 function saveTable(records: readonly FlightRecord[]): void {
-  const flights = records.map(({ flight }) => flight);
-  const text = flightsCsv(flights, { marks: marksOf(), heads: flightMessages.csv.columns });
+  const text = flightsCsv(
+    records.map(({ flight }) => flight),
+    marksOf(),
+  );
   saveFile(`flights-${dayOf({ at: Date.now() })}.csv`, text, 'text/csv');
 }

@@ -62,7 +62,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       <Choice
         label={label.model}
         choices={[...library.models.list.value.map(({ key }) => key), NEW, NONE]}
-        nameOf={(key) => (key === NEW ? words.newModel : (library.models.get(key)?.model.name ?? noModel))}
+        nameOf={(key) => (key === NEW ? libraryMessages.models.make : (library.models.get(key)?.model.name ?? noModel))}
         chosen={model.value}
         onChoose={(key) => {
           model.value = key;

@@ -46,7 +46,6 @@ export const flightMessages = {
     /** @param facts the next round and the last wind. */
     propose: (facts: string) => `Note ${facts}`,
     full: 'Full round, 180 s',
-    fullShort: '180 s',
     round: 'Round',
     flyOff: 'Fly-off',
     wind: 'Wind',

@@ -90,7 +90,6 @@ export const libraryMessages = {
     asNew: 'Save as new…',
     name: 'Name of the program',
     namePlace: 'For example: fly-off, calm',
-    newModel: 'New model',
     notSavable: 'A field has no value. Correct it first.',
     state: (name: string, changes: number, unreadable: number) =>
       changes + unreadable === 0

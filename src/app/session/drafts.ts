@@ -28,6 +28,10 @@ export class Drafts {
   /** Whether everything that was typed would survive a reload. */
   readonly kept: ReadonlySignal<boolean> = computed(() => this.#unsaved.value.size === 0);
 
+  readonly #list = signal<readonly Draft[]>([], { name: 'keptPrograms' });
+  /** All drafts that can be shown, the latest first, as of the last look. */
+  readonly list: ReadonlySignal<readonly Draft[]> = this.#list;
+
   constructor(shelf: Keeper<Draft>) {
     this.#shelf = shelf;
     this.#begun = new Promise((resolve) => {
@@ -61,8 +65,12 @@ export class Drafts {
     return other && this.take(other);
   }
 
-  /** All drafts that can be shown, the latest first. */
-  async available(): Promise<Draft[]> {
+  /** Looks up what is kept. Where the browser keeps nothing there is none. */
+  async load(): Promise<void> {
+    this.#list.value = await this.#available();
+  }
+
+  async #available(): Promise<Draft[]> {
     await this.#begun;
     await this.#saving;
     return (await this.#all()).filter(isEdited);
@@ -86,11 +94,12 @@ export class Drafts {
 
   /** The stored, unsaved changes of a setting. */
   async ofSetting(id: string): Promise<Draft | undefined> {
-    return (await this.available()).find((draft) => draft.madeAt !== undefined && draft.of?.id === id);
+    return (await this.#available()).find((draft) => draft.madeAt !== undefined && draft.of?.id === id);
   }
 
   /** Deletes a draft for good. */
   async remove({ key }: Draft): Promise<void> {
+    this.#list.value = this.#list.peek().filter((each) => each.key !== key);
     this.#open.delete(key);
     this.#note(key, true);
     this.#then(() => this.#shelf.remove(key));

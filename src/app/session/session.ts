@@ -6,7 +6,6 @@ import { Backups } from './backups.js';
 import { Drafts } from './drafts.js';
 import { InterruptedJobs } from './interrupted-jobs.js';
 import { JobRunner } from './job-runner.js';
-import { KeptPrograms } from './kept-programs.js';
 import { KeptWork } from './kept-work.js';
 import { Knowledge } from './knowledge.js';
 import { Library } from './library.js';
@@ -44,7 +43,8 @@ export class Session {
   readonly backups: Backups;
   readonly aside: SetAside;
   readonly keptWork: KeptWork;
-  readonly keptPrograms: KeptPrograms;
+  /** The pilot's work on this device: programs that were made here, and changes that are in no timer. */
+  readonly keptPrograms: Drafts;
   /** The pilot's models, their settings and the flights. */
   readonly library: Library;
   /** The setting that the program on the screen belongs to, and how it is saved. */
@@ -130,7 +130,7 @@ export class Session {
     this.shortDt = new ShortDt(this);
     this.timer = new TimerAccess(this, options);
     this.keptWork = new KeptWork(this, drafts);
-    this.keptPrograms = new KeptPrograms(drafts);
+    this.keptPrograms = drafts;
     this.opened = new OpenSetting(this, drafts);
     this.origin = new Origin({
       editor: this.editor,

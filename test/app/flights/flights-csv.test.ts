@@ -14,7 +14,7 @@ describe('the table of flights', () => {
     fc.assert(
       fc.property(fc.array(anyFlight, { maxLength: 8 }), fc.constantFrom('de', 'en'), (flights, language) => {
         const marks = marksOf(language);
-        const csv = flightsCsv(flights, { marks, heads });
+        const csv = flightsCsv(flights, marks);
         expect(csv.startsWith('\uFEFF')).toBe(true);
         const [head, ...rows] = readCsv(csv.slice(1), marks.separator);
         expect(head).toEqual(CSV_COLUMNS.map((column) => heads[column]));
@@ -60,7 +60,7 @@ describe('the table of flights', () => {
       result: 178.25,
       note: '=HYPERLINK("x")',
     };
-    const [head, row] = flightsCsv([flight], { marks: marksOf('de'), heads }).split('\r\n');
+    const [head, row] = flightsCsv([flight], marksOf('de')).split('\r\n');
     expect(head).toBe(
       '\uFEFF"Date";"Time";"Time zone";"Place";"Model";"Program";"Timer class";"Memory";"DT (s)";"Motor stop (s)";"Wind (m/s)";"Temperature (°C)";"Round";"Result (s)";"Note"',
     );
@@ -73,7 +73,7 @@ describe('the table of flights', () => {
       ...PLAIN,
       program: { ...program, memory: null, identity: { ...program.identity, timerClass: 'B' } },
     };
-    const [, row] = flightsCsv([recordOf(flight).flight], { marks: marksOf('en'), heads }).split('\r\n');
+    const [, row] = flightsCsv([recordOf(flight).flight], marksOf('en')).split('\r\n');
     expect(row).toBe('2026-11-22,14:05,,,,,"B",,180,,,,,,');
   });
 
