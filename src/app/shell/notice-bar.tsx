@@ -18,6 +18,7 @@ const CALM: ReadonlySet<Notice['code']> = new Set([
   'back',
   'kept',
   'write-completed',
+  'backed-up',
   'nothing-written',
   'made-laid',
 ]);
