@@ -114,7 +114,7 @@ test('a changed value is marked on paper, and nothing there says that it is in t
   await app.page.locator('.leaf').waitFor();
   const [page, ...others] = await solidPages(app);
   expect(others).toEqual([]);
-  expect(page?.text).toContain(solid(`4:10${en.knowledge.marks.now('3:00')}`));
+  expect(page?.text).toContain(solid(`4:10 min${en.knowledge.marks.now('3:00')}`));
   expect(page?.text).toContain(solid(en.program.changes(1)));
   expect(page?.text).not.toContain(solid(en.knowledge.readAt('')));
 });

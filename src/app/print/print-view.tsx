@@ -1,11 +1,12 @@
 import { useSignal } from '@preact/signals';
-import { useId, useMemo } from 'preact/hooks';
+import { useMemo } from 'preact/hooks';
 import { print as words } from '../messages/en-print.js';
 import { dateText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { BackHead } from '../ui/back-head.js';
 import { Check } from '../ui/check.js';
 import { Problem } from '../ui/problem.js';
+import { SegmentChoice } from '../ui/segment-choice.js';
 import { Print, SHEET_PARTS, type SheetPart } from './print.js';
 import { PAPER_KEYS, PAPERS, type PrintOrder } from './print-order.js';
 import { PrintPicker } from './print-picker.js';
@@ -29,7 +30,7 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
   const { value: home } = order.home;
   return (
     <>
-      <div class="print-tools">
+      <div class="stack gap-3 print-tools">
         <BackHead back={names[home]} to={`#${home}`}>
           {names.print}
         </BackHead>
@@ -73,7 +74,6 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
 
 /** Chooses the paper, and the parts of the sheet. */
 function Choices({ print }: { readonly print: Print }) {
-  const id = useId();
   const parts: Readonly<Record<SheetPart, string>> = {
     timeline: messages.value.timeline.title,
     notes: words.notes,
@@ -81,31 +81,21 @@ function Choices({ print }: { readonly print: Print }) {
   };
   return (
     <>
-      <fieldset>
-        <legend>{words.paper}</legend>
-        <div class="print-choices">
-          {PAPER_KEYS.map((paper) => (
-            <label key={paper} class="check">
-              <input
-                type="radio"
-                name={id}
-                checked={paper === print.paper.value}
-                onChange={() => print.setPaper(paper)}
-              />
-              {PAPERS[paper]}
-            </label>
-          ))}
-        </div>
-      </fieldset>
-      <fieldset>
-        <legend>{words.what}</legend>
-        <div class="print-choices">
-          {SHEET_PARTS.map((part) => (
-            <Check key={part} checked={print.parts.value.has(part)} onChange={() => print.togglePart(part)}>
-              {parts[part]}
-            </Check>
-          ))}
-        </div>
+      <SegmentChoice
+        name="paper"
+        title={words.paper}
+        choices={PAPER_KEYS}
+        names={PAPERS}
+        chosen={print.paper.value}
+        onChoose={(paper) => print.setPaper(paper)}
+      />
+      <fieldset class="row">
+        <legend class="hint">{words.what}</legend>
+        {SHEET_PARTS.map((part) => (
+          <Check key={part} checked={print.parts.value.has(part)} onChange={() => print.togglePart(part)}>
+            {parts[part]}
+          </Check>
+        ))}
       </fieldset>
     </>
   );
