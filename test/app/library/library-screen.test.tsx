@@ -187,7 +187,7 @@ it('a setting that is deleted while its note is typed comes back to its place wi
   expect([list.value.at(-1), app.store.settings.records.get('setting-0')]).toEqual([before, before]);
 });
 
-it('a phone saves a program from the large figures', async () => {
+it('a phone saves a program from what the strip opens', async () => {
   const real = window.matchMedia;
   onTestFinished(() => {
     window.matchMedia = real;
