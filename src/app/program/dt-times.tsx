@@ -43,7 +43,7 @@ interface TimesFieldProps {
 function TimesField({ label, text, describedBy, onTake }: TimesFieldProps) {
   const typed = useSignal<string | null>(null);
   const take = (said: string): void => {
-    const texts = said.split(/[,;]/).filter((each) => each.trim() !== '');
+    const texts = said.split(/[,;\n]/).filter((each) => each.trim() !== '');
     const times = texts.flatMap((each): number[] => {
       const read = parseTime(each);
       return 'value' in read ? [read.value] : [];
@@ -54,8 +54,8 @@ function TimesField({ label, text, describedBy, onTake }: TimesFieldProps) {
     <>
       <label class="stack dt-times">
         {label}
-        <input
-          type="text"
+        <textarea
+          rows={1}
           autocomplete="off"
           aria-describedby={describedBy}
           aria-invalid={typed.value !== null}
