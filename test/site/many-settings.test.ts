@@ -12,7 +12,7 @@ it('a library of 2,000 settings lays out only what is near, and its search stays
   await app.page.getByRole('searchbox').fill('fly-off séries');
   await expect.poll(() => rows.count()).toBeGreaterThan(400);
   const inRow = rows.last().getByRole('link');
-  expect(await inRow.evaluate((link) => link.checkVisibility({ contentVisibilityAuto: true }))).toBe(false);
+  await expect.poll(() => inRow.evaluate((link) => link.checkVisibility({ contentVisibilityAuto: true }))).toBe(false);
   await rows.nth(200).scrollIntoViewIfNeeded();
   await rows.nth(200).getByRole('link').click();
   await app.page.locator('.setting-page').waitFor();
