@@ -89,7 +89,7 @@ function Choices({ print }: { readonly print: Print }) {
         chosen={print.paper.value}
         onChoose={(paper) => print.setPaper(paper)}
       />
-      <fieldset class="row">
+      <fieldset class="row gap-4">
         <legend class="hint">{words.what}</legend>
         {SHEET_PARTS.map((part) => (
           <Check key={part} checked={print.parts.value.has(part)} onChange={() => print.togglePart(part)}>
