@@ -10,16 +10,7 @@ import { formatLibraryFile, LIMITS, type Model } from '../../../src/program/inde
 import { LAST_DATE } from '../../../src/program/require.js';
 import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { type Counts, importNewer, manyRecords } from './many.js';
-
-/** A storage with a library in it. */
-function stored(counts: Counts): MemoryStore {
-  const store = new MemoryStore();
-  const records = manyRecords(counts);
-  for (const each of records.models) store.models.records.set(each.key, each);
-  for (const each of records.settings) store.settings.records.set(each.key, each);
-  for (const each of records.flights) store.flights.records.set(each.key, each);
-  return store;
-}
+import { stored } from './stored.js';
 
 async function opened(counts: Counts = { models: 3, settings: 6, flights: 0 }) {
   const bench = await appBench({ store: stored(counts) });

@@ -2,17 +2,13 @@ import { fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it, onTestFinished, vi } from 'vitest';
 import { libraryMessages } from '../../../src/app/messages/en-library.js';
 import { messages } from '../../../src/app/messages/index.js';
-import { idle, MemoryStore } from '../bench/bench.js';
+import { idle } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
-import { manyRecords } from './many.js';
+import { stored } from './stored.js';
 
 /** The page with a small library, at a place in it. */
 async function at(path: string) {
-  const store = new MemoryStore();
-  const records = manyRecords({ models: 2, settings: 4, flights: 0 });
-  for (const each of records.models) store.models.records.set(each.key, each);
-  for (const each of records.settings) store.settings.records.set(each.key, each);
-  const app = await opened({ store });
+  const app = await opened({ store: stored({ models: 2, settings: 4, flights: 0 }) });
   app.models.views.show('library', path);
   await idle();
   return app;
@@ -40,10 +36,7 @@ it('is empty at first, and says what a model is for and how to begin', async () 
 it.each(['', 'model-0', 'model-0/setting-0'])(
   'that the browser does not give out is never called empty or gone, at “%s”, and comes when it is asked for again',
   async (path) => {
-    const store = new MemoryStore();
-    const { models, settings } = manyRecords({ models: 2, settings: 4, flights: 0 });
-    for (const each of models) store.models.records.set(each.key, each);
-    for (const each of settings) store.settings.records.set(each.key, each);
+    const store = stored({ models: 2, settings: 4, flights: 0 });
     const all = [store.models.all, store.settings.all] as const;
     const refuse = () => Promise.reject(new DOMException('held by an old tab', 'UnknownError'));
     store.models.all = refuse;
@@ -61,10 +54,7 @@ it.each(['', 'model-0', 'model-0/setting-0'])(
 );
 
 it('opens without the flights, and reads each list once, however often it is opened', async () => {
-  const store = new MemoryStore();
-  const { models, settings } = manyRecords({ models: 2, settings: 4, flights: 0 });
-  for (const each of models) store.models.records.set(each.key, each);
-  for (const each of settings) store.settings.records.set(each.key, each);
+  const store = stored({ models: 2, settings: 4, flights: 0 });
   const reads = (['models', 'settings', 'flights'] as const).map((shelf) => vi.spyOn(store[shelf], 'all'));
   await opened({ store });
   for (const view of ['library', 'program', 'library'] as const) await goTo(view);
