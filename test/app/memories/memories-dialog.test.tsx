@@ -92,14 +92,6 @@ describe('copying a memory', () => {
     expect(lines()).toContain('· 0 changes');
   });
 
-  it('shows the difference again when the memory has changed meanwhile', async () => {
-    const { timer } = await reviewed();
-    timer.core.memories[2]?.times.splice(10, 1, 30_000);
-    await write();
-    expect(lines()).toContain(en.timer.stale.title);
-    expect(figures()).toContain('DT 3:00 min instead of 5:00 min');
-  });
-
   it('that cannot be backed up says so of that memory, whatever was written into others before', async () => {
     const app = await connected();
     await press(en.overview.readAll);

@@ -38,7 +38,6 @@ it.each<[dialog: string, open: (app: AppBench) => Promise<void>]>([
       await press('Disconnect');
     },
   ],
-  ['Copy M1 to M3', () => press('Copy M1 to M3')],
   ['Share', () => press('Share…')],
   [
     en.erase.open,

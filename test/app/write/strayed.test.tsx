@@ -26,16 +26,6 @@ it('a write during which another memory became current says that values may be i
   expect(dialog.textContent).toContain('M3 became current during the write. Some of the values may be in M3 now.');
 });
 
-it('so does a copy of a memory', async () => {
-  const { timer } = await connected();
-  await press('Copy M1 to M3');
-  timer.core.onAnswer = ({ name }) => {
-    if (name === 'SETTIMERS') timer.core.memory = 0;
-  };
-  const dialog = await confirm('Copy M1 to M3', /^Write \d+ changes?$/);
-  expect(dialog.textContent).toContain('M1 became current during the write. Some of the values may be in M1 now.');
-});
-
 it('a write that changes nothing has sent no value into any memory', () => {
   const value = { field: { kind: 'time', slot: 1 }, wanted: 1, held: null, status: 'unknown', asked: true } as const;
   const report: WriteReport = {

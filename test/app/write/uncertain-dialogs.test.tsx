@@ -18,7 +18,6 @@ const DIALOGS: readonly [title: string, open: (app: AppBench) => Promise<unknown
       await press('Write…');
     },
   ],
-  ['Copy M1 to M3', () => press('Copy M1 to M3')],
   [
     'Paste',
     async () => {
