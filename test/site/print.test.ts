@@ -68,7 +68,7 @@ test('sheets of several programs: each page names its model, and every row is on
   for (const { name } of SETTINGS) await app.page.getByRole('checkbox', { name: new RegExp(`${name}$`) }).check();
   const sizes: Readonly<Record<Paper, string>> = { a5: '148x210', a4: '210x297', letter: '216x279' };
   for (const [paper, size] of Object.entries(sizes)) {
-    await app.page.getByRole('radio', { name: PAPERS[paper as Paper], exact: true }).check();
+    await app.page.getByRole('radio', { name: PAPERS[paper as Paper], exact: true }).check({ force: true });
     // Waits for the fonts: they may come later than the words.
     await app.page.evaluate(() => document.fonts.ready);
     expect(await struckThrough(app), paper).toEqual([]);
