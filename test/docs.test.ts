@@ -133,12 +133,8 @@ describe('the order of the page', () => {
     ['a feature that looks up', 'bench/stand.ts', '../shell/header.js', 'app/bench may not use app/shell'],
     ['a component that looks for its models', 'bench/panel.tsx', '../models.js', 'app/bench may not use app/app'],
     ['a feature that knows another', 'memories/copy.ts', '../bench/stand.js', 'app/memories may not use app/bench'],
-    [
-      'what lies below and looks up',
-      'editing/units.ts',
-      '../session/session.js',
-      'app/editing may not use app/session',
-    ],
+    ['what lies below and looks up', 'editing/units.ts', '../work/session.js', 'app/editing may not use app/work'],
+    ['a timer that knows what is kept', 'timer/link.ts', '../records/library.js', 'app/timer may not use app/records'],
     [
       'a folder in a folder',
       'timeline/preview/player.ts',
@@ -151,8 +147,8 @@ describe('the order of the page', () => {
       '../ui/modal.js',
       'the folder parts is not in the order of the page',
     ],
-    ['a room past its door', 'session/link.ts', '../../serial/ports.js', 'a room is entered through its index.js'],
-    ['the simulator', 'session/link.ts', '../../simulator/index.js', 'only connect/simulated-timer.ts may'],
+    ['a room past its door', 'timer/link.ts', '../../serial/ports.js', 'a room is entered through its index.js'],
+    ['the simulator', 'timer/link.ts', '../../simulator/index.js', 'only connect/simulated-timer.ts may'],
   ])('refuses %s', (_, file, path, why) => {
     expect(breaches(file, `import { a } from '${path}';`)).toEqual([expect.stringContaining(why)]);
     expect(breaches(file, `const a = await import('${path}');`)).toEqual([expect.stringContaining(why)]);
@@ -175,7 +171,7 @@ describe('the order of the page', () => {
     ['const { model } = session.recognition;', 'origin'],
   ])('refuses to ask the sources of an answer: %s', (line, answer) => {
     expect(breaches('print/print.ts', line)).toEqual([expect.stringContaining(`ask session.${answer}`)]);
-    expect(breaches('session/origin.ts', line)).toEqual([]);
+    expect(breaches('work/origin.ts', line)).toEqual([]);
   });
 
   it('lets a component write its own signals, and compare', () => {

@@ -10,9 +10,9 @@ import { libraryMessages } from './messages/en-library.js';
 import { share } from './messages/en-share.js';
 import { messages, stepText } from './messages/index.js';
 import type { AppModels } from './models.js';
-import type { Session } from './session/session.js';
 import type { PaletteCommand } from './shell/palette.js';
 import { VIEWS } from './shell/views.js';
+import type { Session } from './work/session.js';
 
 /** The commands that are possible now, the most wanted first. What stands on the screen of one view only has none. */
 export function commandsOf(models: AppModels): readonly PaletteCommand[] {

@@ -12,7 +12,7 @@ import { filesOf } from './library-files.js';
 import { flightMessages } from './messages/en-flights.js';
 import type { AppModels } from './models.js';
 import { PrintButton } from './print/print-button.js';
-import { sharedOf } from './session/setting-link.js';
+import { sharedOf } from './work/setting-link.js';
 import { BackupList } from './write/backup-list.js';
 
 /** The library, with what other features put into it. */

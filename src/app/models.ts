@@ -15,15 +15,15 @@ import { Leaving } from './memories/leaving.js';
 import { Memories } from './memories/memories.js';
 import { PrintOrder } from './print/print-order.js';
 import { ProgramPicture } from './program/program-picture.js';
-import { Keeping } from './session/keeping.js';
-import { Preferences } from './session/preferences.js';
-import { Session, type SessionOptions } from './session/session.js';
-import type { SetAside } from './session/set-aside.js';
+import { Keeping } from './records/keeping.js';
+import { Preferences } from './records/preferences.js';
+import type { SetAside } from './records/set-aside.js';
 import { Erase, type Erasers } from './settings/erase.js';
 import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
 import { Views } from './shell/views.js';
 import { limited } from './storage/index.js';
+import { Session, type SessionOptions } from './work/session.js';
 import { WriteJob } from './write/write-job.js';
 
 /** The models that the views read and call. */

@@ -14,13 +14,13 @@ import { clockText } from './messages/index.js';
 import { followDay } from './messages/today.js';
 import { createModels } from './models.js';
 import { fetchParts, fetchSimulated } from './parts.js';
-import type { Session } from './session/session.js';
 import { browserErasers } from './settings/erasers.js';
 import type { Theme } from './settings/theme.js';
 import { FramedPage, isFramed } from './shell/framed-page.js';
 import { OtherTabPage } from './shell/other-tab-page.js';
 import { shortcutOf } from './shell/shortcut.js';
 import { browserStorage } from './storage/index.js';
+import type { Session } from './work/session.js';
 
 /**
  * Draws the page, then asks the browser for everything that takes time. Nothing that the browser lacks, refuses or

@@ -1,4 +1,4 @@
-import { fetchRule } from './session/recognition.js';
+import { fetchRule } from './records/recognition.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand } from './ui/on-demand.js';
 

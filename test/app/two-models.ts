@@ -1,4 +1,4 @@
-import { emptyModel } from '../../src/app/session/library.js';
+import { emptyModel } from '../../src/app/records/library.js';
 import type { Backup, ModelRecord, SettingRecord } from '../../src/app/storage/index.js';
 import type { ProgramField, Setting, TimerProgram } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';

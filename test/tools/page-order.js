@@ -29,7 +29,12 @@ const ORDER = [
   ['write'],
   ['timeline'],
   ['ui'],
-  ['session'],
+  // The program on the screen: where it comes from, what is not finished, and the one place that builds all of it.
+  ['work'],
+  // What the page keeps: models, programs, flights, backups.
+  ['records'],
+  // One timer on one wire, and what is known of it.
+  ['timer'],
   ['messages'],
   ['storage'],
   ['editing'],
@@ -53,7 +58,7 @@ const WRITTEN = /\b(\w+\.\w+)\.value\s*(?:[-+*/]?=(?![=>])|\+\+|--)/g;
 
 /**
  * Whose values they are, and what may be said of a timer, is asked in one place each. Their own sources are for the
- * folder `session` alone.
+ * folders `work`, `records` and `timer` alone.
  */
 const ASKED = [
   { sources: { recognition: 'model', opened: 'shown' }, ask: 'origin: whose the values are' },
@@ -79,7 +84,7 @@ export function breaches(file, text) {
   return [
     ...importBreaches(file, text),
     ...written.map(([, signal]) => `${file} writes ${signal}: a component calls a method of the model`),
-    ...(file.startsWith('session/') ? [] : sourcesIn(file, text)),
+    ...(/^(?:work|records|timer)\//.test(file) ? [] : sourcesIn(file, text)),
   ];
 }
 

@@ -1,6 +1,6 @@
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
+import type { Session } from '../work/session.js';
 import type { Bench } from './bench.js';
 import './bench-grid.css';
 

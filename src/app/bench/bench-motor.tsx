@@ -1,9 +1,9 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { HoldButton } from '../ui/hold-button.js';
+import type { Session } from '../work/session.js';
 import type { Bench } from './bench.js';
 import { Trim } from './bench-trim.js';
 

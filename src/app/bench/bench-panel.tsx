@@ -1,6 +1,6 @@
 import { type Identity, slotCount } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import { SafetyCheck } from '../write/safety-check.js';
 import type { Bench } from './bench.js';
 import { BenchGrid } from './bench-grid.js';

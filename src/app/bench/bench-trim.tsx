@@ -1,7 +1,7 @@
 import { type ProgramField, valueAt } from '../../program/index.js';
 import { stepValue } from '../editing/edits.js';
 import { fieldLabel, messages, slotInSentence } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { Bench } from './bench.js';
 import type { Follow } from './follow.js';
 import './bench-trim.css';

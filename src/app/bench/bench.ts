@@ -1,8 +1,8 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { JobContext } from '../session/job-runner.js';
-import type { Session } from '../session/session.js';
+import type { JobContext } from '../timer/job-runner.js';
+import type { Session } from '../work/session.js';
 import { ServoStand } from './servo-stand.js';
 
 /** Actions of the bench that may move something. */

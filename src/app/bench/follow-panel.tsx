@@ -1,8 +1,8 @@
 import type { ComponentChildren } from 'preact';
 import type { Identity } from '../../protocol/index.js';
 import { changeText, fieldLabel, messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import { NoticeText } from '../ui/notice-text.js';
+import type { Session } from '../work/session.js';
 import { triedText } from '../write/unfinished-text.js';
 import type { Bench } from './bench.js';
 import { doneText, standText } from './bench-text.js';

@@ -2,9 +2,9 @@ import { batch, computed, effect, type ReadonlySignal, signal, untracked } from 
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { withValues } from '../editing/edit.js';
-import type { JobContext, JobKind } from '../session/job-runner.js';
-import type { Session } from '../session/session.js';
-import type { Trials } from '../session/trials.js';
+import type { JobContext, JobKind } from '../timer/job-runner.js';
+import type { Trials } from '../timer/trials.js';
+import type { Session } from '../work/session.js';
 import type { Bench } from './bench.js';
 import type { Ended, EndReason } from './ended.js';
 import { FollowedEdits, type Position } from './followed-edits.js';

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 
 /** What an acknowledged movement has shown. */
 interface Stand {

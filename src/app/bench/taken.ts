@@ -1,7 +1,7 @@
 import { type Change, differences, fieldKey, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { withValues } from '../editing/edit.js';
-import type { JobContext } from '../session/job-runner.js';
+import type { JobContext } from '../timer/job-runner.js';
 import type { PendingPosition } from './followed-edits.js';
 
 /** What a timer holds in place of what it acknowledged, and what changed beside it. */

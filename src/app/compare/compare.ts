@@ -2,9 +2,9 @@ import { computed, type ReadonlySignal } from '@preact/signals';
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import { isOfOneShape } from '../editing/shape.js';
-import type { Session } from '../session/session.js';
-import type { Held } from '../session/standing.js';
 import type { Backup, SettingRecord } from '../storage/index.js';
+import type { Held } from '../timer/standing.js';
+import type { Session } from '../work/session.js';
 import { backupKey, type ComparedPair, memoryKey, SCREEN, settingKey } from './choice.js';
 
 /** A program that can be compared. */

@@ -2,8 +2,8 @@ import type { AssumedQuirks } from '../../client/index.js';
 import { dotted } from '../messages/dotted.js';
 import { identityText } from '../messages/frame-text.js';
 import { messages, portName } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import { Check } from '../ui/check.js';
+import type { Session } from '../work/session.js';
 
 type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
 

@@ -1,7 +1,7 @@
 import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
-import { isRateSet, portInfoOf } from '../session/link.js';
-import type { Session } from '../session/session.js';
+import { isRateSet, portInfoOf } from '../timer/link.js';
+import type { Session } from '../work/session.js';
 import { ConnectionHelp } from './connection-help-view.js';
 import { ChooseAnother } from './link-stage.js';
 import { waitingFor } from './waiting.js';

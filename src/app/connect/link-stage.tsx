@@ -1,9 +1,9 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
-import { isRateSet, portInfoOf } from '../session/link.js';
-import type { Session } from '../session/session.js';
+import { isRateSet, portInfoOf } from '../timer/link.js';
 import { disturbedFor } from '../ui/progress-line.js';
+import type { Session } from '../work/session.js';
 import { ConnectionHelp } from './connection-help-view.js';
 import { StepList } from './step-list.js';
 import { NOTHING, titled, WAIT_STEPS, waitingFor } from './waiting.js';

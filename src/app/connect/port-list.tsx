@@ -1,9 +1,9 @@
 import type { SerialSettings } from '../../serial/index.js';
 import { DEFAULT_SETTINGS, RATES } from '../../serial/index.js';
 import { messages, portName } from '../messages/index.js';
-import type { Link } from '../session/link.js';
-import type { Session } from '../session/session.js';
+import type { Link } from '../timer/link.js';
 import { Choice } from '../ui/choice.js';
+import type { Session } from '../work/session.js';
 import './port-list.css';
 
 interface PortListProps {

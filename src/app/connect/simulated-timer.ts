@@ -3,7 +3,7 @@ import { MockSerial, type PlugOptions } from '../../mock-serial/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { SerialPortLike } from '../../serial/index.js';
 import { exampleMemories, ReplayTimer, type TimerCore, VirtualTimer } from '../../simulator/index.js';
-import type { SimulatedClass } from '../session/timer-access.js';
+import type { SimulatedClass } from '../work/timer-access.js';
 
 /** How long an adapter and a timer take to answer, in milliseconds: about as long as over infrared. */
 const LATENCY = 40;

@@ -3,11 +3,11 @@ import { useEffect } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
 import { clockText, messages, timerName } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import type { Backups } from '../session/backups.js';
-import type { Session } from '../session/session.js';
-import { SIMULATED_CLASSES } from '../session/timer-access.js';
+import type { Backups } from '../records/backups.js';
 import type { Draft } from '../storage/index.js';
 import { NewProgramDialog } from '../ui/new-program-dialog.js';
+import type { Session } from '../work/session.js';
+import { SIMULATED_CLASSES } from '../work/timer-access.js';
 import './start-cards.css';
 
 /** How many models are named here. The library has the others. */

@@ -1,9 +1,9 @@
 import type { Platform } from '../browser/platform.js';
 import { clockText, messages, timerName } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import type { Session } from '../session/session.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
 import { NoticeText } from '../ui/notice-text.js';
+import type { Session } from '../work/session.js';
 import { ConnectButtons } from './connect-buttons.js';
 import { ConnectionHelp, connectionSaid } from './connection-help-view.js';
 import { EXAMPLE } from './example-program.js';

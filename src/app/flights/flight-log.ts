@@ -4,10 +4,10 @@ import { differences, type Flight, LIMITS, sameLayout, type TimerProgram } from 
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { changesSince } from '../editing/content.js';
 import { messages } from '../messages/index.js';
-import { newId } from '../session/library.js';
-import { beginningOf } from '../session/plain-names.js';
-import type { Session } from '../session/session.js';
+import { newId } from '../records/library.js';
+import { beginningOf } from '../records/plain-names.js';
 import type { SettingRecord } from '../storage/index.js';
+import type { Session } from '../work/session.js';
 import { putBackDt } from '../write/put-back.js';
 import type { WriteJob } from '../write/write-job.js';
 import { type FlightFilter, NO_FILTER } from './flight-filter.js';

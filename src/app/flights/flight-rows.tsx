@@ -1,8 +1,8 @@
 import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { dtText, messages } from '../messages/index.js';
-import type { ShortDt } from '../session/short-dt.js';
 import type { FlightRecord } from '../storage/index.js';
+import type { ShortDt } from '../work/short-dt.js';
 import { type FlightDay, isRound } from './flight-list.js';
 import { clockOf, dayHeading, isFull, resultText } from './flight-text.js';
 import { measureText } from './measures.js';

@@ -1,7 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import { type FlownBy, NO_FILTER } from './flight-filter.js';
 import { filtered } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';

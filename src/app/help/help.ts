@@ -1,5 +1,5 @@
 import { computed } from '@preact/signals';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import { Checklist } from './checklist.js';
 
 /** The pages of the help, in their order. The first is shown when an address names none. */

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { foldedOf, foldedText, searchFor } from '../messages/search.js';
-import type { Library } from '../session/library.js';
+import type { Library } from '../records/library.js';
 import type { ModelRecord, SettingRecord } from '../storage/index.js';
 
 /** How many of the settings that were changed last are shown. */

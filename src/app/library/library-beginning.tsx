@@ -1,5 +1,5 @@
 import { libraryMessages } from '../messages/en-library.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { Browse } from './browse.js';
 import { SettingList } from './setting-list.js';
 

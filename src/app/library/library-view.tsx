@@ -1,8 +1,8 @@
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import { useQuery } from '../ui/use-query.js';
+import type { Session } from '../work/session.js';
 import type { Browse } from './browse.js';
 import { LibraryBeginning } from './library-beginning.js';
 import { ModelColumn } from './model-column.js';

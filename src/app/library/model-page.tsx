@@ -1,9 +1,9 @@
 import { LIMITS, type Model } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
-import { plainName } from '../session/plain-names.js';
-import type { Session } from '../session/session.js';
+import { plainName } from '../records/plain-names.js';
 import type { ModelRecord } from '../storage/index.js';
+import type { Session } from '../work/session.js';
 import { ClassChoice } from './class-choice.js';
 import { ModelServos } from './model-servos.js';
 import type { Places } from './places.js';

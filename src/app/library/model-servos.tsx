@@ -2,10 +2,10 @@ import { useSignal } from '@preact/signals';
 import type { ServoUse, TimerProgram } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { dutyName, messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import type { ModelRecord } from '../storage/index.js';
 import { ServoDialog } from '../timeline/preview/servo-dialog.js';
 import { guessedUses } from '../timeline/preview/surfaces.js';
+import type { Session } from '../work/session.js';
 import './model-servos.css';
 
 interface ModelServosProps {

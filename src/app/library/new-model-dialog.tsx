@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals';
 import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
-import { emptyModel, newId } from '../session/library.js';
-import type { Session } from '../session/session.js';
+import { emptyModel, newId } from '../records/library.js';
 import { FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
+import type { Session } from '../work/session.js';
 import { ClassChoice } from './class-choice.js';
 import { NameField } from './name-field.js';
 import './library-form.css';

@@ -3,10 +3,10 @@ import { useEffect } from 'preact/hooks';
 import type { TimerProgram } from '../../program/index.js';
 import { CLASSES } from '../editing/new-program.js';
 import { libraryMessages } from '../messages/en-library.js';
-import { newId } from '../session/library.js';
-import type { Session } from '../session/session.js';
+import { newId } from '../records/library.js';
 import type { ModelRecord } from '../storage/index.js';
 import { NewProgramDialog } from '../ui/new-program-dialog.js';
+import type { Session } from '../work/session.js';
 import { NameField } from './name-field.js';
 import { addressPath } from './place.js';
 

@@ -1,5 +1,5 @@
 import { libraryMessages } from '../messages/en-library.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { SaveSetting } from './save-setting.js';
 import './save-buttons.css';
 

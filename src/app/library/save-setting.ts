@@ -1,6 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import { emptyModel, newId } from '../session/library.js';
-import type { Session } from '../session/session.js';
+import { emptyModel, newId } from '../records/library.js';
+import type { Session } from '../work/session.js';
 
 /** The pilot's choices for a new setting. */
 export interface Named {

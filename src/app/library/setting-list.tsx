@@ -2,9 +2,9 @@ import { dotted } from '../messages/dotted.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { dateText } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
+import type { Session } from '../work/session.js';
 import { addressOf } from './place.js';
 
 interface SettingListProps {

@@ -1,5 +1,5 @@
 import { LIMITS } from '../../program/index.js';
-import { beginningOf } from '../session/plain-names.js';
+import { beginningOf } from '../records/plain-names.js';
 
 /** Tags from a typed text with commas between them. Each comes once; no more than can be kept. */
 export function asTags(text: string): string[] {

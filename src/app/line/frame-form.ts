@@ -2,7 +2,7 @@ import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
 import { encodeFrame, type Frame, type LayoutOptions, MAX_DATA } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 
 /** Why a typed text is no frame. */
 export type FrameFault = 'hex' | 'too-long';

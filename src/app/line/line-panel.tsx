@@ -1,5 +1,5 @@
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { FrameForm } from './frame-form.js';
 import { LineRows } from './line-rows.js';
 import { LineTools } from './line-tools.js';

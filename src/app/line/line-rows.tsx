@@ -1,6 +1,6 @@
 import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
-import type { LineRecord } from '../session/line-record.js';
+import type { LineRecord } from '../timer/line-record.js';
 import { type LineView, STEP } from './line-view.js';
 import './line-rows.css';
 

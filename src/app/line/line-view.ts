@@ -1,8 +1,8 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
 import { foldedOf, searchFor } from '../messages/search.js';
-import type { LineLog } from '../session/line-log.js';
-import type { LineRecord } from '../session/line-record.js';
+import type { LineLog } from '../timer/line-log.js';
+import type { LineRecord } from '../timer/line-record.js';
 import { type Recording, type RecordingFault, readRecording } from './recording.js';
 
 /** Which entries are shown: all, those of one direction, or damaged ones. */

@@ -1,5 +1,5 @@
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { LineView } from './line-view.js';
 
 /** Names the recording that is shown, and what can be done with it; or says why a file is no recording. */

@@ -10,8 +10,8 @@ import {
 } from '../../protocol/index.js';
 import { textOfFile } from '../browser/read-file.js';
 import { describeFrame, frameName } from '../messages/frame-text.js';
-import { type LineRecord, recorder } from '../session/line-record.js';
-import { plainName } from '../session/plain-names.js';
+import { plainName } from '../records/plain-names.js';
+import { type LineRecord, recorder } from '../timer/line-record.js';
 
 /** A recording of a line, from this page or another source. */
 export interface Recording {

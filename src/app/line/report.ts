@@ -5,8 +5,8 @@ import { nameplate } from '../browser/services.js';
 import { version } from '../browser/version.js';
 import { identityText } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
-import type { LineRecord } from '../session/line-record.js';
-import type { Session } from '../session/session.js';
+import type { LineRecord } from '../timer/line-record.js';
+import type { Session } from '../work/session.js';
 import { captureText } from './recording.js';
 
 /** How many of the last entries go into a report. */

@@ -1,8 +1,8 @@
 import type { Frame } from '../../protocol/index.js';
 import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
+import type { Session } from '../work/session.js';
 import { StartButtons } from '../write/start-buttons.js';
 import type { FrameForm } from './frame-form.js';
 import './send-frame.css';

@@ -1,6 +1,6 @@
 import type { TimerProgram } from '../../program/index.js';
 import { replaceAll } from '../editing/edit.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { WriteJob } from '../write/write-job.js';
 
 /**

@@ -1,7 +1,7 @@
 import { dtText, messages } from '../messages/index.js';
-import { memoryText } from '../session/memory-names.js';
-import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
+import { memoryText } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 import { nextFlightText } from '../write/next-flight-text.js';
 import { UncertainNote } from '../write/uncertain-note.js';
 import type { WriteJob } from '../write/write-job.js';

@@ -1,6 +1,6 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals';
-import type { JobKind } from '../session/job-runner.js';
-import type { Session } from '../session/session.js';
+import type { JobKind } from '../timer/job-runner.js';
+import type { Session } from '../work/session.js';
 import { putBackDt } from '../write/put-back.js';
 import type { WriteJob } from '../write/write-job.js';
 import type { Memories } from './memories.js';

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import type { Backup } from '../storage/index.js';
+import type { Session } from '../work/session.js';
 import { BackupList } from '../write/backup-list.js';
 import type { WriteJob } from '../write/write-job.js';
 import type { Memories } from './memories.js';

@@ -1,8 +1,8 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { JobContext } from '../session/job-runner.js';
-import type { Session } from '../session/session.js';
+import type { JobContext } from '../timer/job-runner.js';
+import type { Session } from '../work/session.js';
 import { NotedRoundTrip } from '../write/noted-round-trip.js';
 
 /**

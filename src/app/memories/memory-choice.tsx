@@ -1,9 +1,9 @@
 import { useComputed } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
-import { givenName, memoryText } from '../session/memory-names.js';
-import type { Session } from '../session/session.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
+import { givenName, memoryText } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 import type { Memories } from './memories.js';
 import './memory-choice.css';
 

@@ -1,10 +1,10 @@
 import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { type Known, openValues } from '../session/known.js';
-import { memoryText } from '../session/memory-names.js';
-import type { Session } from '../session/session.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
 import { Timeline } from '../timeline/timeline.js';
+import { type Known, openValues } from '../timer/known.js';
+import { memoryText } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 import { ValueTable } from '../write/value-table.js';
 import type { Memories } from './memories.js';
 import './memory-look.css';

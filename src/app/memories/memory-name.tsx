@@ -3,8 +3,8 @@ import { LIMITS } from '../../program/index.js';
 import { on } from '../browser/lifecycle.js';
 import { modelMessages } from '../messages/en-which-model.js';
 import { messages } from '../messages/index.js';
-import { givenName, nameMemory } from '../session/memory-names.js';
-import type { Session } from '../session/session.js';
+import { givenName, nameMemory } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 import './memory-name.css';
 
 /** The pilot's name for a memory of the model. Shows nothing while the model is not known. */

@@ -1,7 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
-import { memoryText } from '../session/memory-names.js';
-import type { Session } from '../session/session.js';
+import { memoryText } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 import './next-flight-line.css';
 
 /** What is to be known about the memory that flies next, in every view. What is unfinished has its own band. */

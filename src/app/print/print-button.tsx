@@ -1,5 +1,5 @@
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import { memoryKey } from './print-order.js';
 
 interface PrintButtonProps {

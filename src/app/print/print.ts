@@ -10,11 +10,11 @@ import { print as onPaper } from '../messages/en-print.js';
 import { modelMessages } from '../messages/en-which-model.js';
 import { dateText, messages, timerName } from '../messages/index.js';
 import { foldedText, searchFor } from '../messages/search.js';
-import { memoryOf } from '../session/memory-names.js';
-import type { Session } from '../session/session.js';
-import { qrLinkOf, sharedOf } from '../session/setting-link.js';
-import { hintText, madeAs, programName, standingText } from '../session/standing-text.js';
 import type { SettingRecord } from '../storage/index.js';
+import { memoryOf } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
+import { qrLinkOf, sharedOf } from '../work/setting-link.js';
+import { hintText, madeAs, programName, standingText } from '../work/standing-text.js';
 import { isOfLibrary, memoryKey, ON_SCREEN, PAPER_KEYS, type Paper, type PrintOrder } from './print-order.js';
 import { type Marks, type Sheet, type SheetSource, sheetOf } from './sheet.js';
 

@@ -10,7 +10,7 @@ import { formatTime } from '../editing/units.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { dutyName, fieldLabel, fieldName, findingText, messages, timerName, valueText } from '../messages/index.js';
 import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
-import { memoryOf } from '../session/memory-names.js';
+import { memoryOf } from '../work/memory-names.js';
 
 /** The source of a sheet. */
 export interface SheetSource {

@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { parseTime } from '../editing/units.js';
 import { dtText, messages, presetText } from '../messages/index.js';
-import type { Preferences } from '../session/preferences.js';
+import type { Preferences } from '../records/preferences.js';
 import { Problem } from '../ui/problem.js';
 import './dt-times.css';
 

@@ -6,7 +6,7 @@ import { onBackInHistory, onBackKey } from '../browser/back-key.js';
 import { media } from '../browser/doors.js';
 import { plainSeconds } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
-import type { Standing } from '../session/standing.js';
+import type { Standing } from '../timer/standing.js';
 import { Icon } from '../ui/icon.js';
 import { pressListeners } from '../ui/press-listeners.js';
 import { useRelease } from '../ui/use-release.js';

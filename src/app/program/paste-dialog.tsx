@@ -7,11 +7,11 @@ import { cellFor, type GridRange, INTERVAL_COLUMN, TIME_COLUMN } from '../editin
 import { type PastePreview, type PasteProblem, pasted, previewPaste } from '../editing/paste.js';
 import type { PasteAnswer, PasteQuestion } from '../editing/paste-questions.js';
 import { gridLabel, messages, pasteProblemText, slotLabel, spokenTime } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import { type GridRow, ProgramGrid } from '../timeline/program-grid.js';
 import { Choice } from '../ui/choice.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
+import type { Session } from '../work/session.js';
 import { UncertainNote } from '../write/uncertain-note.js';
 
 /** A text to paste, and where. */

@@ -3,7 +3,7 @@ import { fieldKey, type ProgramField } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { messages, presetText } from '../messages/index.js';
-import type { Preferences } from '../session/preferences.js';
+import type { Preferences } from '../records/preferences.js';
 import './presets.css';
 
 interface DtPresetsProps {

@@ -9,7 +9,7 @@ import type { Editor } from '../editing/editor.js';
 import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
 import { formatTime } from '../editing/units.js';
 import { fieldLabel, figureOf, messages, slotLabel } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { Hand } from './hand.js';
 import type { MotorPlace } from './motor-place.js';
 import { RowMenu } from './row-menu.js';

@@ -1,6 +1,6 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 
 /** Buttons that read the timer again, and take back all changes. */
 export function ReadButtons({ session }: { readonly session: Session }) {

@@ -3,13 +3,13 @@ import { useMemo } from 'preact/hooks';
 import { differences, type ProgramField, type TimerProgram } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { dutyName, messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
-import type { Standing } from '../session/standing.js';
-import type { Trials } from '../session/trials.js';
 import { flightEnd, timeOf } from '../timeline/flight.js';
 import { FlightPreview } from '../timeline/preview/flight-preview.js';
 import { Timeline, type TimelineProps } from '../timeline/timeline.js';
+import type { Standing } from '../timer/standing.js';
+import type { Trials } from '../timer/trials.js';
 import { useLate } from '../ui/use-late.js';
+import type { Session } from '../work/session.js';
 import type { ProgramPicture } from './program-picture.js';
 import './timeline-panel.css';
 

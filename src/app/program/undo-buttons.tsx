@@ -3,7 +3,7 @@ import { useEffect } from 'preact/hooks';
 import { shortcutLetter } from '../browser/shortcut-letter.js';
 import type { Editor } from '../editing/editor.js';
 import { messages, stepText } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { WriteJob } from '../write/write-job.js';
 import './undo-buttons.css';
 

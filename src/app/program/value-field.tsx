@@ -4,7 +4,7 @@ import { fieldKey, type ProgramField } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { type GridField, intervalKey } from '../editing/grid.js';
 import { fieldLabel, gridLabel, messages } from '../messages/index.js';
-import type { Standing } from '../session/standing.js';
+import type { Standing } from '../timer/standing.js';
 import { TimeQuestion } from '../ui/time-question.js';
 import { FieldModel } from './field-model.js';
 import type { EditedValue, Hand } from './hand.js';

@@ -1,6 +1,6 @@
 import type { ReadonlySignal } from '@preact/signals';
 import { messages } from '../messages/index.js';
-import type { Standing } from '../session/standing.js';
+import type { Standing } from '../timer/standing.js';
 import './was-text.css';
 
 interface WasTextProps {

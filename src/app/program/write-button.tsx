@@ -2,7 +2,7 @@ import { useComputed } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { fieldName, messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { WriteJob } from '../write/write-job.js';
 import { firstInTheWay } from './field-notes.js';
 

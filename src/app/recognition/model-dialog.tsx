@@ -6,7 +6,7 @@ import { libraryMessages } from '../messages/en-library.js';
 import { modelMessages } from '../messages/en-which-model.js';
 import { dayText, messages } from '../messages/index.js';
 import { foldedText, searchFor } from '../messages/search.js';
-import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
+import type { FoundModel, PossibleModel, Recognition } from '../records/recognition.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import './model-dialog.css';

@@ -1,6 +1,6 @@
 import { modelMessages } from '../messages/en-which-model.js';
 import { dayText, messages } from '../messages/index.js';
-import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
+import type { FoundModel, PossibleModel, Recognition } from '../records/recognition.js';
 import './model-line.css';
 
 /** How many candidates have a button. All of them are named. */

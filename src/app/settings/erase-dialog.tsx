@@ -1,7 +1,7 @@
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
+import type { Session } from '../work/session.js';
 import { ClosingButtons } from '../write/dialog-steps.js';
 import { UncertainNote } from '../write/uncertain-note.js';
 import type { Erase } from './erase.js';

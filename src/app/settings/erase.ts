@@ -1,7 +1,7 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import { attempt } from '../browser/services.js';
-import type { Session } from '../session/session.js';
 import type { Storage } from '../storage/index.js';
+import type { Session } from '../work/session.js';
 
 /** How that is emptied which the browser keeps outside of the page's storage. */
 export type Erasers = Readonly<Record<'settings' | 'ports' | 'offline', () => Promise<void>>>;

@@ -3,7 +3,7 @@ import type { Bench } from '../bench/bench.js';
 import { BenchPanel } from '../bench/bench-panel.js';
 import type { Follow } from '../bench/follow.js';
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { Views } from './views.js';
 
 export interface BenchViewProps {

@@ -8,8 +8,8 @@ import { messages } from '../messages/index.js';
 import { ReadButtons } from '../program/read-buttons.js';
 import { UndoButtons } from '../program/undo-buttons.js';
 import { BlockedNote, WriteButton } from '../program/write-button.js';
-import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
+import type { Session } from '../work/session.js';
 import type { WriteJob } from '../write/write-job.js';
 import './command-bar.css';
 

@@ -6,9 +6,9 @@ import type { Memories } from '../memories/memories.js';
 import { messages } from '../messages/index.js';
 import { DtPresets } from '../program/presets.js';
 import { ReadButtons } from '../program/read-buttons.js';
-import { memoryText } from '../session/memory-names.js';
-import type { Preferences } from '../session/preferences.js';
-import type { Session } from '../session/session.js';
+import type { Preferences } from '../records/preferences.js';
+import { memoryText } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 
 export interface FiguresPanelProps {
   readonly id: string;

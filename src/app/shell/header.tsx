@@ -4,7 +4,7 @@ import { LinkNotice } from '../connect/link-notice.js';
 import { NextFlightNotes } from '../memories/next-flight-line.js';
 import { UnfinishedBand } from '../memories/unfinished-band.js';
 import { messages } from '../messages/index.js';
-import type { JobKind, JobRunner } from '../session/job-runner.js';
+import type { JobKind, JobRunner } from '../timer/job-runner.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
 import { LOW, useQuery } from '../ui/use-query.js';

@@ -9,9 +9,9 @@ import { type Symptom, TroublePage } from '../help/trouble-page.js';
 import { WordsPage } from '../help/words-page.js';
 import { guide } from '../messages/en-guide.js';
 import { messages } from '../messages/index.js';
-import { isRateSet } from '../session/link.js';
-import type { Session } from '../session/session.js';
+import { isRateSet } from '../timer/link.js';
 import { NoticeText } from '../ui/notice-text.js';
+import type { Session } from '../work/session.js';
 
 export interface HelpViewProps {
   readonly session: Session;

@@ -2,10 +2,10 @@ import type { ReadonlySignal } from '@preact/signals';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
 import { messages } from '../messages/index.js';
-import type { Backups } from '../session/backups.js';
-import type { Keeping } from '../session/keeping.js';
-import type { Library } from '../session/library.js';
-import type { SetAside } from '../session/set-aside.js';
+import type { Backups } from '../records/backups.js';
+import type { Keeping } from '../records/keeping.js';
+import type { Library } from '../records/library.js';
+import type { SetAside } from '../records/set-aside.js';
 
 interface KeepingNoticeProps {
   readonly keeping: Keeping;

@@ -1,9 +1,9 @@
 import { useComputed } from '@preact/signals';
 import type { Follow } from '../bench/follow.js';
 import { clockText, messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
-import { hintText, madeAs, standingText } from '../session/standing-text.js';
 import { NARROW, useQuery } from '../ui/use-query.js';
+import type { Session } from '../work/session.js';
+import { hintText, madeAs, standingText } from '../work/standing-text.js';
 import './known-line.css';
 
 /** How the program on the screen differs from the timer; or that it equals the last reading, and when that was. */

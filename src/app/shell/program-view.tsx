@@ -13,7 +13,7 @@ import type { ProgramPicture } from '../program/program-picture.js';
 import { ProgramTable } from '../program/program-table.js';
 import { RowTools } from '../program/row-tools.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
-import type { Preferences } from '../session/preferences.js';
+import type { Preferences } from '../records/preferences.js';
 import { NARROW, useQuery } from '../ui/use-query.js';
 import { CommandBar, type CommandBarProps } from './command-bar.js';
 import { SettingLine } from './setting-line.js';

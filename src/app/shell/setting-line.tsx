@@ -1,6 +1,6 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import './setting-line.css';
 
 /** While a timer is connected: whose setting is open, and what of it is not saved. Without one, the strip says it. */

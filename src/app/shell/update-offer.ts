@@ -1,6 +1,6 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
-import type { Session } from '../session/session.js';
 import { unsaved } from '../ui/unsaved.js';
+import type { Session } from '../work/session.js';
 
 /** A new version of the page. It waits until the pilot accepts it, no port is open, and a reload would lose nothing. */
 export class UpdateOffer {

@@ -5,10 +5,10 @@ import { dotted } from '../messages/dotted.js';
 import { comparingMessages } from '../messages/en-compare.js';
 import { dateText, dayText, messages, timerName } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { memoryOf } from '../session/memory-names.js';
-import type { Session } from '../session/session.js';
 import type { Backup, ModelRecord } from '../storage/index.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
+import { memoryOf } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 import './backup-list.css';
 
 /** How many backups are shown at first. */

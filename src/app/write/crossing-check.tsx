@@ -1,5 +1,5 @@
 import { modelMessages } from '../messages/en-which-model.js';
-import type { Crossing } from '../session/crossing.js';
+import type { Crossing } from '../records/crossing.js';
 import { Check } from '../ui/check.js';
 import { NoticeText } from '../ui/notice-text.js';
 import type { WriteJob } from './write-job.js';

@@ -1,6 +1,6 @@
 import type { Progress } from '../../client/index.js';
 import { messages } from '../messages/index.js';
-import type { JobRunner } from '../session/job-runner.js';
+import type { JobRunner } from '../timer/job-runner.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
 

@@ -1,5 +1,5 @@
 import { messages } from '../messages/index.js';
-import type { ServoMoves } from '../session/servo-moves.js';
+import type { ServoMoves } from '../timer/servo-moves.js';
 import { Check } from '../ui/check.js';
 
 /** Asks whether a write may move the servos. Only for a timer that keeps positions where the servos stand. */

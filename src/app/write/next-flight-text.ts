@@ -1,7 +1,7 @@
 import { messages } from '../messages/index.js';
-import { memoryText } from '../session/memory-names.js';
-import type { NextFlightWord } from '../session/next-flight.js';
-import type { Session } from '../session/session.js';
+import type { NextFlightWord } from '../timer/next-flight.js';
+import { memoryText } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 
 /**
  * Says that another memory than the one that is meant flies next, or that nobody knows which.

@@ -2,9 +2,9 @@ import { TimerError } from '../../client/index.js';
 import type { TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { RoundTrip } from '../session/interrupted-jobs.js';
-import type { JobContext } from '../session/job-runner.js';
-import type { Session } from '../session/session.js';
+import type { JobContext } from '../timer/job-runner.js';
+import type { RoundTrip } from '../work/interrupted-jobs.js';
+import type { Session } from '../work/session.js';
 
 /** A memory round trip: notes on the way which memory to restore, and at the end what is known. */
 export class NotedRoundTrip {

@@ -1,6 +1,6 @@
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
-import type { Session } from '../session/session.js';
+import type { Session } from '../work/session.js';
 import type { WriteJob } from './write-job.js';
 
 /** Puts the long DT from before back as an edit, and writes it. Settles when the pilot has left that write. */

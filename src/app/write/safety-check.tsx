@@ -1,5 +1,5 @@
 import { messages } from '../messages/index.js';
-import type { Safety } from '../session/safety.js';
+import type { Safety } from '../timer/safety.js';
 import './safety-check.css';
 
 /** Asked once for each connection, before anything is written or moved. */

@@ -1,6 +1,6 @@
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
-import type { Safety } from '../session/safety.js';
+import type { Safety } from '../timer/safety.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { SafetyCheck } from './safety-check.js';
 

@@ -1,5 +1,5 @@
-import type { Session } from '../session/session.js';
 import type { UnfinishedWrite } from '../storage/index.js';
+import type { Session } from '../work/session.js';
 import { isHere, isOfKind, uncertainText, whereOf } from './unfinished-text.js';
 import './unfinished-band.css';
 

@@ -2,14 +2,14 @@ import type { Change, ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { changeText, fieldInSentence, figureText, messages, timerName, valueText } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
-import { isSimulated } from '../session/knowledge.js';
-import { openValues } from '../session/known.js';
-import { memoryOf } from '../session/memory-names.js';
-import { kindKey } from '../session/record-keys.js';
-import type { Session } from '../session/session.js';
-import type { OpenTrial } from '../session/trials.js';
-import type { OpenJob } from '../session/unfinished-work.js';
 import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
+import { isSimulated } from '../timer/knowledge.js';
+import { openValues } from '../timer/known.js';
+import { kindKey } from '../timer/record-keys.js';
+import type { OpenTrial } from '../timer/trials.js';
+import { memoryOf } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
+import type { OpenJob } from '../work/unfinished-work.js';
 import { nextFlightText } from './next-flight-text.js';
 
 /** How many values are named when neither DT nor the motor stop is among them. */

@@ -15,11 +15,11 @@ import {
   timerSaid,
 } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
-import { memoryText } from '../session/memory-names.js';
-import type { Session } from '../session/session.js';
 import { Check } from '../ui/check.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
+import { memoryText } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 import { CrossingCheck } from './crossing-check.js';
 import { ClosingButtons, JobStep } from './dialog-steps.js';
 import { Difference } from './difference.js';

@@ -3,9 +3,9 @@ import { TimerError, type WriteReport } from '../../client/index.js';
 import { checkProgram, differences, type Finding, type Model, type TimerProgram } from '../../program/index.js';
 import { CodecError } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import { type Crossing, sameCrossing, sameModel } from '../session/crossing.js';
-import { type JobContext, type JobEnd, stoppedBy } from '../session/job-runner.js';
-import type { Session } from '../session/session.js';
+import { type Crossing, sameCrossing, sameModel } from '../records/crossing.js';
+import { type JobContext, type JobEnd, stoppedBy } from '../timer/job-runner.js';
+import type { Session } from '../work/session.js';
 import { NotedRoundTrip } from './noted-round-trip.js';
 import {
   changesBy,

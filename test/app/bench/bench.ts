@@ -17,7 +17,7 @@ import {
   type Unfinished,
 } from '../../../src/app/storage/index.js';
 // Loaded before anybody asks for it: time stands still in these tests.
-import '../../../src/app/session/recognition-rule.js';
+import '../../../src/app/records/recognition-rule.js';
 import type { Plan } from '../../../src/app/write/plan.js';
 import { MockSerial } from '../../../src/mock-serial/index.js';
 import { Adapter, type TimerOptions } from '../../serial/bench.js';

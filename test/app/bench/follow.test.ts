@@ -1,7 +1,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { setValues } from '../../../src/app/editing/edit.js';
 import { FrameForm } from '../../../src/app/line/frame-form.js';
-import { possibleValues } from '../../../src/app/session/known.js';
+import { possibleValues } from '../../../src/app/timer/known.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import type { Request } from '../../../src/protocol/index.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { FlightForm } from '../../../src/app/flights/flight-form.js';
-import { emptyModel } from '../../../src/app/session/library.js';
+import { emptyModel } from '../../../src/app/records/library.js';
 import type { Flight, ProgramField } from '../../../src/program/index.js';
 import { type AppBench, asked, connectedBench, goOn, idle, reloaded, review, run } from '../bench/bench.js';
 import { CALM, lancerConnected } from '../two-models.js';

@@ -4,7 +4,7 @@ import { offsetText } from '../../../src/app/flights/flight-list.js';
 import { dotted } from '../../../src/app/messages/dotted.js';
 import { en } from '../../../src/app/messages/en.js';
 import { flightMessages } from '../../../src/app/messages/en-flights.js';
-import { emptyModel } from '../../../src/app/session/library.js';
+import { emptyModel } from '../../../src/app/records/library.js';
 import { type AppBench, idle, reloaded } from '../bench/bench.js';
 import { button, connected, drawn, opened, press, type } from '../screen.js';
 import { PLAIN, recordOf } from './flights.js';

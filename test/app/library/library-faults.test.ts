@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { LibraryFiles } from '../../../src/app/library/files/library-files.js';
-import type { Library } from '../../../src/app/session/library.js';
+import type { Library } from '../../../src/app/records/library.js';
 import { formatLibraryFile, type Model, type Setting } from '../../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 import { type AppBench, appBench, idle, run } from '../bench/bench.js';

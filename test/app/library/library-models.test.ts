@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { LibraryFiles } from '../../../src/app/library/files/library-files.js';
 import { addressOf, NO_MODEL, placeOf } from '../../../src/app/library/place.js';
 import { asTags } from '../../../src/app/library/tags.js';
-import { Library } from '../../../src/app/session/library.js';
+import { Library } from '../../../src/app/records/library.js';
 import { addressAt } from '../../../src/app/shell/views.js';
 import type { ModelRecord } from '../../../src/app/storage/index.js';
 import { formatLibraryFile, LIMITS, type Model } from '../../../src/program/index.js';

@@ -1,7 +1,7 @@
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { LineView } from '../../../src/app/line/line-view.js';
 import { captureText, parseRecording, readRecording } from '../../../src/app/line/recording.js';
-import { LineLog } from '../../../src/app/session/line-log.js';
+import { LineLog } from '../../../src/app/timer/line-log.js';
 import type { TimerClient } from '../../../src/client/index.js';
 import { parseCapture } from '../../../src/protocol/index.js';
 import { B536, CAPTURE, CAPTURE_PIECES, CAPTURED_POSITIONS } from '../../protocol/vectors.js';

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
 import { loadSetting, saveSetting } from '../../browser/settings.js';
-import type { Library } from '../../session/library.js';
+import type { Library } from '../../records/library.js';
 
 const SETTING = 'library-exported';
 const DAY = 86_400_000;

@@ -6,9 +6,9 @@ import {
   type Model,
   type Setting,
 } from '../../../program/index.js';
-import { beginningOf, withPlainNames } from '../../session/plain-names.js';
-import { programKey } from '../../session/record-keys.js';
+import { beginningOf, withPlainNames } from '../../records/plain-names.js';
 import { type Change, type FlightRecord, isSame, type ModelRecord, type SettingRecord } from '../../storage/index.js';
+import { programKey } from '../../timer/record-keys.js';
 
 /** The records of a library, or of a part of one. */
 export interface Records {

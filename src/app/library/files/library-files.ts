@@ -8,8 +8,8 @@ import { version } from '../../browser/version.js';
 import { filesMessages } from '../../messages/en-files.js';
 import { libraryMessages } from '../../messages/en-library.js';
 import { messages } from '../../messages/index.js';
-import { type Library, newId } from '../../session/library.js';
-import { plainName } from '../../session/plain-names.js';
+import { type Library, newId } from '../../records/library.js';
+import { plainName } from '../../records/plain-names.js';
 import { ExportMarks } from './export-marks.js';
 import {
   type EntryCounts,

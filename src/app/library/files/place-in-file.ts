@@ -1,4 +1,4 @@
-import { plainName } from '../../session/plain-names.js';
+import { plainName } from '../../records/plain-names.js';
 import type { Kind } from './import-plan.js';
 
 /** Where in a file a fault stands, as a pilot knows it. */

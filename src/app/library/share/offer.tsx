@@ -3,9 +3,9 @@ import type { SharedSetting } from '../../../program/index.js';
 import { canSend, send } from '../../browser/share-sheet.js';
 import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
-import { linkOf, qrLinkOf } from '../../session/setting-link.js';
 import { CopyButton } from '../../ui/copy-button.js';
 import { QrCode } from '../../ui/qr-code.js';
+import { linkOf, qrLinkOf } from '../../work/setting-link.js';
 import type { Sharing } from './sharing.js';
 import './offer.css';
 

@@ -1,7 +1,7 @@
 import type { SharedSetting } from '../../../program/index.js';
 import { messages, timerName } from '../../messages/index.js';
-import type { Session } from '../../session/session.js';
-import { programName } from '../../session/standing-text.js';
+import type { Session } from '../../work/session.js';
+import { programName } from '../../work/standing-text.js';
 import type { Sharing } from './sharing.js';
 
 /** Offers the program on the screen, edits included. */

@@ -1,8 +1,8 @@
 import { type ReadonlySignal, useComputed } from '@preact/signals';
 import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
-import type { Session } from '../../session/session.js';
 import { Modal } from '../../ui/modal.js';
+import type { Session } from '../../work/session.js';
 import { SettingOffer } from './offer.js';
 import { PasteLink } from './paste-link.js';
 import { ReceivedSetting } from './received-setting.js';

@@ -8,7 +8,7 @@ import { en } from '../../../../src/app/messages/en.js';
 import { filesMessages } from '../../../../src/app/messages/en-files.js';
 import { libraryMessages } from '../../../../src/app/messages/en-library.js';
 import { messages } from '../../../../src/app/messages/index.js';
-import { Library } from '../../../../src/app/session/library.js';
+import { Library } from '../../../../src/app/records/library.js';
 import {
   formatLibraryFile,
   type Library as Kept,

@@ -11,7 +11,7 @@ import {
   type Way,
 } from '../../../../src/app/library/files/import-plan.js';
 import { partOf, textOf } from '../../../../src/app/library/files/library-text.js';
-import { withPlainNames } from '../../../../src/app/session/plain-names.js';
+import { withPlainNames } from '../../../../src/app/records/plain-names.js';
 import { type LibraryFile, parseLibraryFile } from '../../../../src/program/index.js';
 import { library } from '../../../fuzz/kept.js';
 import { FLIGHT, MODEL, SETTING } from '../../../program/library-examples.js';

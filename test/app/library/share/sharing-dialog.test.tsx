@@ -4,7 +4,7 @@ import { whole } from '../../../../src/app/messages/dotted.js';
 import { libraryMessages } from '../../../../src/app/messages/en-library.js';
 import { share } from '../../../../src/app/messages/en-share.js';
 import { messages } from '../../../../src/app/messages/index.js';
-import { linkOf, sharedOf } from '../../../../src/app/session/setting-link.js';
+import { linkOf, sharedOf } from '../../../../src/app/work/setting-link.js';
 import type { SharedSetting } from '../../../../src/program/index.js';
 import { MODEL, SETTING } from '../../../program/library-examples.js';
 import { type AppBench, idle, MemoryStore } from '../../bench/bench.js';

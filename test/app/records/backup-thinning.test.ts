@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { outdated } from '../../../src/app/session/backup-thinning.js';
-import { Backups } from '../../../src/app/session/backups.js';
+import { outdated } from '../../../src/app/records/backup-thinning.js';
+import { Backups } from '../../../src/app/records/backups.js';
 import type { Backup } from '../../../src/app/storage/index.js';
 import { MemoryStore } from '../bench/bench.js';
 import { programOf } from '../programs.js';

@@ -2,8 +2,8 @@ import { computed, effect, type ReadonlySignal } from '@preact/signals';
 import * as v from 'valibot';
 import type { TimerProgram } from '../../program/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
-import { time } from './preferences.js';
-import { programKey } from './record-keys.js';
+import { time } from '../records/preferences.js';
+import { programKey } from '../timer/record-keys.js';
 import type { Session } from './session.js';
 
 /** A short DT in the connected timer. Times are hundredths of a second. */

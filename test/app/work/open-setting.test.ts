@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { newProgram, USUAL_LAYOUT } from '../../../src/app/editing/new-program.js';
-import { emptyModel } from '../../../src/app/session/library.js';
+import { emptyModel } from '../../../src/app/records/library.js';
 import type { SettingRecord } from '../../../src/app/storage/index.js';
 import type { Setting, TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';

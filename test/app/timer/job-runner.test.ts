@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type JobKind, stoppedBy } from '../../../src/app/session/job-runner.js';
+import { type JobKind, stoppedBy } from '../../../src/app/timer/job-runner.js';
 import { TimerError } from '../../../src/client/index.js';
 import { type AppBench, connectedBench, idle, run } from '../bench/bench.js';
 

@@ -1,9 +1,9 @@
 import { LIMITS } from '../../program/index.js';
 import { dotted } from '../messages/dotted.js';
 import { messages } from '../messages/index.js';
-import { beginningOf } from './plain-names.js';
+import { beginningOf } from '../records/plain-names.js';
+import type { Held, Standing } from '../timer/standing.js';
 import type { Session } from './session.js';
-import type { Held, Standing } from './standing.js';
 
 /** How the program on the screen differs from what was read. Counts of fields. */
 export interface Differing {

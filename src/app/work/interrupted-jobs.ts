@@ -1,11 +1,11 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { type PartOfWrite, partWritten, type TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
+import type { Backups } from '../records/backups.js';
 import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
-import type { Backups } from './backups.js';
-import { isSimulated, type Knowledge, memoryKey } from './knowledge.js';
-import { kindKey, programKey } from './record-keys.js';
-import type { UnfinishedRecords } from './unfinished.js';
+import { isSimulated, type Knowledge, memoryKey } from '../timer/knowledge.js';
+import { kindKey, programKey } from '../timer/record-keys.js';
+import type { UnfinishedRecords } from '../timer/unfinished.js';
 
 /** What an earlier job left behind on a timer of this kind, by a fresh read. */
 export type Offer =

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { asTags } from '../../../src/app/library/tags.js';
-import { beginningOf, plainName, withPlainNames } from '../../../src/app/session/plain-names.js';
+import { beginningOf, plainName, withPlainNames } from '../../../src/app/records/plain-names.js';
 import { LIMITS, requireFlight, requireModel, requireSetting } from '../../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 

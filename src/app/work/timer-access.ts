@@ -2,7 +2,7 @@ import { batch } from '@preact/signals';
 import type { AssumedQuirks } from '../../client/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { LinkState, SerialPortLike, Surroundings } from '../../serial/index.js';
-import { portInfoOf } from './link.js';
+import { portInfoOf } from '../timer/link.js';
 import type { Reader } from './reader.js';
 import type { Session } from './session.js';
 

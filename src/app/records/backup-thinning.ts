@@ -1,5 +1,5 @@
 import type { Backup } from '../storage/index.js';
-import { kindKey } from './record-keys.js';
+import { kindKey } from '../timer/record-keys.js';
 
 /** Of how many days with backups, counted from the latest, all stay. */
 const FULL_DAYS = 2;

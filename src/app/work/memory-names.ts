@@ -1,6 +1,6 @@
 import { LIMITS, type Model } from '../../program/index.js';
 import { messages } from '../messages/index.js';
-import { beginningOf } from './plain-names.js';
+import { beginningOf } from '../records/plain-names.js';
 import type { Session } from './session.js';
 
 /** The pilot's name for a memory of a model; empty without one. */

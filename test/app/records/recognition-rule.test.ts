@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { newProgram } from '../../../src/app/editing/new-program.js';
-import { type ModelHeld, recognise } from '../../../src/app/session/recognition-rule.js';
+import { type ModelHeld, recognise } from '../../../src/app/records/recognition-rule.js';
 import {
   differences,
   fieldsOf,

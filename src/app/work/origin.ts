@@ -1,10 +1,10 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { Model, Setting, TimerProgram } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
-import { type Crossing, crossingOf } from './crossing.js';
-import type { Library } from './library.js';
+import { type Crossing, crossingOf } from '../records/crossing.js';
+import type { Library } from '../records/library.js';
+import type { Recognition } from '../records/recognition.js';
 import type { Opened } from './open-setting.js';
-import type { Recognition } from './recognition.js';
 
 interface OriginParts {
   readonly editor: Pick<Editor, 'working' | 'dirty' | 'madeAt' | 'backupOf' | 'baseline'>;

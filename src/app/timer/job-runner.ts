@@ -1,7 +1,10 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { type Progress, TimerError, type TimerErrorCode } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { Session } from './session.js';
+import type { Knowledge } from './knowledge.js';
+import type { Link } from './link.js';
+import type { Notices } from './notices.js';
+import type { Safety } from './safety.js';
 
 /**
  * The kinds of jobs. `bench` moves servos or motor, `look` reads another memory, `memories` works on several, `frame`
@@ -49,7 +52,15 @@ export type JobEnd<T> =
 /** The work of a job, on the connection on which it began. */
 export type Work<T> = (connection: TimerConnection, options: JobContext) => Promise<T>;
 
-type RunnerParts = Pick<Session, 'link' | 'connection' | 'safety' | 'notices' | 'knowledge' | 'recovery'>;
+export interface RunnerParts {
+  readonly link: Link;
+  readonly connection: ReadonlySignal<TimerConnection | null>;
+  readonly safety: Safety;
+  readonly notices: Notices;
+  readonly knowledge: Knowledge;
+  /** Hears that a job is over. */
+  readonly recovery: { jobOver(): void };
+}
 
 /** Jobs that change what a timer holds, or which memory is current. They must not be cut off. */
 const WRITING: ReadonlySet<JobKind> = new Set(['write', 'memories']);

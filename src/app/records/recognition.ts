@@ -1,13 +1,14 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { Model, TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
+import type { TimerConnection } from '../../serial/index.js';
 import { CLASSES, newProgram } from '../editing/new-program.js';
 import type { ModelRecord } from '../storage/index.js';
-import type { FreshReading } from './knowledge.js';
-import { emptyModel, newId } from './library.js';
+import type { FreshReading, Knowledge } from '../timer/knowledge.js';
+import type { Link } from '../timer/link.js';
+import { kindKey } from '../timer/record-keys.js';
+import { emptyModel, type Library, newId } from './library.js';
 import type { HeldOnce, Recognised } from './recognition-rule.js';
-import { kindKey } from './record-keys.js';
-import type { Session } from './session.js';
 
 /** A model to which the timer may belong, and how many values differ from what its timer last held. */
 export interface PossibleModel {
@@ -25,7 +26,12 @@ export type FoundModel =
   | { readonly kind: 'same' | 'like'; readonly model: Model; readonly of: PossibleModel }
   | { readonly kind: 'several' | 'unknown'; readonly candidates: readonly PossibleModel[] };
 
-type RecognitionParts = Pick<Session, 'library' | 'knowledge' | 'connection' | 'link'>;
+interface RecognitionParts {
+  readonly library: Library;
+  readonly knowledge: Knowledge;
+  readonly connection: ReadonlySignal<TimerConnection | null>;
+  readonly link: Link;
+}
 
 const NOTHING: ReadonlyMap<number | null, HeldOnce> = new Map();
 const NOBODY: ReadonlyMap<string, ModelRecord['verified']> = new Map();

@@ -3,7 +3,7 @@ import { differences, sameLayout, type TimerProgram } from '../../program/index.
 import { changesSince } from '../editing/content.js';
 import type { EditorContent } from '../editing/editor.js';
 import type { Draft, Keeper } from '../storage/index.js';
-import { programKey, workKey } from './record-keys.js';
+import { programKey, workKey } from '../timer/record-keys.js';
 
 /** In place of a key, until the storage has said what it holds. */
 const EARLY = '';

@@ -1,7 +1,7 @@
 import { effect } from '@preact/signals';
 import { describe, expect, it } from 'vitest';
 import { LineView } from '../../../src/app/line/line-view.js';
-import { LineLog } from '../../../src/app/session/line-log.js';
+import { LineLog } from '../../../src/app/timer/line-log.js';
 import type { LineEntry } from '../../../src/client/index.js';
 import { B536 } from '../../protocol/vectors.js';
 import { came, damage, IDENTIFIED, lineError, sent } from '../line/line.js';

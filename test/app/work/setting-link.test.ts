@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { decodeQR } from 'qr/decode.js';
 import { describe, expect, it } from 'vitest';
-import { linkOf, qrLinkOf, sharedOf } from '../../../src/app/session/setting-link.js';
 import { qrPath } from '../../../src/app/ui/qr-code.js';
+import { linkOf, qrLinkOf, sharedOf } from '../../../src/app/work/setting-link.js';
 import { decodeLink, type SharedSetting } from '../../../src/program/index.js';
 import { MODEL, SETTING } from '../../program/library-examples.js';
 import { programOf } from '../programs.js';

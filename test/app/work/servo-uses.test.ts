@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { type ServosAtHand, ServoUses } from '../../../src/app/session/servo-uses.js';
+import { type ServosAtHand, ServoUses } from '../../../src/app/work/servo-uses.js';
 import type { ServoUse } from '../../../src/program/index.js';
 
 const TAILPLANE: ServoUse = { duty: 'tailplane', name: '', low: 20, high: 95, reversed: false };

@@ -3,8 +3,8 @@ import { type Model, requireProgram, type Setting, sameLayout, type TimerProgram
 import { changesSince, type Owner } from '../editing/content.js';
 import { replaceAll } from '../editing/edit.js';
 import { isOfOneShape } from '../editing/shape.js';
+import { newId } from '../records/library.js';
 import type { Drafts } from './drafts.js';
-import { newId } from './library.js';
 import type { Session } from './session.js';
 
 /** The open setting, and the model that it belongs to. */

@@ -3,9 +3,9 @@ import { differences, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { replaceAll } from '../editing/edit.js';
 import { isOfOneShape } from '../editing/shape.js';
+import type { JobContext } from '../timer/job-runner.js';
+import { kindKey, programKey } from '../timer/record-keys.js';
 import type { Drafts } from './drafts.js';
-import type { JobContext } from './job-runner.js';
-import { kindKey, programKey } from './record-keys.js';
 import type { Session } from './session.js';
 
 /** The models that a reading changes, or depends on. */

@@ -1,9 +1,9 @@
 import { signal } from '@preact/signals';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { Knowledge, type TimerAtHand } from '../../../src/app/session/knowledge.js';
-import { openValues, possibleValues } from '../../../src/app/session/known.js';
-import { UnfinishedRecords } from '../../../src/app/session/unfinished.js';
 import { limited, type Storage } from '../../../src/app/storage/index.js';
+import { Knowledge, type TimerAtHand } from '../../../src/app/timer/knowledge.js';
+import { openValues, possibleValues } from '../../../src/app/timer/known.js';
+import { UnfinishedRecords } from '../../../src/app/timer/unfinished.js';
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
 import { MemoryStore } from '../bench/bench.js';
 import { programOf } from '../programs.js';

@@ -1,9 +1,9 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
+import type { NextFlightWord } from '../timer/next-flight.js';
+import type { OpenTrial } from '../timer/trials.js';
 import type { Offer } from './interrupted-jobs.js';
-import type { NextFlightWord } from './next-flight.js';
 import type { Session } from './session.js';
-import type { OpenTrial } from './trials.js';
 
 /** Something that was begun with a timer and has no end yet. `key` tells it from the others. */
 export type OpenJob = { readonly key: string } & (
