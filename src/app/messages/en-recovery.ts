@@ -2,7 +2,7 @@ import { plural } from './plural.js';
 
 /** What an earlier job left behind on a timer. */
 export const recovery = {
-  title: 'An earlier write was interrupted',
+  title: 'An earlier write was interrupted.',
   when: (memory: string, time: string) => `A write into ${memory} began on ${time}.`,
   nothing: (missing: number) =>
     `The timer holds what it held before: nothing was written, ${plural(missing, 'change is', 'changes are')} missing.`,
