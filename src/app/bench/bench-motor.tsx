@@ -48,7 +48,8 @@ export function Jump({ bench }: { readonly bench: Bench }) {
     <section class="stack panel">
       <h2>{words.experimental}</h2>
       <p class="hint">{words.jumpHint}</p>
-      <div class="buttons">
+      <div class="buttons" key={`${asked.value}`}>
+        {asked.value && <CancelButton onClick={() => (asked.value = false)} />}
         <button
           type="button"
           disabled={!bench.ready.value}
@@ -59,7 +60,6 @@ export function Jump({ bench }: { readonly bench: Bench }) {
         >
           {asked.value ? words.jumpSure : words.jump}
         </button>
-        {asked.value && <CancelButton onClick={() => (asked.value = false)} />}
       </div>
     </section>
   );
