@@ -276,16 +276,18 @@ interface ResultProps {
 }
 
 function Result({ session, write, done, children }: ResultProps) {
-  const { write: words } = messages.value;
+  const { write: words, knowledge } = messages.value;
   const { plan, ends, notHeld, stopped, strayed } = done;
   const isEdits = plan.kind === 'edits';
   const canWrite = session.runner.ready.value && !(isEdits && session.editor.blocked.value);
-  const worst = (['differs', 'unknown'] as const).find((each) => ends.some(({ state }) => state === each));
+  const unknown = isEdits ? words.unknown : { ...words.unknown, advice: knowledge.noFly };
+  const has = (wanted: MemoryEnd['state']): boolean => ends.some(({ state }) => state === wanted);
   return (
     <>
       <div class={`notice ${isGood(done) ? 'good' : 'bad'}`} role="alert">
         {isGood(done) && <NoticeText said={words.verified} />}
-        {worst && <NoticeText said={words[worst]} />}
+        {has('unknown') && <NoticeText said={unknown} />}
+        {has('differs') && <NoticeText said={words.differs} />}
         {ends.map((end) => (
           <EndLine key={end.memory} session={session} done={done} end={end} />
         ))}
@@ -318,9 +320,8 @@ function EndLine({ session, done: { at, model }, end }: Pick<ResultProps, 'sessi
   if (state === 'untouched') return <p>{memories.untouched(where)}</p>;
   const held = report?.held;
   if (state !== 'verified' || !held) return null;
-  const { identity } = held;
-  const figures = keyFields(identity).map(
-    (field) => `${keyName(identity, field)} ${figure(identity, field, valueAt(held, field))}`,
+  const figures = keyFields(held.identity).map(
+    (field) => `${keyName(held.identity, field)} ${figure(held.identity, field, valueAt(held, field))}`,
   );
   return (
     <p>

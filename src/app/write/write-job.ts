@@ -226,9 +226,8 @@ export class WriteJob {
       return changes;
     });
     if (!end.good) {
-      const ends = targetsOf(plan).map(
-        (memory): MemoryEnd => ({ memory, state: 'untouched', change: null, report: null }),
-      );
+      const untouched = (memory: number): MemoryEnd => ({ memory, state: 'untouched', change: null, report: null });
+      const ends = targetsOf(plan).map(untouched);
       return await this.#result(plan, null, end, { ends, notHeld: false, strayed: null }, false);
     }
     await reader.readIfOpen();
