@@ -22,6 +22,8 @@ export interface CollectionParts<T extends { readonly key: string }> {
   readonly read: () => Promise<readonly T[]>;
   /** Changes the list, by its `begin` and `ended`, and the storage. @returns whether the storage has it all. */
   readonly change: (change: Change<T>, list: Collection<T>) => Promise<boolean>;
+  /** Deletes for good what was removed from several lists, together. Default: each list for itself. */
+  readonly later?: { timer?: ReturnType<typeof setTimeout>; readonly flush: () => void };
 }
 
 /**
@@ -52,10 +54,11 @@ export class Collection<T extends { readonly key: string }> {
   #loading: Promise<boolean> | null = null;
   /** What has changed since the storage was asked, by key; null for deleted. */
   readonly #since = new Map<string, T | null>();
-  #deleting: ReturnType<typeof setTimeout> | undefined;
+  readonly #later: NonNullable<CollectionParts<T>['later']>;
 
   constructor(parts: CollectionParts<T>) {
     this.#parts = parts;
+    this.#later = parts.later ?? { flush: () => this.flush() };
   }
 
   get(key: string | null): T | undefined {
@@ -89,13 +92,13 @@ export class Collection<T extends { readonly key: string }> {
     const gone = new Set(keys);
     this.#removed.value = [...this.#removed.peek(), ...this.#list.peek().filter(({ key }) => gone.has(key))];
     this.#show(this.#list.peek());
-    clearTimeout(this.#deleting);
-    this.#deleting = setTimeout(() => this.flush(), UNDO_WAIT);
+    clearTimeout(this.#later.timer);
+    this.#later.timer = setTimeout(this.#later.flush, UNDO_WAIT);
   }
 
   /** Puts removed records back, if they are not deleted yet. */
   undoRemove(): void {
-    clearTimeout(this.#deleting);
+    clearTimeout(this.#later.timer);
     const back = this.#removed.peek();
     this.#removed.value = [];
     this.#show([...this.#list.peek(), ...back]);
@@ -103,7 +106,7 @@ export class Collection<T extends { readonly key: string }> {
 
   /** Deletes for good what was removed: ten seconds are over, or the pilot leaves the page. */
   flush(): void {
-    clearTimeout(this.#deleting);
+    clearTimeout(this.#later.timer);
     void this.delete(...this.#removed.peek().map(({ key }) => key));
   }
 
@@ -114,13 +117,11 @@ export class Collection<T extends { readonly key: string }> {
 
   /** The list changes now, before the storage does. */
   begin({ put = [], gone = [] }: Change<T>): void {
-    const changed = new Set([...gone, ...put.map(({ key }) => key)]);
+    const saved = put.map(({ key }) => key);
+    const changed = new Set([...gone, ...saved]);
     batch(() => {
       this.#note(gone, true);
-      this.#note(
-        put.map(({ key }) => key),
-        false,
-      );
+      this.#note(saved, false);
       for (const key of gone) this.#since.set(key, null);
       for (const record of put) this.#since.set(record.key, record);
       if (this.#removed.peek().length > 0)
@@ -161,7 +162,6 @@ export class Collection<T extends { readonly key: string }> {
     return kept !== null;
   }
 
-  /** In their order. */
   #show(records: readonly T[]): void {
     const removed = new Set(this.#removed.peek().map(({ key }) => key));
     this.#list.value = records.filter(({ key }) => !removed.has(key)).sort(this.#parts.inOrder);
@@ -170,10 +170,7 @@ export class Collection<T extends { readonly key: string }> {
   #note(keys: readonly string[], isSaved: boolean): void {
     if (keys.length === 0) return;
     const unsaved = new Set(this.#unsaved.peek());
-    for (const key of keys) {
-      if (isSaved) unsaved.delete(key);
-      else unsaved.add(key);
-    }
+    for (const key of keys) unsaved[isSaved ? 'delete' : 'add'](key);
     this.#unsaved.value = unsaved;
     const refused = [...this.#refused.peek()].filter((key) => unsaved.has(key));
     if (refused.length < this.#refused.peek().size) this.#refused.value = new Set(refused);

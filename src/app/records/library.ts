@@ -41,20 +41,24 @@ export class Library {
 
   constructor(storage: LibraryStorage) {
     this.#storage = storage;
+    const later = { flush: () => this.flush() };
     this.models = new Collection({
       inOrder: (a, b) => byName(a.model.name, b.model.name) || byKey(a, b),
       read: () => storage.models.all(),
       change: (models) => this.change({ models }),
+      later,
     });
     this.settings = new Collection({
       inOrder: (a, b) => b.setting.at - a.setting.at || byKey(a, b),
       read: () => storage.settings.all(),
       change: (settings) => this.change({ settings }),
+      later,
     });
     this.flights = new Collection({
       inOrder: (a, b) => b.flight.at - a.flight.at || byKey(a, b),
       read: () => storage.flights.all(),
       change: (flights) => this.change({ flights }),
+      later,
     });
     this.kept = computed(() =>
       [this.models, this.settings, this.flights].every(({ unsaved }) => unsaved.value.size === 0),
@@ -124,8 +128,7 @@ export class Library {
 
   /** Saves a new setting, or a changed one. @returns its record. */
   async keepSetting(setting: Setting): Promise<SettingRecord> {
-    const before = this.settings.get(setting.id);
-    const changedAt = changeTime(before);
+    const changedAt = changeTime(this.settings.get(setting.id));
     const record = { key: setting.id, setting: withPlainNames(setting), changedAt };
     await this.settings.save(record);
     return record;
