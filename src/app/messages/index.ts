@@ -239,11 +239,13 @@ export function stepText(identity: Identity, { code, params }: StepName): string
 }
 
 /** What a step was done to: a field, a row, some values, or what was opened. */
-function subjectText(identity: Identity, { field, slot, count, name = '' }: StepName['params']): string {
-  const { edits } = messages.value;
+function subjectText(identity: Identity, { field, slot, count, servo, name = '' }: StepName['params']): string {
+  const { edits, servoName } = messages.value;
   const found = fieldsOf(identity).find((each) => fieldKey(each) === field);
   if (found) return fieldInSentence(identity, found);
   if (typeof slot === 'number') return slotInSentence(identity, slot);
+  // In a draft of an earlier version.
+  if (typeof servo === 'number') return servoName(servo);
   return typeof count === 'number' ? edits.cells(count) : edits.opened(String(name));
 }
 
@@ -268,12 +270,8 @@ function reasonText(
   isTime: boolean,
 ): string {
   const { findings, unreadable, edits } = messages.value;
-  const shown = Object.fromEntries(
-    Object.entries(params).map(([name, value]): [string, string] => [
-      name,
-      isTime ? whole(withUnit(formatInterval(value))) : String(value),
-    ]),
-  );
+  const say = (value: number): string => (isTime ? whole(withUnit(formatInterval(value))) : String(value));
+  const shown = Object.fromEntries(Object.entries(params).map(([name, value]) => [name, say(value)]));
   if (code in edits.refused) return edits.refused[code as keyof typeof edits.refused](shown);
   if (code in unreadable) return unreadable[code as keyof typeof unreadable];
   return findings[code as keyof typeof findings](shown);
