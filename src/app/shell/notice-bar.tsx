@@ -35,7 +35,7 @@ export interface NoticeBarProps {
   readonly onExport: () => void;
 }
 
-/** What the pilot should know now. The styles show the first of these, the worst: the others wait until it is gone. */
+/** What the pilot should know now. The styles show the first, and behind a calm one also the first that is bad. */
 export function NoticeBar({ session, keeping, aside, update, platform, ...rest }: NoticeBarProps) {
   const { fileNotice, onExport } = rest;
   const { alike, dismiss, link } = messages.value;
@@ -43,6 +43,7 @@ export function NoticeBar({ session, keeping, aside, update, platform, ...rest }
   const part = notice?.kind === 'timer' && notice.details ? partText(notice.details) : null;
   return (
     <div class="notices" role="status">
+      <RemovedNotice backups={session.backups} library={session.library} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
@@ -69,7 +70,6 @@ export function NoticeBar({ session, keeping, aside, update, platform, ...rest }
         </div>
       )}
       {fileNotice}
-      <RemovedNotice backups={session.backups} library={session.library} />
       <AsideNotice aside={aside} />
       <KeepingNotice keeping={keeping} library={session.library} onExport={onExport} />
       <UpdateNotice update={update} busy={session.runner.busy.value} />

@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { act, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
@@ -41,11 +42,23 @@ describe('a backup that is deleted', () => {
     expect(said(2)).toBeTruthy();
     await press(en.undo);
     await idle();
-    expect([listed(bench), stored(bench)]).toEqual([
-      ['c', 'b', 'a'],
-      ['a', 'b', 'c'],
-    ]);
-    expect(said(2)).toBeNull();
+    expect(listed(bench)).toEqual(['c', 'b', 'a']);
+    expect([stored(bench), said(2)]).toEqual([['a', 'b', 'c'], null]);
+  });
+
+  it('is offered before all else, and a calm notice does not hide that nothing is kept', async () => {
+    const bench = await shown();
+    const style = document.head.appendChild(document.createElement('style'));
+    style.textContent = readFileSync(`${import.meta.dirname}/../../../src/app/ui/shared.css`, 'utf8');
+    const seen = () =>
+      [...document.querySelectorAll('.notices > *')].filter((each) => getComputedStyle(each).display !== 'none');
+    bench.session.notices.say('backed-up');
+    bench.keeping.heard('models', 'change', false);
+    bench.session.backups.remove('a');
+    await idle(0);
+    const wanted = [en.undo, en.keeping.title].map((text) => expect.stringContaining(text));
+    expect(seen().map(({ textContent }) => textContent)).toEqual(wanted);
+    style.remove();
   });
 
   it.each(['after that', 'when the page is left'])('is gone %s', async (when) => {
@@ -67,19 +80,17 @@ describe('a backup that is deleted', () => {
   });
 });
 
-describe('when the storage works again, the page reads again what is kept', () => {
-  it('at most once a second while it answers one call and fails another', async () => {
-    const store = new FaultyStore();
-    store.fail('drafts.load', 'refuses');
-    const bench = await connectedBench({ store });
-    bench.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
-    await idle(1000);
-    const looks = vi.spyOn(bench.session.backups, 'load');
-    void bench.session.keptWork.bringBack();
-    await idle(10_000);
-    expect(looks.mock.calls.length).toBeGreaterThan(0);
-    expect(looks.mock.calls.length).toBeLessThanOrEqual(11);
-  });
+it('when the storage works again, all is read at most once a second while one call fails', async () => {
+  const store = new FaultyStore();
+  store.fail('drafts.load', 'refuses');
+  const bench = await connectedBench({ store });
+  bench.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
+  await idle(1000);
+  const looks = vi.spyOn(bench.session.backups, 'load');
+  void bench.session.keptWork.bringBack();
+  await idle(10_000);
+  expect(looks.mock.calls.length).toBeGreaterThan(0);
+  expect(looks.mock.calls.length).toBeLessThanOrEqual(11);
 });
 
 it('a backup and the note of a write that found no room are kept once there is room and the pilot comes back', async () => {
@@ -157,9 +168,7 @@ describe('an unreadable record', () => {
       localStorage.clear();
       const store = new MemoryStore();
       let read = (): void => {};
-      const asked = new Promise<void>((resolve) => {
-        read = resolve;
-      });
+      const asked = new Promise<void>((resolve) => (read = resolve));
       vi.spyOn(store[shelf], 'all').mockImplementation(async () => {
         await asked;
         store.aside.records.set('a', { key: 'a', shelf, at: 5, stored: { key: 'x' } });
@@ -214,9 +223,8 @@ describe('everything on this device', () => {
     await press(en.erase.open);
     expect(dialog().getByText(en.erase.lead)).toBeTruthy();
     expect(dialog().queryByRole('alert')).toBeNull();
-    expect([bench.store.drafts.records.size, reload.mock.calls.length], 'nothing is deleted before the answer').toEqual(
-      [1, 0],
-    );
+    const before = [bench.store.drafts.records.size, reload.mock.calls.length];
+    expect(before, 'nothing is deleted before the answer').toEqual([1, 0]);
     await press(en.erase.start);
     await idle();
     expect([bench.store.drafts.records.size, bench.store.ports.records.size]).toEqual([0, 0]);
