@@ -32,7 +32,7 @@ interface SettingPageProps {
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
   const words = libraryMessages;
-  const { servoName, label, noModel } = messages.value;
+  const { servoName, label, noModel, notKept } = messages.value;
   const { library } = session;
   const way = back !== null && (
     <a class="library-back" href={addressOf(back)}>
@@ -52,8 +52,7 @@ export function SettingPage(props: SettingPageProps) {
   // With a way back, the list with the heading of the page is not beside it.
   const Heading = back !== null ? 'h1' : 'h2';
   const model = library.models.get(setting.model) ?? null;
-  const { program } = setting;
-  const names = program.positions.map((_, servo) => {
+  const names = setting.program.positions.map((_, servo) => {
     const use = model?.model.servos[servo];
     return use ? `${servoName(servo)} ${dutyName(use)}` : servoName(servo);
   });
@@ -67,6 +66,7 @@ export function SettingPage(props: SettingPageProps) {
     <article class="stack gap-3 setting-page" aria-label={setting.name}>
       {way}
       <Heading class="setting-title">{setting.name}</Heading>
+      {library.settings.refused.value.has(record.key) && <p class="bad-text">{notKept}</p>}
       <TextField
         label={label.note}
         value={setting.note}
@@ -74,7 +74,7 @@ export function SettingPage(props: SettingPageProps) {
         lines={2}
         onSave={(note) => change({ note })}
       />
-      <ProgramFacts program={program} names={names}>
+      <ProgramFacts program={setting.program} names={names}>
         <div class="buttons">
           <OpenButton {...props} record={record} />
           {places.settingButtons(record, model)}
@@ -109,8 +109,8 @@ export function SettingPage(props: SettingPageProps) {
       <p class="hint setting-origin">
         {words.setting.origin(words.setting.from[setting.from], clockText(setting.at))}
         {'. '}
-        {timerText(program)}
-        {program.memory !== null && `, ${messages.value.memoryName(program.memory)}`}
+        {timerText(setting.program)}
+        {setting.program.memory !== null && `, ${messages.value.memoryName(setting.program.memory)}`}
       </p>
       <div class="buttons">
         <button

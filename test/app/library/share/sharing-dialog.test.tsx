@@ -170,7 +170,8 @@ describe('a setting that comes by link', () => {
     await comes(bench);
     store.broken = true;
     await press(share.received.keep);
-    expect(document.querySelector('.library')?.textContent).toContain(whole(libraryMessages.unkept.mark));
+    expect(document.querySelector('.library-list')?.textContent).toContain(whole(libraryMessages.unkept.mark));
+    expect(within(screen.getByRole('article')).getByText(messages.value.notKept)).toBeTruthy();
   });
 
   it('is opened without a timer', async () => {
