@@ -138,7 +138,6 @@ export class Collection<T extends { readonly key: string }> {
     else this.#refused.value = new Set([...this.#refused.peek(), ...keys]);
   }
 
-  /** What the browser has not saved. */
   get #waiting(): readonly T[] {
     return this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
   }

@@ -8,7 +8,7 @@ export class Keeping implements StorageWatch {
   readonly kept: ReadonlySignal<boolean | null>;
   /** What else this browser does not have. */
   readonly lacks: ReadonlySignal<readonly Lack[]>;
-  /** Whether the pilot has read about everything that is wrong, and wants to see it no longer. */
+  /** Whether the pilot has read about all that is wrong, and wants to see it no longer, unless it comes back. */
   readonly dismissed: ReadonlySignal<boolean>;
   /** What fails or does not answer, by shelf and by what was asked of it. */
   readonly #failing = signal<ReadonlyMap<string, false | null>>(new Map());
@@ -46,6 +46,7 @@ export class Keeping implements StorageWatch {
     const wasStuck = kind === 'change' && failing.delete(`${shelf} change`);
     if (!wasShut && !wasStuck) return;
     this.#failing.value = failing;
+    if (failing.size === 0) this.#seen.value = '';
     this.#onReturn();
   }
 

@@ -104,14 +104,17 @@ it('a backup and the note of a write that found no room are kept once there is r
   await idle();
   expect([await added, await begun, keeping.kept.value]).toEqual([false, false, false]);
   keeping.tryAgain();
+  keeping.dismiss();
   await idle();
-  expect(keeping.kept.value).toBe(false);
+  expect([keeping.kept.value, keeping.dismissed.value]).toEqual([false, true]);
   store.before = () => undefined;
   keeping.tryAgain();
   await idle();
   expect([...store.backups.records.values()]).toEqual(backups.list.value);
   expect([...store.unfinished.records.values()]).toMatchObject([{ kind: 'write', goal: { idleThrottle: 7 } }]);
   expect(keeping.kept.value).toBe(true);
+  keeping.heard('models', 'change', false);
+  expect(keeping.dismissed.value, 'what fails once more is said once more').toBe(false);
 });
 
 it('a program that the pilot has closed stays closed while the storage is tried again', async () => {
@@ -212,10 +215,8 @@ describe('everything on this device', () => {
     const reload = vi.fn();
     const done: string[] = [];
     const eraser = (name: string) => async () => void done.push(name);
-    const bench = await connectedBench({
-      reload,
-      erasers: { settings: eraser('settings'), ports: eraser('ports'), offline: eraser('offline') },
-    });
+    const erasers = { settings: eraser('settings'), ports: eraser('ports'), offline: eraser('offline') };
+    const bench = await connectedBench({ reload, erasers });
     bench.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
     await idle();
     render(<App models={bench.models} />);
@@ -248,11 +249,9 @@ describe('everything on this device', () => {
 
   it('stays, with the page, when a part of it could not be deleted, and that is said', async () => {
     const reload = vi.fn();
-    const fine = async () => {};
-    const bench = await appBench({
-      reload,
-      erasers: { settings: fine, ports: () => new Promise(() => {}), offline: () => Promise.reject(new Error('no')) },
-    });
+    const [fine, fails] = [async () => {}, () => Promise.reject(new Error('no'))];
+    const erasers = { settings: fine, ports: () => new Promise<void>(() => {}), offline: fails };
+    const bench = await appBench({ reload, erasers });
     bench.store.broken = true;
     render(<App models={bench.models} />);
     act(() => bench.models.views.show('settings'));
