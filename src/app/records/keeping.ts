@@ -46,7 +46,7 @@ export class Keeping implements StorageWatch {
     const wasStuck = kind === 'change' && failing.delete(`${shelf} change`);
     if (!wasShut && !wasStuck) return;
     this.#failing.value = failing;
-    if (failing.size === 0) this.#seen.value = '';
+    if (failing.size === 0 && !this.#seen.peek().startsWith('true')) this.#seen.value = '';
     this.#onReturn();
   }
 

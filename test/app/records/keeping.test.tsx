@@ -115,6 +115,11 @@ it('a backup and the note of a write that found no room are kept once there is r
   expect(keeping.kept.value).toBe(true);
   keeping.heard('models', 'change', false);
   expect(keeping.dismissed.value, 'what fails once more is said once more').toBe(false);
+  keeping.heard('models', 'change', true);
+  keeping.lack('tabs');
+  keeping.dismiss();
+  for (const kept of [false, true]) keeping.heard('models', 'change', kept);
+  expect(keeping.dismissed.value, 'what was read meanwhile is not said again').toBe(true);
 });
 
 it('a program that the pilot has closed stays closed while the storage is tried again', async () => {
