@@ -142,9 +142,12 @@ export class Library {
     return record;
   }
 
-  /** Deletes for good what was removed; see {@link Collection.flush}. */
+  /** Deletes for good what was removed, in one step; see {@link Collection.flush}. */
   flush(): void {
-    for (const each of [this.flights, this.settings, this.models]) each.flush();
+    const gone = ({ removed }: { removed: ReadonlySignal<readonly { readonly key: string }[]> }) => ({
+      gone: removed.peek().map(({ key }) => key),
+    });
+    void this.change({ flights: gone(this.flights), settings: gone(this.settings), models: gone(this.models) });
   }
 
   /** The storage works again: reads what it did not give, and saves what it did not save. */
@@ -183,8 +186,5 @@ function inParts({ models, settings, flights }: LibraryChange): LibraryChange[] 
 }
 
 function joined<T>(changes: readonly (Change<T> | undefined)[]): Change<T> {
-  return {
-    put: changes.flatMap((change) => change?.put ?? []),
-    gone: changes.flatMap((change) => change?.gone ?? []),
-  };
+  return { put: changes.flatMap((each) => each?.put ?? []), gone: changes.flatMap((each) => each?.gone ?? []) };
 }
