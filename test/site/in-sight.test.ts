@@ -112,8 +112,8 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   };
   await app.showFigures();
   await isIn(app.page.locator('.memories label').last());
-  await app.page.locator('.strip-close').click();
   await app.goTo('Memories');
+  await app.page.locator('.strip-figures[aria-expanded=false]').waitFor();
   await app.page.getByLabel('Copy to…: M1', { exact: true }).click();
   await isIn(app.button('Copy M1 to M5'));
   await app.expectNoSidewaysScrolling();

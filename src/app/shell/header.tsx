@@ -36,7 +36,7 @@ export function Header({
   useHeight(top, useQuery(LOW).value ? null : '--top');
   return (
     <header class="top" ref={top}>
-      <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting, staged }} />
+      <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting, staged }} hash={location.hash} />
       {session.recognition.tells.value && recognized}
       <NextFlightNotes session={session} />
       <UnfinishedBand

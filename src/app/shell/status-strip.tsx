@@ -41,8 +41,8 @@ export interface StatusStripProps {
  * What is true now, in every view: the timer and its memory, DT and motor stop, and how certain they are. Where not all
  * has room in one line, the figures are a button that opens the rest.
  */
-export function StatusStrip(props: StatusStripProps) {
-  const { session, memories, leaving, follow, preferences, saveSetting, staged } = props;
+export function StatusStrip(props: StatusStripProps & { readonly hash: string }) {
+  const { session, memories, leaving, follow, preferences, saveSetting, staged, hash } = props;
   const { name, header } = messages.value;
   const { status } = session.link.state.value;
   const isNarrow = useQuery(NARROW).value;
@@ -64,10 +64,10 @@ export function StatusStrip(props: StatusStripProps) {
     document.addEventListener('keydown', onKey);
     return () => document.removeEventListener('keydown', onKey);
   }, [isOpen, close]);
-  const job = session.runner.job.value;
-  // Another memory, or none: the panel gives way to what has changed. Whoever walks through the memories by keys is not
-  // there yet.
-  const shown = [memories.looking.value, job?.kind === 'look' || job?.kind === 'select', status === 'off'].join();
+  const kind = session.runner.job.value?.kind;
+  // Another memory or view, or none: the panel gives way to what has changed. Whoever walks through the memories by
+  // keys is not there yet.
+  const shown = [memories.looking.value, kind === 'look' || kind === 'select', status === 'off', hash].join();
   const before = useRef(shown);
   useEffect(() => {
     if (before.current === shown) return;
