@@ -351,7 +351,7 @@ export const states = {
       await connect(page);
       await goTo(page, 'bench');
       await promise(page);
-      await press(page, 'Next');
+      await press(page, /^Next$/);
       await page.getByRole('button', { name: 'Previous' }).first().waitFor();
     },
   },
