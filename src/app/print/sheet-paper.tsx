@@ -152,18 +152,11 @@ function SheetTable({ sheet: { program, servos, was }, group }: GroupProps) {
 
 /** The program over time. Each lane has its name, so no colour is needed. */
 function SheetTimeline({ sheet: { program, servos }, group }: GroupProps) {
-  const positions = group.map((servo) => program.positions[servo] ?? []);
-  const isNamed = group.some((servo) => servos[servo]);
-  const geometry = onPaper({ ...program, positions }, isNamed);
-  const { layout, measures } = geometry;
+  const geometry = onPaper(program, group, servos);
+  const { width, height } = geometry.measures;
   return (
-    <svg
-      class="picture"
-      viewBox={`0 0 ${layout.box.right + measures.right} ${measures.height}`}
-      role="img"
-      aria-label={messages.value.timeline.picture}
-    >
-      <Picture geometry={geometry} front={null} first={group[0] ?? 0} names={servos} />
+    <svg class="picture" viewBox={`0 0 ${width} ${height}`} role="img" aria-label={messages.value.timeline.picture}>
+      <Picture {...geometry} />
     </svg>
   );
 }

@@ -1,13 +1,26 @@
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
 import { type Edit, setValues, stepSize } from '../editing/edit.js';
-import { groupOf, type StepName } from '../editing/history.js';
+import { groupOf } from '../editing/history.js';
+import type { Geometry } from './geometry.js';
 
 /** `moving`: the handle is held. `done`: it was released. `back`: it was released where it began, or put back. */
 export type DragPhase = 'moving' | 'done' | 'back';
 
 /** All edits of one movement are of one group, so undo takes them back as one step. */
 export type OnEdit = (edit: Edit, phase: DragPhase) => void;
+
+/** The picture as last drawn, and what can be done with it by pointer and by keys. */
+export interface Shown {
+  readonly svg: SVGSVGElement;
+  readonly geometry: Geometry;
+  /** Gives the present program. */
+  readonly now: () => TimerProgram;
+  /** Absent when nothing can be changed. */
+  readonly onEdit: OnEdit | undefined;
+  /** The place of the scale around which to zoom; undefined for the middle of the view. */
+  readonly anchor: () => number | undefined;
+}
 
 export interface Limits {
   readonly min: number;
@@ -73,7 +86,7 @@ export class DragEdit {
     this.field = field;
     this.#now = now;
     this.#onEdit = onEdit;
-    this.#original = this.#last = this.#held ?? 0;
+    this.#original = this.#last = valueAt(this.program, field) ?? 0;
   }
 
   /** The present value of the handle. */
@@ -103,18 +116,14 @@ export class DragEdit {
     this.#moved = false;
   }
 
-  get #held(): number | null {
-    return valueAt(this.#now(), this.field);
-  }
-
   get #isOver(): boolean {
-    return (this.#held ?? 0) !== this.#last;
+    return (valueAt(this.#now(), this.field) ?? 0) !== this.#last;
   }
 
   #tell(phase: DragPhase): void {
     const { field } = this;
     const key = fieldKey(field);
-    const name: StepName = { code: 'change', params: { field: key } };
+    const name = { code: 'change', params: { field: key } } as const;
     this.#onEdit(setValues(name, [{ field, value: this.#last }], groupOf('move', key)), phase);
   }
 }

@@ -1,12 +1,13 @@
 import { type ProgramField, slotKind, type TimerProgram } from '../../program/index.js';
 import { marksOf, motorStopOf, type Stage, stagesOf } from './flight.js';
 import { lanesOf, leastHeight } from './lanes.js';
-import { highestOf, Layout, spread, type TimeView, WHOLE } from './layout.js';
+import { highestOf, type Layout, layoutOf, spread, type TimeView, WHOLE } from './layout.js';
 import { type Scale, stretchedScale } from './scale.js';
 import { ticks } from './ticks.js';
+import type { Size } from './use-size.js';
 
-/** The measures of a picture in pixels, without its width. */
-export interface Measures {
+/** The measures of a picture in pixels. */
+export interface Measures extends Size {
   readonly left: number;
   readonly right: number;
   /** The middle of the marks' numbers, and the radius of the circles around them where there is room. */
@@ -19,7 +20,6 @@ export interface Measures {
   readonly motor: number;
   /** The base line of the times below the plot. */
   readonly axis: number;
-  readonly height: number;
 }
 
 /** Pixels: the marks stand above the lanes, the motor's bar and the times below them. */
@@ -27,17 +27,20 @@ const SCREEN = { left: 44, right: 16, flag: 16, radius: 12, top: 36 };
 const PAPER = { right: 10, flag: 9, radius: 8, top: 21 };
 const MOTOR = 18;
 const TIMES = 30;
+/** The least width of the picture on the screen in pixels, however little room there is. */
+const LEAST_WIDTH = 180;
 
 /** The least height of the picture on the screen, in pixels. */
 export function leastHeightOf(program: TimerProgram): number {
   return SCREEN.top + leastHeight(program.identity.servos) + belowOf(program);
 }
 
-/** @param room the height that there is, in pixels. */
-export function measuresOf(program: TimerProgram, room: number): Measures {
-  const height = Math.max(room, leastHeightOf(program));
+/** @param room what there is, in pixels. */
+export function measuresOf(program: TimerProgram, room: Size): Measures {
+  const width = Math.max(LEAST_WIDTH, room.width);
+  const height = Math.max(room.height, leastHeightOf(program));
   const bottom = height - belowOf(program);
-  return { ...SCREEN, bottom, motor: bottom + MOTOR / 2 + 1, axis: height - 10, height };
+  return { ...SCREEN, bottom, motor: bottom + MOTOR / 2 + 1, axis: height - 10, width, height };
 }
 
 /** The height of the motor's bar and the times. */
@@ -52,31 +55,85 @@ const PAPER_LANE = { most: 49, least: 26, lessForEach: 4 };
 /** The room beside the lanes for the names of the servos, and for what they move. In pixels. */
 const PAPER_NAMES = { none: 26, some: 74 };
 
-/** A program on paper: all lanes are equal. @param isNamed whether it says what a servo moves. */
-export function onPaper(program: TimerProgram, isNamed: boolean): Geometry {
-  const { length: servos } = program.positions;
-  const left = isNamed ? PAPER_NAMES.some : PAPER_NAMES.none;
-  const each = Math.max(PAPER_LANE.least, PAPER_LANE.most - PAPER_LANE.lessForEach * servos);
-  const bottom = PAPER.top + each * servos;
+/**
+ * A program on paper: all lanes are equal.
+ * @param group the servos that have a lane.
+ * @param names what each servo moves; empty texts where nobody says it.
+ */
+export function onPaper(program: TimerProgram, group: readonly number[], names: readonly string[]): Geometry {
+  const left = group.some((servo) => names[servo]) ? PAPER_NAMES.some : PAPER_NAMES.none;
+  const each = Math.max(PAPER_LANE.least, PAPER_LANE.most - PAPER_LANE.lessForEach * group.length);
+  const bottom = PAPER.top + each * group.length;
   const height = bottom + (motorStopOf(program) === null ? 15 : 26);
-  const measures = { ...PAPER, left, bottom, motor: bottom + 7, axis: height - 2, height };
-  const plot = PAPER_WIDTH - left - PAPER.right;
-  const scale = scaleOf(program, null, plot);
-  const layout = layoutOf({ scale, view: WHOLE, plot, measures, servos, front: null, highest: highestOf([program]) });
-  return { program, layout, measures, ...marksIn(program, layout, measures, null) };
+  const measures = { ...PAPER, left, bottom, motor: bottom + 7, axis: height - 2, width: PAPER_WIDTH, height };
+  const positions = group.map((servo) => program.positions[servo] ?? []);
+  return geometryOf({ ...program, positions }, measures, { front: null, first: group[0] ?? 0, names });
 }
 
-/** The least distance of two marks on the stretched axis, and the width of the run-out, in pixels. */
+/** A field that belongs to a slot, and so to a time. */
+export type SlotField = Exclude<ProgramField, { kind: 'idleThrottle' }>;
+
+/** What the pilot looks at. */
+export interface Look {
+  /** The selected servo, whose lane is tall; null on paper, where all lanes are equal. */
+  readonly front: number | null;
+  /** The servo of the first lane. Default: the first of all. */
+  readonly first?: number;
+  /** The pilot's names for what each servo moves. */
+  readonly names?: readonly string[] | undefined;
+  readonly selected?: SlotField | null;
+  /** A second program, drawn behind the first. */
+  readonly behind?: TimerProgram | null;
+  readonly view?: TimeView;
+  /** The axis while a handle is held. Default: that of the programs. */
+  readonly scale?: Scale | undefined;
+}
+
+/** How to draw a program, in pixels. */
+export interface Geometry extends Required<Omit<Look, 'view' | 'scale'>> {
+  readonly program: TimerProgram;
+  readonly measures: Measures;
+  readonly layout: Layout;
+  readonly stages: readonly Stage[];
+  readonly flags: readonly Flag[];
+  /** The times that stand below the plot. */
+  readonly ticks: readonly number[];
+  readonly motorStop: number | null;
+}
+
+/** In pixels: the least distance of two marks on the stretched axis, the run-out, the least distance of two times. */
 const MARK_GAP = 28;
 const RUN_OUT_ROOM = 16;
+const TICK_GAP = 52;
 
-/** The axis for a program and the one behind it. @param width of the plot, in pixels. */
-export function scaleOf(program: TimerProgram, overlay: TimerProgram | null, width: number): Scale {
-  return stretchedScale(marksOf(program), {
-    minGap: MARK_GAP / width,
-    runOut: RUN_OUT_ROOM / width,
-    others: overlay ? marksOf(overlay) : [],
-  });
+export function geometryOf(program: TimerProgram, measures: Measures, look: Look): Geometry {
+  const { front, first = 0, names, selected = null, behind = null, view = WHOLE } = look;
+  const { left, right, top, bottom, radius } = measures;
+  const width = measures.width - left - right;
+  const marks = marksOf(program);
+  const others = behind ? marksOf(behind) : [];
+  const scale = look.scale ?? stretchedScale(marks, { minGap: MARK_GAP / width, runOut: RUN_OUT_ROOM / width, others });
+  const lanes = lanesOf(program.positions.length, front, top, bottom);
+  const highest = highestOf(behind ? [program, behind] : [program]);
+  const layout = layoutOf(scale, view, { left, right: left + width, top, bottom }, lanes, highest);
+  const stages = stagesOf(program);
+  // A selected time goes before all others but DT.
+  const chosen = selected?.kind === 'time' ? [program.times[selected.slot] ?? 0] : [];
+  const room = { from: view.start, to: view.start + view.span, gap: (TICK_GAP / width) * view.span };
+  return {
+    program,
+    front,
+    first,
+    names,
+    selected,
+    behind,
+    measures,
+    layout,
+    stages,
+    flags: flagsOf(program, stages, layout, radius),
+    ticks: ticks(scale, [stages.at(-1)?.from ?? 0], [...chosen, 0, ...marks], room),
+    motorStop: motorStopOf(program),
+  };
 }
 
 /** The mark of a function or DT: where its time is, and where its number stands above it. */
@@ -115,10 +172,9 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
       left - 2 * most,
       right,
     );
-    let next = 0;
-    return flags.map(({ slot, isDt, at, passedOver }) => {
-      const x = layout.shows(at) ? (places[next++] ?? at) : at;
-      return { slot, isDt, at, passedOver, x, radius, labelled: true, roomy: true };
+    return flags.map((flag) => {
+      const x = places[inView.indexOf(flag)] ?? flag.at;
+      return { ...flag, x, radius, labelled: true, roomy: true };
     });
   }
   // Not every mark has room for its number: DT has it, and each mark far enough from the last one with a number.
@@ -132,77 +188,25 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
   });
 }
 
-/** How to draw the times of a program, in pixels. */
-export interface Marks {
-  readonly stages: readonly Stage[];
-  readonly flags: readonly Flag[];
-  /** The times that stand below the plot. */
-  readonly ticks: readonly number[];
-  readonly motorStop: number | null;
-}
-
-/** How to draw a program, in pixels. */
-export interface Geometry extends Marks {
-  readonly program: TimerProgram;
-  readonly layout: Layout;
-  readonly measures: Measures;
-}
-
-export interface GeometryOptions {
-  readonly scale: Scale;
-  readonly view: TimeView;
-  /** The width of the plot in pixels. */
-  readonly plot: number;
-  readonly measures: Measures;
-  readonly servos: number;
-  /** The selected servo, whose lane is tall; null when all lanes are equal. */
-  readonly front: number | null;
-  /** The position at the top of each lane. */
-  readonly highest: number;
-}
-
-export function layoutOf({ scale, view, plot, measures, servos, front, highest }: GeometryOptions): Layout {
-  const { left, top, bottom } = measures;
-  const box = { left, right: left + plot, top, bottom };
-  return new Layout(scale, view, box, lanesOf(servos, front, top, bottom), highest);
-}
-
-/** The least distance of two times on the axis, in pixels. */
-const TICK_GAP = 52;
-
-/** @param chosen a time that goes before all others but DT. */
-export function marksIn(program: TimerProgram, layout: Layout, { radius }: Measures, chosen: number | null): Marks {
-  const { scale, view, width } = layout;
-  const stages = stagesOf(program);
-  const dt = stages.at(-1)?.from ?? 0;
-  const wished = [...(chosen === null ? [] : [chosen]), 0, ...marksOf(program)];
-  const room = { from: view.start, to: view.start + view.span, gap: (TICK_GAP / width) * view.span };
-  return {
-    stages,
-    flags: flagsOf(program, stages, layout, radius),
-    ticks: ticks(scale, [dt], wished, room),
-    motorStop: motorStopOf(program),
-  };
-}
-
 /** The place of a handle. */
 export interface HandlePlace {
-  readonly field: ProgramField;
+  readonly field: SlotField;
   readonly x: number;
   readonly y: number;
 }
 
-/** The places of all handles: the marks, the end of the motor run, and the steps of the selected servo. */
-export function handlePlaces(geometry: Geometry, front: number): HandlePlace[] {
-  const { program, flags, stages, layout, measures, motorStop } = geometry;
-  const places = flags.map(({ slot, x }): HandlePlace => ({ field: { kind: 'time', slot }, x, y: measures.flag }));
-  if (motorStop !== null) {
-    places.push({ field: { kind: 'time', slot: 0 }, x: layout.x(motorStop), y: measures.motor });
-  }
-  for (const { slot, from } of stages) {
-    const position = program.positions[front]?.[slot];
-    if (position === undefined) continue;
-    places.push({ field: { kind: 'position', servo: front, slot }, x: layout.x(from), y: layout.y(front, position) });
-  }
-  return places;
+/** The places of all handles: the end of the motor run, and by slots the marks and the steps of the selected servo. */
+export function handlePlaces({ program, front, flags, stages, layout, measures, motorStop }: Geometry): HandlePlace[] {
+  if (front === null) return [];
+  const motor: HandlePlace[] =
+    motorStop === null ? [] : [{ field: { kind: 'time', slot: 0 }, x: layout.x(motorStop), y: measures.motor }];
+  const steps = stages.flatMap(({ slot, from }): HandlePlace[] => {
+    const flag = flags[slot - 1];
+    const y = layout.y(front, program.positions[front]?.[slot] ?? 0);
+    return [
+      ...(flag ? [{ field: { kind: 'time', slot } as const, x: flag.x, y: measures.flag }] : []),
+      { field: { kind: 'position', servo: front, slot }, x: layout.x(from), y },
+    ];
+  });
+  return [...motor, ...steps];
 }

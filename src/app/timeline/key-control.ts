@@ -1,8 +1,7 @@
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import { DragEdit, limitsOf, type OnEdit, stepped } from './drag.js';
+import { DragEdit, limitsOf, type Shown, stepped } from './drag.js';
 import { marksOf } from './flight.js';
-import type { Geometry } from './geometry.js';
-import type { Scale } from './scale.js';
+import { handlePlaces } from './geometry.js';
 import type { TimelineModel } from './view-model.js';
 
 const STEPS: Readonly<Record<string, number>> = {
@@ -14,48 +13,109 @@ const STEPS: Readonly<Record<string, number>> = {
   PageDown: -10,
 };
 const MANY = 10;
+const ZOOM = 1.5;
 
-/** The value that a key gives to a field; null for any other key. Shift makes ten steps. */
-function valueByKey(program: TimerProgram, field: ProgramField, event: KeyboardEvent): number | null {
-  if (event.ctrlKey || event.metaKey) return null;
-  if (event.key === 'Home') return limitsOf(program, field).min;
-  if (event.key === 'End') return limitsOf(program, field).max;
-  const steps = STEPS[event.key];
-  if (steps === undefined) return null;
-  return stepped(program, field, event.shiftKey ? steps * MANY : steps);
-}
+type Action = (() => void) | null;
 
-/** Keys on a handle. While a key is held it is one movement, which ends when the key is released. */
-export class HandleKeys {
+/**
+ * Keys on a timeline. On a handle they move it: while a key is held it is one movement, which ends when the key is
+ * released. On the picture as a whole left and right go from mark to mark, up and down from servo to servo; + and −
+ * zoom.
+ */
+export class KeyControl {
   readonly #model: TimelineModel;
+  readonly #shown: () => Shown | null;
   #edit: DragEdit | null = null;
 
-  constructor(model: TimelineModel) {
+  constructor(model: TimelineModel, shown: () => Shown | null) {
     this.#model = model;
+    this.#shown = shown;
   }
 
-  down(event: KeyboardEvent, now: () => TimerProgram, field: ProgramField, onEdit: OnEdit): void {
-    if (event.key === 'Escape') {
-      if (this.#edit) this.#edit.cancel();
-      else (event.currentTarget as Element).closest<SVGElement>('svg')?.focus();
-      this.#edit = null;
-      take(event);
-      return;
-    }
-    const program = now();
-    const value = valueByKey(program, field, event);
-    if (value === null) return;
-    take(event);
-    this.#model.ask(null);
-    this.#edit ??= new DragEdit(now, field, onEdit);
-    if (value !== valueAt(program, field)) this.#edit.move(value);
-  }
+  readonly down = (event: KeyboardEvent): void => {
+    const shown = this.#shown();
+    if (!shown || event.ctrlKey || event.metaKey || event.altKey) return;
+    const field = fieldOf(event.target, shown);
+    const action = field ? this.#onHandle(event, field, shown) : this.#onPicture(event.key, shown);
+    if (!action) return;
+    event.preventDefault();
+    event.stopPropagation();
+    action();
+  };
 
   /** The key was released, or the handle has lost the focus. */
   readonly up = (): void => {
     this.#edit?.finish();
     this.#edit = null;
   };
+
+  #onHandle(event: KeyboardEvent, field: ProgramField, { svg, now, onEdit }: Shown): Action {
+    if (event.key === 'Escape') {
+      return () => {
+        if (this.#edit) this.#edit.cancel();
+        else svg.focus();
+        this.#edit = null;
+      };
+    }
+    const program = now();
+    const value = valueByKey(program, field, event);
+    if (value === null || !onEdit) return null;
+    return () => {
+      this.#model.ask(null);
+      this.#edit ??= new DragEdit(now, field, onEdit);
+      if (value !== valueAt(program, field)) this.#edit.move(value);
+    };
+  }
+
+  #onPicture(key: string, { svg, geometry, anchor }: Shown): Action {
+    const model = this.#model;
+    const { program, layout } = geometry;
+    const marks = [0, ...marksOf(program)];
+    const ask = (time: number | null) => (): void => {
+      model.tell(time === null ? null : { time });
+      if (time !== null) model.reveal(layout.scale.place(time));
+    };
+    const now = model.asked.value;
+    const toServo = (by: number) => (): void => {
+      const servo = (geometry.front ?? 0) + by;
+      model.tell({ servo: Math.max(0, Math.min(program.identity.servos - 1, servo)) });
+    };
+    switch (key) {
+      case '+':
+      case '=':
+        return () => model.zoom(ZOOM, anchor());
+      case '-':
+        return () => model.zoom(1 / ZOOM, anchor());
+      case '0':
+        return () => model.fit();
+      case 'ArrowRight':
+        return ask(now === null ? 0 : Math.min(layout.scale.end, ...marks.filter((time) => time > now)));
+      case 'ArrowLeft':
+        return ask(now === null ? Math.max(...marks) : Math.max(0, ...marks.filter((time) => time < now)));
+      case 'ArrowUp':
+        return toServo(-1);
+      case 'ArrowDown':
+        return toServo(1);
+      case 'Home':
+        return ask(0);
+      case 'End':
+        return ask(Math.max(...marks));
+      case 'Enter':
+        return () => focusHandle(svg, { kind: 'time', slot: 1 });
+      case 'Escape':
+        return now === null ? null : ask(null);
+      default:
+        return null;
+    }
+  }
+}
+
+/** The value that a key gives to a field; null for any other key. Shift makes ten steps. */
+function valueByKey(program: TimerProgram, field: ProgramField, { key, shiftKey }: KeyboardEvent): number | null {
+  if (key === 'Home') return limitsOf(program, field).min;
+  if (key === 'End') return limitsOf(program, field).max;
+  const steps = STEPS[key];
+  return steps === undefined ? null : stepped(program, field, shiftKey ? steps * MANY : steps);
 }
 
 /** Gives a handle the keyboard focus. */
@@ -63,75 +123,8 @@ export function focusHandle(svg: Element, field: ProgramField): void {
   svg.querySelector<SVGElement>(`[data-field="${fieldKey(field)}"]`)?.focus({ preventScroll: true });
 }
 
-const ZOOM = 1.5;
-
-/**
- * Keys on the picture as a whole: left and right go from mark to mark, up and down from servo to servo; + and − zoom.
- * @param anchor the place of the scale around which to zoom.
- */
-export function pictureKey(
-  event: KeyboardEvent,
-  model: TimelineModel,
-  { program, layout }: Geometry,
-  anchor: number | undefined,
-): void {
-  if (event.ctrlKey || event.metaKey || event.altKey || event.target !== event.currentTarget) return;
-  const svg = event.currentTarget as SVGElement;
-  const action = actionOf(event.key, svg, model, program, layout.scale, anchor);
-  if (!action) return;
-  take(event);
-  action();
-}
-
-function actionOf(
-  key: string,
-  svg: SVGElement,
-  model: TimelineModel,
-  program: TimerProgram,
-  scale: Scale,
-  anchor: number | undefined,
-): (() => void) | null {
-  const { asked } = model;
-  const marks = [0, ...marksOf(program)];
-  const ask = (time: number | null) => (): void => {
-    model.askAloud(time);
-    if (time !== null) model.reveal(scale.place(time));
-  };
-  const now = asked.value;
-  const toServo = (by: number) => (): void => {
-    const last = program.identity.servos - 1;
-    model.bringToFrontAloud(Math.max(0, Math.min(last, Math.min(last, model.front.value) + by)));
-  };
-  switch (key) {
-    case '+':
-    case '=':
-      return () => model.zoom(ZOOM, anchor);
-    case '-':
-      return () => model.zoom(1 / ZOOM, anchor);
-    case '0':
-      return () => model.fit();
-    case 'ArrowRight':
-      return ask(now === null ? 0 : Math.min(scale.end, ...marks.filter((time) => time > now)));
-    case 'ArrowLeft':
-      return ask(now === null ? Math.max(...marks) : Math.max(0, ...marks.filter((time) => time < now)));
-    case 'ArrowUp':
-      return toServo(-1);
-    case 'ArrowDown':
-      return toServo(1);
-    case 'Home':
-      return ask(0);
-    case 'End':
-      return ask(Math.max(...marks));
-    case 'Enter':
-      return () => focusHandle(svg, { kind: 'time', slot: 1 });
-    case 'Escape':
-      return now === null ? null : ask(null);
-    default:
-      return null;
-  }
-}
-
-function take(event: KeyboardEvent): void {
-  event.preventDefault();
-  event.stopPropagation();
+/** The field of a handle; null for the picture as a whole. */
+export function fieldOf(target: EventTarget | null, { geometry }: Shown): ProgramField | null {
+  const key = target instanceof Element && target.getAttribute('data-field');
+  return handlePlaces(geometry).find(({ field }) => fieldKey(field) === key)?.field ?? null;
 }

@@ -31,52 +31,38 @@ export interface Lane {
 }
 
 /** Converts between times and positions, and places in the picture. */
-export class Layout {
-  readonly scale: Scale;
-  readonly view: TimeView;
-  readonly box: Box;
-  /** One for each servo. */
-  readonly lanes: readonly Lane[];
-  /** The position at the top of each lane. */
-  readonly highest: number;
+export type Layout = ReturnType<typeof layoutOf>;
 
-  constructor(scale: Scale, view: TimeView, box: Box, lanes: readonly Lane[], highest: number) {
-    this.scale = scale;
-    this.view = view;
-    this.box = box;
-    this.lanes = lanes;
-    this.highest = highest;
-  }
-
-  x(time: number): number {
-    return this.box.left + ((this.scale.place(time) - this.view.start) / this.view.span) * this.width;
-  }
-
-  /** The time at a place of the picture, not rounded. */
-  time(x: number): number {
-    return this.scale.time(this.view.start + ((x - this.box.left) / this.width) * this.view.span);
-  }
-
-  /** The height of a servo's position. */
-  y(servo: number, position: number): number {
-    const { top, bottom } = this.lanes[servo] ?? this.box;
-    return bottom - (Math.min(position, this.highest) / this.highest) * (bottom - top);
-  }
-
-  /** The position of a servo at a height, not rounded. */
-  position(servo: number, y: number): number {
-    const { top, bottom } = this.lanes[servo] ?? this.box;
-    return ((bottom - y) / (bottom - top)) * this.highest;
-  }
-
-  get width(): number {
-    return this.box.right - this.box.left;
-  }
-
-  /** Whether a place lies in the plot, or at most the width of a mark beside it. */
-  shows(x: number): boolean {
-    return x >= this.box.left - 1 && x <= this.box.right + 1;
-  }
+/**
+ * @param lanes one for each servo.
+ * @param highest the position at the top of each lane.
+ */
+export function layoutOf(scale: Scale, view: TimeView, box: Box, lanes: readonly Lane[], highest: number) {
+  const width = box.right - box.left;
+  const laneOf = (servo: number): Pick<Lane, 'top' | 'bottom'> => lanes[servo] ?? box;
+  return {
+    scale,
+    view,
+    box,
+    lanes,
+    highest,
+    width,
+    x: (time: number): number => box.left + ((scale.place(time) - view.start) / view.span) * width,
+    /** The time at a place of the picture, not rounded. */
+    time: (x: number): number => scale.time(view.start + ((x - box.left) / width) * view.span),
+    /** The height of a servo's position. */
+    y: (servo: number, position: number): number => {
+      const { top, bottom } = laneOf(servo);
+      return bottom - (Math.min(position, highest) / highest) * (bottom - top);
+    },
+    /** The position of a servo at a height, not rounded. */
+    position: (servo: number, y: number): number => {
+      const { top, bottom } = laneOf(servo);
+      return ((bottom - y) / (bottom - top)) * highest;
+    },
+    /** Whether a place lies in the plot, or at most the width of a mark beside it. */
+    shows: (x: number): boolean => x >= box.left - 1 && x <= box.right + 1,
+  };
 }
 
 /**
@@ -89,21 +75,11 @@ export function highestOf(programs: readonly TimerProgram[]): number {
     : MAX_POSITION;
 }
 
-/** The line of a servo, as the data of paths. */
-export interface LinePaths {
-  /** The positions, and how it goes from one to the next. */
-  readonly line: string;
-  /** The parts where it would have to go back in time. */
-  readonly back: string;
-}
-
-/** The line of one servo. */
-export function lineOf(
-  { positions }: TimerProgram,
-  stages: readonly Stage[],
-  servo: number,
-  layout: Layout,
-): LinePaths {
+/**
+ * The line of one servo, as the data of paths: its positions and how it goes from one to the next, and apart from that
+ * where it would have to go back in time.
+ */
+export function lineOf({ positions }: TimerProgram, stages: readonly Stage[], servo: number, layout: Layout) {
   const row = positions[servo] ?? [];
   const height = (slot: number): number => rounded(layout.y(servo, row[slot] ?? 0));
   let line = `M${rounded(layout.x(0))} ${height(0)}`;

@@ -1,34 +1,18 @@
 import { useId } from 'preact/hooks';
-import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { figureText, messages } from '../messages/index.js';
-import { marksOf, motorStopOf, reachedAt, type Stage, stagesOf } from './flight.js';
-import type { Flag, Geometry } from './geometry.js';
+import { marksOf, motorStopOf, reachedAt, stagesOf } from './flight.js';
+import type { Geometry } from './geometry.js';
 import { type Layout, lineOf } from './layout.js';
 import { rounded } from './scale.js';
 import { servoClass } from './servo-class.js';
 import { shortTime } from './ticks.js';
 import './picture.css';
 
-interface PictureProps {
-  readonly geometry: Geometry;
-  /** The selected servo, whose lane is tall; null on paper, where the positions stand beside the lines instead. */
-  readonly front: number | null;
-  /** The servo of the first lane. Default: the first of all. */
-  readonly first?: number;
-  /** The pilot's names for what each servo moves. */
-  readonly names?: readonly string[] | undefined;
-  readonly selected?: ProgramField | null;
-  /** The program behind it. */
-  readonly overlay?: TimerProgram | null;
-}
-
 /** The drawing of a program over time, on the screen and on paper. What can be dragged lies over it. */
-export function Picture({ geometry, front, first = 0, names, selected = null, overlay = null }: PictureProps) {
-  const { program, layout, measures, motorStop } = geometry;
+export function Picture(geometry: Geometry) {
+  const { front, layout, measures } = geometry;
   const { left, right } = layout.box;
   const clip = useId();
-  const chosen = selected && selected.kind !== 'idleThrottle' ? selected.slot : null;
-  const time = selected?.kind === 'time' ? (program.times[selected.slot] ?? null) : null;
   return (
     <>
       <clipPath id={clip}>
@@ -37,21 +21,16 @@ export function Picture({ geometry, front, first = 0, names, selected = null, ov
       <Edges layout={layout} />
       {front !== null && <Levels layout={layout} front={front} />}
       <g clip-path={`url(#${clip})`}>
-        {/* Dashes would show through the thin line of an equal motor stop, as if it differed. */}
-        {overlay && <Overlay program={overlay} layout={layout} hasStop={motorStopOf(overlay) !== motorStop} />}
+        <Behind {...geometry} />
         <MotorRun {...geometry} />
         <Unknown {...geometry} />
-        <Marks {...geometry} chosen={chosen} />
-        <Lines {...geometry} front={front} first={first} />
+        <Marks {...geometry} />
+        <Lines {...geometry} />
       </g>
       {front === null && <Positions {...geometry} />}
-      <TimeAxis {...geometry} chosen={time} />
-      <LaneNames {...{ layout, front, first, names }} />
-      {geometry.flags
-        .filter(({ at }) => layout.shows(at))
-        .map((flag) => (
-          <FlagFigure key={flag.slot} flag={flag} y={measures.flag} isChosen={flag.slot === chosen} />
-        ))}
+      <TimeAxis {...geometry} />
+      <LaneNames {...geometry} />
+      <Numbers {...geometry} />
     </>
   );
 }
@@ -62,20 +41,15 @@ export function Edges({ layout }: { readonly layout: Layout }) {
   return <path class="level" d={edges.map((y) => `M0 ${y}H${layout.box.right}`).join('')} />;
 }
 
-/** The positions with a line across the selected lane: the ends and the middle. */
-function levels(highest: number): number[] {
-  return highest > 130 ? [0, 65, 130, highest] : [0, 65, highest];
-}
-
 /** A handle on the left edge does not touch the position that stands beside it, in pixels. */
 const LEVEL_GAP = 12;
 
-/** In the selected lane the positions at the left edge with their lines. */
+/** In the selected lane the positions of its ends and its middle, at the left edge with their lines. */
 function Levels({ layout, front }: { readonly layout: Layout; readonly front: number }) {
   const { left, right } = layout.box;
   return (
     <g>
-      {levels(layout.highest).map((position) => {
+      {[...new Set([0, 65, 130, layout.highest])].map((position) => {
         const y = Math.round(layout.y(front, position)) + 0.5;
         return (
           <g key={position}>
@@ -90,13 +64,7 @@ function Levels({ layout, front }: { readonly layout: Layout; readonly front: nu
   );
 }
 
-interface LinesProps {
-  readonly program: TimerProgram;
-  readonly stages: readonly Stage[];
-  readonly layout: Layout;
-  readonly front?: number | null;
-  readonly first?: number;
-}
+type LinesProps = Pick<Geometry, 'program' | 'stages' | 'layout'> & Partial<Pick<Geometry, 'front' | 'first'>>;
 
 /** The lines of the servos, each in its lane. */
 export function Lines({ program, stages, layout, front = null, first = 0 }: LinesProps) {
@@ -142,27 +110,22 @@ function Positions({ program, stages, layout }: Geometry) {
   );
 }
 
-interface OverlayProps {
-  readonly program: TimerProgram;
-  readonly layout: Layout;
-  /** Whether to draw its motor stop. */
-  readonly hasStop: boolean;
-}
-
 /** A second program behind the first, thin and dashed: its lines, its DT and its motor stop. */
-function Overlay({ program, layout, hasStop }: OverlayProps) {
-  const { top, bottom } = layout.box;
-  const stages = stagesOf(program);
-  const dt = stages.at(-1)?.from ?? 0;
-  const stop = hasStop ? motorStopOf(program) : null;
+function Behind({ behind, layout, motorStop }: Geometry) {
+  if (!behind) return null;
+  const stages = stagesOf(behind);
+  const stop = motorStopOf(behind);
+  // Dashes would show through the thin line of an equal motor stop, as if it differed.
+  const marks = [stages.at(-1)?.from ?? 0, ...(stop === null || stop === motorStop ? [] : [stop])];
   return (
     <g class="overlay">
-      {program.positions.map((_, servo) => {
-        const { line, back } = lineOf(program, stages, servo, layout);
+      {behind.positions.map((_, servo) => {
+        const { line, back } = lineOf(behind, stages, servo, layout);
         return <path key={servo} d={line + back} />;
       })}
-      <path class="mark" d={`M${layout.x(dt)} ${top}V${bottom}`} />
-      {stop !== null && <path class="mark" d={`M${layout.x(stop)} ${top}V${bottom}`} />}
+      {marks.map((time, i) => (
+        <path key={i} class="mark" d={`M${layout.x(time)} ${layout.box.top}V${layout.box.bottom}`} />
+      ))}
     </g>
   );
 }
@@ -172,13 +135,8 @@ const WORD_ROOM = 40;
 /** On paper a longer name is drawn narrower, so that it stays beside its lane. */
 const NAME_FITS = 11;
 
-interface LaneNamesProps extends Required<Pick<PictureProps, 'front' | 'first'>> {
-  readonly layout: Layout;
-  readonly names: readonly string[] | undefined;
-}
-
 /** The name of each servo at the left edge of its lane, and what it moves: in the lane, or on paper beside it. */
-function LaneNames({ layout, front, first, names }: LaneNamesProps) {
+function LaneNames({ layout, front, first, names }: Geometry) {
   const { servoName } = messages.value;
   const { left } = layout.box;
   const isPaper = front === null;
@@ -221,7 +179,8 @@ function LaneNames({ layout, front, first, names }: LaneNamesProps) {
 const EDGE_ROOM = 14;
 
 /** The times below the plot: DT in bold, those of the marks, and round ones where there is room. */
-function TimeAxis({ program, layout, measures, ticks, stages, chosen }: Geometry & { readonly chosen: number | null }) {
+function TimeAxis({ program, layout, measures, ticks, stages, selected }: Geometry) {
+  const chosen = selected?.kind === 'time' ? program.times[selected.slot] : null;
   const dt = stages.at(-1)?.from;
   const marks = new Set(marksOf(program));
   const { left, right } = layout.box;
@@ -261,13 +220,13 @@ function Unknown({ stages, layout }: Geometry) {
 }
 
 /** The vertical lines of the functions and DT, from their numbers down. */
-function Marks({ flags, layout, measures, chosen }: Geometry & { readonly chosen: number | null }) {
+function Marks({ flags, layout, measures, selected }: Geometry) {
   const { top, bottom } = layout.box;
   return (
     <g>
       {flags.map(({ slot, isDt, at, x, radius, labelled, roomy }) => {
         const lead = labelled ? `M${rounded(x)} ${measures.flag + radius}L${rounded(at)} ${top - 3}V${top}` : '';
-        const classes = `flag-line ${isDt ? 'dt' : ''} ${slot === chosen ? 'selected' : ''} ${roomy ? '' : 'many'}`;
+        const classes = `flag-line ${isDt ? 'dt' : ''} ${slot === selected?.slot ? 'selected' : ''} ${roomy ? '' : 'many'}`;
         return <path key={slot} class={classes} d={`${lead}M${rounded(at)} ${top}V${bottom}`} />;
       })}
     </g>
@@ -277,29 +236,29 @@ function Marks({ flags, layout, measures, chosen }: Geometry & { readonly chosen
 /** In a circle with a smaller radius the number is smaller, too. In pixels. */
 const LETTERS = 11;
 
-interface FlagFigureProps {
-  readonly flag: Flag;
-  readonly y: number;
-  /** Whether a value of this slot is selected: its time or a position. */
-  readonly isChosen: boolean;
-}
-
-/** The number of a mark, in a circle where there is room. */
-function FlagFigure({ flag, y, isChosen }: FlagFigureProps) {
-  const { slot, isDt, x, radius, labelled, roomy, passedOver } = flag;
+/** The numbers of the marks, each in a circle where there is room. That of the selected slot is lit. */
+function Numbers({ flags, layout, measures, selected }: Geometry) {
   const { dt } = messages.value.program;
-  const classes = `flag ${isDt ? 'dt' : ''} ${passedOver ? 'passed' : ''} ${isChosen ? 'chosen' : ''}`;
-  const wide = radius + 2;
   return (
-    <g transform={`translate(${rounded(x)} ${y})`}>
-      {isDt && <rect class={classes} x={-wide} y={-radius} width={2 * wide} height={2 * radius} rx="6" />}
-      {!isDt && roomy && <circle class={classes} r={radius} />}
-      {labelled && (
-        <text class={classes} y="0.35em" font-size={radius < LETTERS ? radius * 1.2 : undefined}>
-          {isDt ? dt : slot}
-        </text>
-      )}
-    </g>
+    <>
+      {flags.map(({ slot, isDt, at, x, radius, labelled, roomy, passedOver }) => {
+        if (!layout.shows(at)) return null;
+        const isChosen = slot === selected?.slot;
+        const classes = `flag ${isDt ? 'dt' : ''} ${passedOver ? 'passed' : ''} ${isChosen ? 'chosen' : ''}`;
+        const wide = radius + 2;
+        return (
+          <g key={slot} transform={`translate(${rounded(x)} ${measures.flag})`}>
+            {isDt && <rect class={classes} x={-wide} y={-radius} width={2 * wide} height={2 * radius} rx="6" />}
+            {!isDt && roomy && <circle class={classes} r={radius} />}
+            {labelled && (
+              <text class={classes} y="0.35em" font-size={radius < LETTERS ? radius * 1.2 : undefined}>
+                {isDt ? dt : slot}
+              </text>
+            )}
+          </g>
+        );
+      })}
+    </>
   );
 }
 
@@ -336,14 +295,8 @@ function MotorRun({ program, motorStop, layout, measures }: Geometry) {
 /** The width of the position beside the line at one time, in pixels. */
 const VALUE_ROOM = 40;
 
-interface CrosshairProps {
-  readonly geometry: Geometry;
-  readonly time: number | null;
-}
-
 /** A line at one time of the flight, with a dot and the position on each servo's line. */
-export function Crosshair({ geometry, time }: CrosshairProps) {
-  const { layout, program } = geometry;
+export function Crosshair({ layout, program, time }: Geometry & { readonly time: number | null }) {
   if (time === null || !layout.shows(layout.x(time))) return null;
   const { top, bottom, right } = layout.box;
   const x = layout.x(time);

@@ -19,14 +19,14 @@ interface MomentProps {
  */
 export function Moment({ program, model, cursor, selected }: MomentProps) {
   const { timeline, times } = messages.value;
-  const field = model.moving.value?.edit.field;
+  const { edit, finer } = model.moving.value ?? {};
   const time = model.asked.value ?? cursor?.value ?? null;
-  if (field) return <ValueFigure program={program} field={field} finer={model.finer.value} />;
+  if (edit) return <ValueFigure program={program} field={edit.field} finer={finer} />;
   if (time !== null) {
     const { text, unit } = formatFigure(time, 1);
     return <Figure text={text} unit={times.units[unit]} what={reachedText(program, time)} />;
   }
-  if (selected && selected.kind !== 'idleThrottle') return <ValueFigure program={program} field={selected} />;
+  if (selected) return <ValueFigure program={program} field={selected} />;
   return <p class="timeline-readout hint">{timeline.ask}</p>;
 }
 
@@ -34,7 +34,7 @@ interface ValueFigureProps {
   readonly program: TimerProgram;
   readonly field: ProgramField;
   /** Whether it is held, and moves less than the pointer. */
-  readonly finer?: boolean;
+  readonly finer?: boolean | undefined;
 }
 
 function ValueFigure({ program, field, finer = false }: ValueFigureProps) {

@@ -1,7 +1,7 @@
 import type { TimerProgram } from '../../program/index.js';
 import { motorStopOf, stagesOf } from './flight.js';
 import { lanesOf } from './lanes.js';
-import { highestOf, Layout, WHOLE } from './layout.js';
+import { highestOf, layoutOf, WHOLE } from './layout.js';
 import { Edges, Lines } from './picture.js';
 import { rounded, type Scale, stretchedScale } from './scale.js';
 import './small-lanes.css';
@@ -41,7 +41,7 @@ export function SmallLanes({
   const { length } = program.positions;
   const height = LANE * length;
   const box = { left: 0, right: WIDTH, top: 0, bottom: height };
-  const layout = new Layout(scale, WHOLE, box, lanesOf(length, null, 0, height), highestOf([program]));
+  const layout = layoutOf(scale, WHOLE, box, lanesOf(length, null, 0, height), highestOf([program]));
   const stages = stagesOf(program);
   const dt = rounded(layout.x(stages.at(-1)?.from ?? 0));
   const stop = rounded(layout.x(motorStopOf(program) ?? 0));

@@ -2,14 +2,13 @@ import type { ReadonlySignal } from '@preact/signals';
 import { useEffect, useId, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
-import type { OnEdit } from './drag.js';
+import type { OnEdit, Shown } from './drag.js';
 import { timeOf } from './flight.js';
-import { type Geometry, layoutOf, leastHeightOf, marksIn, measuresOf, scaleOf } from './geometry.js';
+import { type Geometry, geometryOf, leastHeightOf, measuresOf } from './geometry.js';
 import { Handles } from './handles.js';
-import { HandleKeys, pictureKey } from './key-control.js';
-import { highestOf } from './layout.js';
+import { fieldOf, KeyControl } from './key-control.js';
 import { Crosshair, Picture } from './picture.js';
-import { PointerControl, type Target } from './pointer/pointer-control.js';
+import { PointerControl } from './pointer-control.js';
 import { descriptionOf, Moment, Spoken } from './readout.js';
 import { TimelineNotes } from './timeline-notes.js';
 import { Tools } from './tools.js';
@@ -55,42 +54,38 @@ export interface TimelineProps {
   readonly model?: TimelineModel | undefined;
 }
 
-/** The least width of a plot, in pixels, however little room there is. */
-const LEAST_WIDTH = 120;
-
 /** The program over time: a lane for each servo, marks for functions, motor stop and DT. To read and to edit. */
-export function Timeline({ program, overlay = null, cursor, selected = null, names, onEdit, ...calls }: TimelineProps) {
+export function Timeline({ program, overlay = null, cursor, names, onEdit, onSelect, ...more }: TimelineProps) {
   const { timeline } = messages.value;
-  const { now = () => program } = calls;
-  const selectedKey = selected && fieldKey(selected);
+  const { now = () => program, title = timeline.title } = more;
+  const selected = more.selected && more.selected.kind !== 'idleThrottle' ? more.selected : null;
   const id = useId();
-  const model = useMemo(() => calls.model ?? new TimelineModel(), [calls.model]);
-  const keys = useMemo(() => new HandleKeys(model), [model]);
+  const model = useMemo(() => more.model ?? new TimelineModel(), [more.model]);
   const room = useRef<HTMLDivElement>(null);
   const svg = useRef<SVGSVGElement>(null);
   const size = useSize(room);
 
-  const { servos } = program.identity;
-  const behind = overlay?.program ?? null;
-  const measures = measuresOf(program, size.height);
-  const plot = Math.max(LEAST_WIDTH, size.width - measures.left - measures.right);
   const held = model.moving.value?.scale;
-  const view = model.view.value;
-  const front = Math.min(model.front.value, servos - 1);
-  const highest = highestOf(behind ? [program, behind] : [program]);
-  const chosen = selected?.kind === 'time' ? (program.times[selected.slot] ?? null) : null;
-  const scale = held ?? scaleOf(program, behind, plot);
-  const layout = layoutOf({ scale, view, plot, measures, servos, front, highest });
-  const geometry = { program, layout, measures, ...marksIn(program, layout, measures, chosen) };
+  const measures = measuresOf(program, size);
+  const geometry = geometryOf(program, measures, {
+    front: Math.min(model.front.value, program.identity.servos - 1),
+    names,
+    selected,
+    behind: overlay?.program ?? null,
+    view: model.view.value,
+    scale: held,
+  });
+  const { scale } = geometry.layout;
   const anchor = (): number | undefined => {
     const time = model.asked.peek() ?? (selected && timeOf(program, selected));
-    return time === null ? undefined : layout.scale.place(time);
+    return time === null ? undefined : scale.place(time);
   };
 
-  const target = useRef<Target | null>(null);
-  const pointer = useMemo(() => new PointerControl(model, () => target.current), [model]);
+  const shown = useRef<Shown | null>(null);
+  const pointer = useMemo(() => new PointerControl(model, () => shown.current), [model]);
+  const keys = useMemo(() => new KeyControl(model, () => shown.current), [model]);
   useLayoutEffect(() => {
-    target.current = svg.current && { svg: svg.current, geometry, now, onEdit };
+    shown.current = svg.current && { svg: svg.current, geometry, now, onEdit, anchor };
   });
   useEffect(() => {
     const { current } = svg;
@@ -104,19 +99,15 @@ export function Timeline({ program, overlay = null, cursor, selected = null, nam
     };
   }, []);
   useEffect(() => {
-    if (!selected || selected.kind === 'idleThrottle' || model.moving.peek()) return;
+    if (!selected || model.moving.peek()) return;
     if (selected.kind === 'position') model.bringToFront(selected.servo);
     model.reveal(scale.place(timeOf(program, selected)));
-  }, [selectedKey]);
+  }, [selected && fieldKey(selected)]);
 
-  const { height } = measures;
-  const width = plot + measures.left + measures.right;
+  const { width, height } = measures;
   const least = `max(var(--picture), ${leastHeightOf(program)}px)`;
   return (
-    <section
-      class={`timeline ${overlay?.uncertain ? 'uncertain-behind' : ''}`}
-      aria-label={calls.title ?? timeline.title}
-    >
+    <section class={`timeline ${overlay?.uncertain ? 'uncertain-behind' : ''}`} aria-label={title}>
       <div class="timeline-top">
         <div class="timeline-moment">
           <Moment program={program} model={model} cursor={cursor} selected={selected} />
@@ -147,15 +138,24 @@ export function Timeline({ program, overlay = null, cursor, selected = null, nam
           onPointerLeave={pointer.leave}
           // The nearest handle gets the focus, not the topmost one.
           onMouseDown={(event) => event.preventDefault()}
-          onKeyDown={(event) => pictureKey(event, model, geometry, anchor())}
+          onKeyDown={keys.down}
+          onKeyUp={keys.up}
+          onFocusIn={({ target }) => {
+            const field = shown.current && fieldOf(target, shown.current);
+            if (!field) return;
+            model.setEntered(true);
+            model.reveal(scale.place(timeOf(program, field)));
+            onSelect?.(field);
+          }}
           onFocusOut={(event) => {
             const next = event.relatedTarget as Node | null;
+            keys.up();
             model.setEntered(next !== svg.current && (svg.current?.contains(next) ?? false));
           }}
         >
-          <Picture {...{ geometry, front, selected, names }} overlay={behind} />
+          <Picture {...geometry} />
           <MomentLine geometry={geometry} model={model} cursor={cursor} />
-          {onEdit && <Handles {...{ geometry, model, keys, front, selected, now, onEdit }} onSelect={calls.onSelect} />}
+          {onEdit && <Handles geometry={geometry} entered={model.entered.value} />}
         </svg>
       </div>
       <p class="visually-hidden" id={`${id}-about`}>
@@ -175,7 +175,7 @@ interface MomentLineProps extends Pick<TimelineProps, 'cursor'> {
 
 /** Drawn at each frame of a flight, so that nothing around it is. */
 function MomentLine({ geometry, model, cursor }: MomentLineProps) {
-  return <Crosshair geometry={geometry} time={model.asked.value ?? cursor?.value ?? null} />;
+  return <Crosshair {...geometry} time={model.asked.value ?? cursor?.value ?? null} />;
 }
 
 /** The name of the second program, beside a piece of its line. */

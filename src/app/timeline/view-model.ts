@@ -12,6 +12,8 @@ export interface Moving {
   readonly edit: DragEdit;
   /** The axis when the handle was taken. It stands still until the handle is released. */
   readonly scale: Scale;
+  /** Whether it moves less than the pointer. */
+  readonly finer: boolean;
 }
 
 /** A time of the flight in hundredths of a second, or a servo. */
@@ -27,8 +29,6 @@ export class TimelineModel {
   /** The selected servo, whose lane is tall and has handles. */
   readonly front = signal(0);
   readonly moving = signal<Moving | null>(null);
-  /** Whether the held handle moves less than the pointer. */
-  readonly finer = signal(false);
   /** The field under the mouse that it could take; null while a handle is held. */
   readonly pointed = signal<ProgramField | null>(null);
   /** Whether the keyboard focus is on a handle. */
@@ -42,7 +42,7 @@ export class TimelineModel {
 
   /** The picture goes away: nothing is asked about any more. The view stays for when it comes back. */
   leave(): void {
-    this.askAloud(null);
+    this.tell(null);
     this.pointAt(null);
     this.entered.value = false;
   }
@@ -52,20 +52,15 @@ export class TimelineModel {
     this.asked.value = time;
   }
 
-  /** Asks about a time, and tells screen readers. */
-  askAloud(time: number | null): void {
-    this.asked.value = time;
-    this.spoken.value = time === null ? null : { time };
+  /** Asks about a time or selects a servo, and tells screen readers; null asks about no time any more. */
+  tell(place: SpokenPlace | null): void {
+    this.spoken.value = place;
+    if (place && 'servo' in place) this.bringToFront(place.servo);
+    else this.ask(place?.time ?? null);
   }
 
   bringToFront(servo: number): void {
     this.front.value = servo;
-  }
-
-  /** Selects a servo, and tells screen readers. */
-  bringToFrontAloud(servo: number): void {
-    this.front.value = servo;
-    this.spoken.value = { servo };
   }
 
   pointAt(field: ProgramField | null): void {
@@ -74,23 +69,22 @@ export class TimelineModel {
 
   /** Takes a handle. @param scale the present axis. */
   take(edit: DragEdit, scale: Scale): void {
-    const { field } = edit;
-    this.asked.value = null;
-    if (field.kind === 'position') this.front.value = field.servo;
-    this.finer.value = false;
-    this.moving.value = { edit, scale };
+    this.ask(null);
+    if (edit.field.kind === 'position') this.bringToFront(edit.field.servo);
+    this.moving.value = { edit, scale, finer: false };
   }
 
   /** Whether the held handle moves less than the pointer. */
   refine(finer: boolean): void {
-    this.finer.value = finer;
+    const moving = this.moving.peek();
+    if (moving && moving.finer !== finer) this.moving.value = { ...moving, finer };
   }
 
   /** Releases the handle. The view may have left the picture with it, and comes back. */
   letGo(): void {
     if (!this.moving.peek()) return;
     this.moving.value = null;
-    this.settle();
+    this.pan(0);
   }
 
   /** The keyboard focus goes to the handles, or leaves them. */
@@ -130,12 +124,6 @@ export class TimelineModel {
   reveal(place: number): void {
     const { start, span } = this.view.peek();
     if (place < start || place > start + span) this.#show(place - span / 2, span);
-  }
-
-  /** Moves the view back inside the picture. */
-  settle(): void {
-    const { start, span } = this.view.peek();
-    this.#show(start, span);
   }
 
   #show(start: number, span: number): void {

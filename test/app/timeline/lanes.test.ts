@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { leastHeightOf, measuresOf } from '../../../src/app/timeline/geometry.js';
 import { laneAt, lanesOf, leastHeight } from '../../../src/app/timeline/lanes.js';
-import { Layout } from '../../../src/app/timeline/layout.js';
-import { isFine, refined } from '../../../src/app/timeline/pointer/fineness.js';
+import { layoutOf } from '../../../src/app/timeline/layout.js';
+import { isFine, refined } from '../../../src/app/timeline/move-handle.js';
 import { Scale } from '../../../src/app/timeline/scale.js';
 import { TimelineModel } from '../../../src/app/timeline/view-model.js';
 import { programOf } from '../programs.js';
@@ -56,7 +56,7 @@ describe('the lanes', () => {
       [1000, 200, 18000],
       Array.from({ length: servos }, () => [15, 15, 15]),
     );
-    const { top, bottom } = measuresOf(program, 320);
+    const { top, bottom } = measuresOf(program, { width: 640, height: 320 });
     const [first] = lanesOf(servos, 0, top, bottom);
     expect((first?.until ?? 0) - (first?.from ?? 0)).toBeCloseTo(height, 9);
   });
@@ -65,7 +65,7 @@ describe('the lanes', () => {
     fc.assert(
       fc.property(lanes, fc.integer({ min: 0, max: 130 }), ({ servos, lanes, bottom }, position) => {
         const box = { left: 0, right: 100, top: 36, bottom };
-        const layout = new Layout(new Scale([0, 100], [0, 1]), { start: 0, span: 1 }, box, lanes, 130);
+        const layout = layoutOf(new Scale([0, 100], [0, 1]), { start: 0, span: 1 }, box, lanes, 130);
         for (let servo = 0; servo < servos; servo++) {
           const { top, bottom } = lanes[servo] as (typeof lanes)[number];
           const y = layout.y(servo, position);
@@ -84,7 +84,7 @@ describe('the lanes', () => {
       Array.from({ length: 30 }, () => [15, 15, 15]),
     );
     expect(leastHeightOf(program)).toBeGreaterThan(30 * 24);
-    expect(measuresOf(program, 320).height).toBe(leastHeightOf(program));
+    expect(measuresOf(program, { width: 640, height: 320 }).height).toBe(leastHeightOf(program));
   });
 });
 
