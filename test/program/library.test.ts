@@ -105,25 +105,23 @@ test.each([
   expect(codeOf(() => requireLibrary(library))).toBe(refused);
 });
 
-describe('a program', () => {
-  const { program } = SETTING;
-  test.each([
-    [{ memory: 4 }, 'out-of-range program.memory'],
-    [{ times: program.times.slice(1) }, 'wrong-count program.times'],
-    [{ times: program.times.map(() => 65_536) }, 'out-of-range program.times[0]'],
-    [{ times: program.times.map(() => -1) }, 'out-of-range program.times[0]'],
-    [{ times: program.times.map(() => 0.5) }, 'not-an-integer program.times[0]'],
-    [{ positions: program.positions.slice(1) }, 'wrong-count program.positions'],
-    [{ positions: 5 }, 'wrong-type program.positions'],
-    [{ positions: program.positions.map((row) => row.map(() => 256)) }, 'out-of-range program.positions[0][0]'],
-    [{ idleThrottle: 256 }, 'out-of-range program.idleThrottle'],
-    [{ identity: { ...program.identity, functions: 0 } }, 'bad-identity program.identity.functions'],
-    [{ identity: { ...program.identity, firmware: '5/6' } }, 'bad-identity program.identity.firmware'],
-    [{ identity: { ...program.identity, firmware: 536 } }, 'wrong-type program.identity.firmware'],
-    // What has no words for itself, and breaks whatever wants to show it.
-    [{ identity: { ...program.identity, servos: Object.create(null) } }, 'wrong-type program.identity.servos'],
-    [{ identity: { ...program.identity, servos: 255 } }, 'bad-identity program.identity.servos'],
-  ])('with %j is refused: %s', (change, refused) => {
-    expect(codeOf(() => requireProgram({ ...program, ...change }))).toBe(refused);
-  });
+const { program } = SETTING;
+test.each([
+  [{ memory: 4 }, 'out-of-range program.memory'],
+  [{ times: program.times.slice(1) }, 'wrong-count program.times'],
+  [{ times: program.times.map(() => 65_536) }, 'out-of-range program.times[0]'],
+  [{ times: program.times.map(() => -1) }, 'out-of-range program.times[0]'],
+  [{ times: program.times.map(() => 0.5) }, 'not-an-integer program.times[0]'],
+  [{ positions: program.positions.slice(1) }, 'wrong-count program.positions'],
+  [{ positions: 5 }, 'wrong-type program.positions'],
+  [{ positions: program.positions.map((row) => row.map(() => 256)) }, 'out-of-range program.positions[0][0]'],
+  [{ idleThrottle: 256 }, 'out-of-range program.idleThrottle'],
+  [{ identity: { ...program.identity, functions: 0 } }, 'bad-identity program.identity.functions'],
+  [{ identity: { ...program.identity, firmware: '5/6' } }, 'bad-identity program.identity.firmware'],
+  [{ identity: { ...program.identity, firmware: 536 } }, 'wrong-type program.identity.firmware'],
+  // What has no words for itself, and breaks whatever wants to show it.
+  [{ identity: { ...program.identity, servos: Object.create(null) } }, 'wrong-type program.identity.servos'],
+  [{ identity: { ...program.identity, servos: 255 } }, 'bad-identity program.identity.servos'],
+])('a program with %j is refused: %s', (change, refused) => {
+  expect(codeOf(() => requireProgram({ ...program, ...change }))).toBe(refused);
 });

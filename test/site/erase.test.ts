@@ -71,7 +71,7 @@ async function withLibrary(): Promise<{ app: AppPage; empty: (what: string) => P
   await page.evaluate(() => location.assign('#library'));
   for (const [open, field, text, make] of [
     ['New model…', 'Name', 'Lancer 07', en.save],
-    [en.newProgram.title, libraryMessages.save.name, 'calm', en.newProgram.make],
+    [en.newProgram.title, libraryMessages.save.name('program'), 'calm', en.newProgram.make],
   ] as const) {
     await app.button(open).click();
     await page.getByRole('dialog').getByRole('textbox', { name: field }).fill(text);

@@ -17,7 +17,7 @@ async function makeModel(app: AppPage, name: string): Promise<void> {
 
 async function makeSetting(app: AppPage, name: string): Promise<void> {
   await app.button(en.newProgram.title).click();
-  await app.page.getByRole('dialog').getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
+  await app.page.getByRole('dialog').getByRole('textbox', { name: libraryMessages.save.name('program') }).fill(name);
   await app.button(en.newProgram.make).click();
   await app.page.getByRole('article', { name }).waitFor();
 }
@@ -38,7 +38,7 @@ it('a pilot keeps a setting, finds it after a reload, changes and deletes it, an
   await app.page.keyboard.press('Control+k');
   await app.page.getByRole('combobox', { name: en.palette.search }).fill('save as');
   await app.page.keyboard.press('Enter');
-  await app.page.getByRole('textbox', { name: libraryMessages.save.name }).fill('trimming');
+  await app.page.getByRole('textbox', { name: libraryMessages.save.name('program') }).fill('trimming');
   await app.page.getByRole('dialog').getByRole('button', { name: 'Save', exact: true }).click();
   await app.page.getByRole('dialog').waitFor({ state: 'hidden' });
   await app.reload();
@@ -102,7 +102,7 @@ it('on a phone on its side all that a setting is saved with is in sight', async 
   await app.page.keyboard.press('Control+k');
   await app.page.keyboard.type('save');
   await app.page.keyboard.press('Enter');
-  const dialog = app.page.getByRole('dialog', { name: libraryMessages.save.open });
+  const dialog = app.page.getByRole('dialog', { name: 'Save' });
   const bottoms = () =>
     dialog
       .locator('input, select, textarea, .buttons')

@@ -23,8 +23,8 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await app.close();
 
   await app.button(libraryMessages.save.open).click();
-  await app.field(libraryMessages.save.name).fill('windy');
-  await app.field(en.label.name).fill('Lancer 07');
+  await app.field(libraryMessages.save.name('program')).fill('windy');
+  await app.field(libraryMessages.save.name('model')).fill('Lancer 07');
   await app.button('Save').click();
   await page.getByRole('dialog').waitFor({ state: 'hidden' });
   await app.type('Function 4, S2', '77');

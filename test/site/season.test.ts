@@ -121,8 +121,8 @@ class Device {
     const { app } = this;
     const first = app.button(libraryMessages.save.open);
     await first.or(app.button(libraryMessages.save.asNew)).first().click();
-    const dialog = app.page.getByRole('dialog', { name: libraryMessages.save.open });
-    await dialog.getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
+    const dialog = app.page.getByRole('dialog', { name: 'Save' });
+    await dialog.getByRole('textbox', { name: libraryMessages.save.name('program') }).fill(name);
     await dialog.getByRole('combobox', { name: 'Model' }).selectOption({ label: model });
     await dialog.getByRole('textbox', { name: 'Note' }).fill(note);
     await dialog.getByRole('button', { name: 'Save', exact: true }).click();
@@ -320,7 +320,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await app.button(en.save).click();
   for (const { name, note } of RIDGE) {
     await (await first.goTo('Ridge 3')).getByRole('button', { name: en.newProgram.title }).click();
-    await page.getByRole('textbox', { name: libraryMessages.save.name }).fill(name);
+    await page.getByRole('textbox', { name: libraryMessages.save.name('program') }).fill(name);
     await app.button(en.newProgram.make).click();
     await page.getByRole('article', { name, exact: true }).getByRole('textbox', { name: 'Note' }).fill(note);
   }

@@ -20,8 +20,8 @@ test('a setting that is shared by link can be kept on another device, after one 
   await pilot.trySimulated('F1Q');
   await pilot.type('DT time', '4:00');
   await pilot.button(libraryMessages.save.open).click();
-  await pilot.field(libraryMessages.save.name).fill('windy');
-  await pilot.field(en.label.name).fill('Lancer 07');
+  await pilot.field(libraryMessages.save.name('program')).fill('windy');
+  await pilot.field(libraryMessages.save.name('model')).fill('Lancer 07');
   await pilot.button('Save').click();
   await pilot.page.getByRole('dialog').waitFor({ state: 'hidden' });
   await pilot.goTo('Library');

@@ -49,9 +49,9 @@ test('values of one model over the timer of another keep their name, on paper, i
   await app.trySimulated('F1Q');
   await app.button(libraryMessages.save.open).click();
   const dialog = app.page.getByRole('dialog');
-  await dialog.getByRole('textbox', { name: libraryMessages.save.name }).fill('calm');
+  await dialog.getByRole('textbox', { name: libraryMessages.save.name('program') }).fill('calm');
   await dialog.getByRole('combobox', { name: 'Model' }).selectOption(libraryMessages.models.make);
-  await dialog.getByRole('textbox', { name: en.label.name, exact: true }).fill('Lancer');
+  await dialog.getByRole('textbox', { name: libraryMessages.save.name('model') }).fill('Lancer');
   await dialog.getByRole('button', { name: 'Save', exact: true }).click();
   await app.text('calm of Lancer: saved').waitFor();
   await app.button('Model Lancer: say which model it is').waitFor();

@@ -37,7 +37,7 @@ export function Stepper({ form, measure, label, unit, field }: StepperProps) {
           inputMode={measure === 'wind' ? 'decimal' : 'text'}
           autocomplete="off"
           id={id}
-          aria-describedby={note}
+          aria-describedby={problem && note}
           aria-invalid={problem !== undefined}
           value={form.textOf(measure)}
           onInput={({ currentTarget }) => form.type(measure, currentTarget.value)}

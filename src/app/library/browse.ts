@@ -18,7 +18,7 @@ export class Browse {
   readonly byModel: ReadonlySignal<ReadonlyMap<string | null, readonly SettingRecord[]>>;
   /** The settings that the search finds; null without a search. */
   readonly found: ReadonlySignal<readonly SettingRecord[] | null>;
-  /** The settings that were changed last, of all models. */
+  /** The settings that were changed last, of all models that are shown. */
   readonly latest: ReadonlySignal<readonly SettingRecord[]>;
   /** The models that are shown. */
   readonly models: ReadonlySignal<readonly ModelRecord[]>;
@@ -39,7 +39,10 @@ export class Browse {
     });
     this.models = computed(() => models.list.value.filter(({ model }) => this.#archive.value || !model.archived));
     this.latest = computed(() =>
-      [...settings.list.value].sort((one, other) => other.changedAt - one.changedAt).slice(0, LATEST),
+      settings.list.value
+        .filter(({ setting }) => this.#archive.value || !models.get(setting.model)?.model.archived)
+        .sort((one, other) => other.changedAt - one.changedAt)
+        .slice(0, LATEST),
     );
     this.found = computed(() => {
       if (this.#text.value.trim() === '') return null;

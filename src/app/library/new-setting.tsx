@@ -54,7 +54,7 @@ export function NewSetting({ open, session, model, onClose, onMade }: NewSetting
       onClose={onClose}
     >
       <NameField
-        label={save.name}
+        label={save.name('program')}
         placeholder={save.namePlace}
         value={name.value}
         onChange={(text) => (name.value = text)}

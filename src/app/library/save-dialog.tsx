@@ -54,7 +54,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       }}
     >
       <NameField
-        label={words.name}
+        label={words.name('program')}
         placeholder={words.namePlace}
         value={name.value}
         onChange={(text) => (name.value = text)}
@@ -71,7 +71,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       />
       {model.value === NEW && (
         <NameField
-          label={label.name}
+          label={words.name('model')}
           first={false}
           value={modelName.value}
           onChange={(text) => (modelName.value = text)}

@@ -88,7 +88,7 @@ export const libraryMessages = {
     /** A tick: values of one model would go under the name of another. */
     crossing: (from: string, to: string) => `These are values of ${apart(from)}. Save them under ${apart(to)}.`,
     asNew: 'Save as new…',
-    name: 'Name of the program',
+    name: (of: 'program' | 'model') => `Name of the ${of}`,
     namePlace: 'For example: fly-off, calm',
     notSavable: 'A field has no value. Correct it first.',
     state: (name: string, changes: number, unreadable: number) =>

@@ -70,7 +70,7 @@ function OpenModal({ title, head, onEscape, held = false, children }: Omit<Modal
     >
       <div class="stack dialog-head">
         <h2 id={titleId} ref={heading} tabIndex={-1}>
-          {title}
+          {title.replace(/…$/, '') /* Only the button that opens it has the dots: it asks first. */}
         </h2>
         {head}
       </div>

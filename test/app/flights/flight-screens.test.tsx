@@ -194,7 +194,9 @@ describe('the log', () => {
     const app = await season();
     act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
     fill('Wind m/s', 'much');
-    expect(form().getByRole('alert').textContent).toBe(flightMessages.form.unreadable['not-a-number']);
+    const alert = form().getByRole('alert');
+    const described = texts('dialog [aria-describedby]').length;
+    expect([alert.textContent, described]).toEqual([flightMessages.form.unreadable['not-a-number'], 1]);
     await press('Done');
     expect(document.activeElement).toBe(form().getByRole('textbox', { name: 'Wind m/s' }));
     fill('Wind m/s', '51');
@@ -285,20 +287,18 @@ describe('after a verified write', () => {
   });
 });
 
-describe('the page of a model', () => {
-  it('shows the totals of its flights, and leads to them', async () => {
-    const app = await season();
-    await app.session.library.keepModel(emptyModel('l', 'Lancer', 'Q'));
-    app.models.views.show('library', 'l');
-    await idle();
-    expect(texts('.flight-totals')).toEqual(['2 flightsbest 3:00 minaverage 2:55.7 min']);
-    await press(flightMessages.section.all);
-    expect(app.models.views.path.value).toBe('flights');
-    expect(rows().length).toBe(2);
-    expect(
-      days().map((day) => day?.trim()),
-      'the totals above count the flights of a single day',
-    ).toEqual(['Sat, 21 Nov 2026 · Wiese']);
-    expect(button('Show all')).toBeTruthy();
-  });
+it('the page of a model shows the totals of its flights, and leads to them', async () => {
+  const app = await season();
+  await app.session.library.keepModel(emptyModel('l', 'Lancer', 'Q'));
+  app.models.views.show('library', 'l');
+  await idle();
+  expect(texts('.flight-totals')).toEqual(['2 flightsbest 3:00 minaverage 2:55.7 min']);
+  await press(flightMessages.section.all);
+  expect(app.models.views.path.value).toBe('flights');
+  expect(rows().length).toBe(2);
+  expect(
+    days().map((day) => day?.trim()),
+    'the totals above count the flights of a single day',
+  ).toEqual(['Sat, 21 Nov 2026 · Wiese']);
+  expect(button('Show all')).toBeTruthy();
 });

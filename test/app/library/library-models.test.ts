@@ -71,26 +71,33 @@ it('models stand by name, settings by date, whatever order was kept before', asy
   expect(library.settings.list.value.map(({ setting }) => setting.at)).toEqual([9, 7, 5]);
 });
 
-describe('a model that is deleted', () => {
-  it('takes its settings with it, and undo brings all back', async () => {
-    const { session, store, browse } = await opened();
-    session.library.removeModel('model-1');
-    expect([keys(session.library.models.list.value), session.library.settings.list.value.length]).toEqual([
-      ['model-0', 'model-2'],
-      4,
-    ]);
-    await idle(9000);
-    session.library.settings.remove('setting-0');
-    await idle(9000);
-    session.library.undoRemove();
-    await idle();
-    expect([store.models.records.size, store.settings.records.size]).toEqual([3, 6]);
-    session.library.removeModel('model-1');
-    const steps = vi.spyOn(store, 'change');
-    await idle();
-    expect([store.models.records.size, store.settings.records.size, steps.mock.calls.length]).toEqual([2, 4, 1]);
-    expect(browse.byModel.value.get(null)).toBeUndefined();
-  });
+it('a model that is deleted takes its settings with it, and undo brings all back', async () => {
+  const { session, store, browse } = await opened();
+  session.library.removeModel('model-1');
+  expect([keys(session.library.models.list.value), session.library.settings.list.value.length]).toEqual([
+    ['model-0', 'model-2'],
+    4,
+  ]);
+  await idle(9000);
+  session.library.settings.remove('setting-0');
+  await idle(9000);
+  session.library.undoRemove();
+  await idle();
+  expect([store.models.records.size, store.settings.records.size]).toEqual([3, 6]);
+  session.library.removeModel('model-1');
+  const steps = vi.spyOn(store, 'change');
+  await idle();
+  expect([store.models.records.size, store.settings.records.size, steps.mock.calls.length]).toEqual([2, 4, 1]);
+  expect(browse.byModel.value.get(null)).toBeUndefined();
+});
+
+it('the programs of an archived model are not among those that were changed last, unless the archive is shown', async () => {
+  const { browse, session } = await opened();
+  const { model } = session.library.models.get('model-1') as ModelRecord;
+  await run(session.library.keepModel({ ...model, archived: true }));
+  const latest = keys(browse.latest.value);
+  browse.showArchive(true);
+  expect([latest, browse.latest.value.length]).toEqual([['setting-5', 'setting-3', 'setting-2', 'setting-0'], 6]);
 });
 
 it.each([LAST_DATE, Date.now() + 1e9])(

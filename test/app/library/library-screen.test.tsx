@@ -140,8 +140,8 @@ it('a program is saved under a model that is made with it', async () => {
   const newModel = dialog.getByRole<HTMLOptionElement>('option', { name: libraryMessages.models.make });
   fireEvent.change(dialog.getByRole('combobox', { name: 'Model' }), { target: { value: newModel.value } });
   await idle(0);
-  fireEvent.input(dialog.getByRole('textbox', { name: libraryMessages.save.name }), { target: { value: ' calm ' } });
-  fireEvent.input(dialog.getByRole('textbox', { name: messages.value.label.name }), { target: { value: 'Lancer 09' } });
+  fireEvent.input(dialog.getByRole('textbox', { name: 'Name of the program' }), { target: { value: ' calm ' } });
+  fireEvent.input(dialog.getByRole('textbox', { name: 'Name of the model' }), { target: { value: 'Lancer 09' } });
   fireEvent.click(dialog.getByRole('button', { name: 'Save' }));
   await idle();
   const [model] = [...app.store.models.records.values()].filter(({ model: each }) => each.name === 'Lancer 09');

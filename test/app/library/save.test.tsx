@@ -32,7 +32,7 @@ it('values of one model go under another only with a tick', async () => {
   const model = dialog.getByRole<HTMLSelectElement>('combobox', { name: messages.value.label.model });
   const saves = () => dialog.getByRole<HTMLButtonElement>('button', { name: messages.value.save });
   expect(model.selectedOptions[0]?.textContent, 'the model of the backup, not of the timer').toBe('Magpie');
-  fireEvent.input(dialog.getByRole('textbox', { name: words.name }), { target: { value: 'taken over' } });
+  fireEvent.input(dialog.getByRole('textbox', { name: words.name('program') }), { target: { value: 'taken over' } });
   expect(saves().disabled).toBe(false);
   fireEvent.change(model, { target: { value: 'Lancer' } });
   await idle(0);

@@ -40,13 +40,13 @@ it.each<[dialog: string, open: (app: AppBench) => Promise<void>]>([
   ],
   ['Share', () => press('Share…')],
   [
-    en.erase.open,
+    'Delete everything on this device',
     async () => {
       await goTo('settings');
       await press(en.erase.open);
     },
   ],
-  [libraryMessages.save.open, () => press(libraryMessages.save.open)],
+  ['Save', () => press(libraryMessages.save.open)],
 ])('Escape changes nothing: %s', async (name, open) => {
   const app = await connected();
   await type('DT time', '4:00');

@@ -41,7 +41,7 @@ it('a dialog is not in the page while it is closed, and is not drawn with other 
 it('a dialog comes back when the browser closes it and its model has it still open', () => {
   const onEscape = vi.fn();
   const modal = (held: boolean) => (
-    <Modal open title="Question" held={held} onEscape={onEscape}>
+    <Modal open title="Question…" held={held} onEscape={onEscape}>
       text
     </Modal>
   );

@@ -37,7 +37,7 @@ const DIALOGS: readonly [title: string, open: (app: AppBench) => Promise<unknown
     },
   ],
   [
-    en.erase.open,
+    'Delete everything on this device',
     async () => {
       await goTo('settings');
       await press(en.erase.open);

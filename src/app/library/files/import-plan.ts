@@ -16,7 +16,26 @@ export interface Records {
   readonly settings: readonly SettingRecord[];
   readonly flights: readonly FlightRecord[];
 }
-export type Kind = keyof Records;
+export const KINDS = ['models', 'settings', 'flights'] as const;
+export type Kind = (typeof KINDS)[number];
+
+/** What a record holds. */
+export function contentOf(record: Records[Kind][number]): Model | Setting | Flight {
+  if ('model' in record) return record.model;
+  return 'setting' in record ? record.setting : record.flight;
+}
+
+/** The id of the model to which a setting or a flight belongs; null for none, and for a model. */
+function modelOf(content: Model | Setting | Flight): string | null {
+  return 'model' in content ? content.model : null;
+}
+
+/** How many there are of each kind. */
+export type EntryCounts = Readonly<Record<Kind, number>>;
+
+export function countsOf({ models, settings, flights }: Readonly<Record<Kind, readonly unknown[]>>): EntryCounts {
+  return { models: models.length, settings: settings.length, flights: flights.length };
+}
 
 /**
  * What to do with entries that differ: keep the newer one, or that of the device if both have the same date; or keep
@@ -25,17 +44,15 @@ export type Kind = keyof Records;
 export const WAYS = ['newer', 'both'] as const;
 export type Way = (typeof WAYS)[number];
 
-type EntryOf = { models: Model; settings: Setting; flights: Flight };
-
 /** One entry of a file, with the device's entry of the same id. */
-export interface Entry<K extends Kind = Kind> {
-  readonly kind: K;
-  readonly entry: EntryOf[K];
+export interface Entry {
+  readonly kind: Kind;
+  readonly entry: Model | Setting | Flight;
   readonly facts: EntryFacts;
   /** When it was last changed, if the file says so; else when the file was written. */
   readonly changedAt: number;
   /** The device's entry of the same id; null for none. */
-  readonly here: EntryOf[K] | null;
+  readonly here: Model | Setting | Flight | null;
   readonly standing: 'new' | 'same' | 'file-newer' | 'not-newer';
 }
 
@@ -51,110 +68,67 @@ export interface Group {
 /** Whether it differs from the device's entry of the same id. */
 export const differs = ({ standing }: Entry): boolean => standing !== 'new' && standing !== 'same';
 
-/** How many entries of each kind. */
-export type EntryCounts = Readonly<Record<Kind, number>>;
-
 /** What a file would bring, with names made plain, grouped by model, in the order of the file. */
 export function groupsOf({ library, facts, writtenAt }: LibraryFile, held: Records): Group[] {
   const groups = new Map<string | null, { name: string; entries: Entry[] }>();
   const heldModels = byKey(held.models);
-  const groupOf = (id: string | null): { name: string; entries: Entry[] } => {
-    const group = groups.get(id) ?? { name: heldModels.get(id ?? '')?.model.name ?? '', entries: [] };
-    groups.set(id, group);
-    return group;
-  };
-  const add = <K extends Kind>(kind: K, id: string | null, given: EntryOf[K], here: Here<K> | undefined): void => {
-    const known = facts.get(given) ?? {};
-    const entry = withPlainNames(given);
-    const changedAt = known.changedAt ?? ('at' in entry ? entry.at : writtenAt);
-    const standing = standingOf(entry, changedAt, here);
-    groupOf(id).entries.push({ kind, entry, facts: known, changedAt, here: here?.entry ?? null, standing });
-  };
-  for (const model of library.models) {
-    const here = heldModels.get(model.id);
-    groupOf(model.id).name = withPlainNames(model).name;
-    add('models', model.id, model, here && { entry: here.model, changedAt: here.changedAt });
-  }
-  const heldSettings = byKey(held.settings);
-  for (const setting of library.settings) {
-    const here = heldSettings.get(setting.id);
-    add('settings', setting.model, setting, here && { entry: here.setting, changedAt: here.changedAt });
-  }
-  const heldFlights = byKey(held.flights);
-  for (const flight of library.flights) {
-    const here = heldFlights.get(flight.id);
-    add('flights', flight.model, flight, here && { entry: here.flight, changedAt: here.changedAt });
-    const group = groupOf(flight.model);
-    group.name ||= withPlainNames(flight).modelName;
+  for (const kind of KINDS) {
+    const present = byKey<Records[Kind][number]>(held[kind]);
+    for (const given of library[kind]) {
+      const entry = withPlainNames(given);
+      const id = kind === 'models' ? given.id : modelOf(given);
+      const group = groups.get(id) ?? { name: heldModels.get(id ?? '')?.model.name ?? '', entries: [] };
+      groups.set(id, group);
+      if ('memoryNames' in entry) group.name = entry.name;
+      if ('modelName' in entry) group.name ||= entry.modelName;
+      const known = facts.get(given) ?? {};
+      const changedAt = known.changedAt ?? ('at' in entry ? entry.at : writtenAt);
+      const record = present.get(given.id);
+      const here = record ? contentOf(record) : null;
+      const standing = standingOf(entry, here, changedAt > (record?.changedAt ?? 0));
+      group.entries.push({ kind, entry, facts: known, changedAt, here, standing });
+    }
   }
   return [...groups].map(([id, group]) => ({ id, ...group }));
 }
 
-/** The device's entry of the same id. */
-interface Here<K extends Kind> {
-  readonly entry: EntryOf[K];
-  readonly changedAt: number;
-}
-
-function standingOf<K extends Kind>(entry: EntryOf[K], changedAt: number, here?: Here<K>): Entry['standing'] {
+function standingOf(entry: Entry['entry'], here: Entry['here'], isNewer: boolean): Entry['standing'] {
   if (!here) return 'new';
   // An old record may hold what names may not hold today.
-  if (isSame(entry, withPlainNames(here.entry))) return 'same';
-  return changedAt > here.changedAt ? 'file-newer' : 'not-newer';
+  if (isSame(entry, withPlainNames(here))) return 'same';
+  return isNewer ? 'file-newer' : 'not-newer';
 }
 
-interface Taken {
-  readonly entry: Entry;
-  /** Whether it gets a new id and a new name. */
-  readonly asCopy: boolean;
-}
-
-/** The entries to import in this way, and in which form. */
-export function takenOf({ entries }: Group, way: Way): readonly Taken[] {
-  return entries.flatMap((entry): Taken[] => {
-    if (entry.standing === 'same') return [];
-    if (entry.standing === 'new') return [{ entry, asCopy: false }];
-    if (way === 'both') return [{ entry, asCopy: true }];
-    return entry.standing === 'file-newer' ? [{ entry, asCopy: false }] : [];
-  });
+/** The entries to import in this way. */
+export function takenOf({ entries }: Group, way: Way): readonly Entry[] {
+  return entries.filter((entry) => (differs(entry) ? way === 'both' || entry.standing === 'file-newer' : !entry.here));
 }
 
 /**
- * The records after an import.
+ * The records after an import. An entry that is kept beside another one gets a new id and a new name.
  * @param newId makes an id that is not in use.
  */
 export function recordsOf(groups: readonly Group[], way: Way, held: Records, newId: () => string): Records {
   const records = { models: [] as ModelRecord[], settings: [] as SettingRecord[], flights: [] as FlightRecord[] };
   const heldModels = byKey(held.models);
-  for (const group of groups) {
-    for (const { entry, asCopy } of takenOf(group, way)) {
-      const id = asCopy ? newId() : entry.entry.id;
-      const { changedAt } = entry;
-      if (isOf(entry, 'models')) {
-        const names = [...held.models, ...records.models].map(({ model }) => model.name);
-        const model = { ...entry.entry, id, name: asCopy ? freeName(entry.entry.name, names) : entry.entry.name };
-        const here = heldModels.get(id);
-        const verified = latest([...(here?.verified ?? []), ...(entry.facts.verified ?? [])]);
-        records.models.push({
-          key: id,
-          model,
-          changedAt,
-          verified,
-        });
-      } else if (isOf(entry, 'settings')) {
-        const beside = [...held.settings, ...records.settings].filter(
-          ({ setting }) => setting.model === entry.entry.model,
-        );
-        const names = beside.map(({ setting }) => setting.name);
-        const setting = { ...entry.entry, id, name: asCopy ? freeName(entry.entry.name, names) : entry.entry.name };
-        records.settings.push({
-          key: id,
-          setting,
-          changedAt,
-        });
-      } else if (isOf(entry, 'flights')) {
-        records.flights.push({ key: id, flight: { ...entry.entry, id }, changedAt });
-      }
+  for (const entry of groups.flatMap((group) => takenOf(group, way))) {
+    const { kind, changedAt, facts } = entry;
+    const isCopy = way === 'both' && differs(entry);
+    const key = isCopy ? newId() : entry.entry.id;
+    const content = { ...entry.entry, id: key };
+    if (isCopy && 'name' in content) {
+      const beside = [...held[kind], ...records[kind]]
+        .map(contentOf)
+        .filter((each) => modelOf(each) === modelOf(content));
+      content.name = freeName(content.name, beside);
+    }
+    if ('memoryNames' in content) {
+      const verified = latest([...(heldModels.get(key)?.verified ?? []), ...(facts.verified ?? [])]);
+      records.models.push({ key, model: content, changedAt, verified });
+    } else if ('tags' in content) {
+      records.settings.push({ key, setting: content, changedAt });
+    } else {
+      records.flights.push({ key, flight: content, changedAt });
     }
   }
   return records;
@@ -179,13 +153,9 @@ export function undoOf<R extends { readonly key: string }>(
 }
 
 /** How many of them there are, by kind. */
-export function countOf(entries: readonly { readonly kind: Kind }[]): EntryCounts {
-  const count = (wanted: Kind): number => entries.filter(({ kind }) => kind === wanted).length;
-  return { models: count('models'), settings: count('settings'), flights: count('flights') };
-}
-
-function isOf<K extends Kind>(entry: Entry, kind: K): entry is Entry<K> {
-  return entry.kind === kind;
+export function countOf(entries: readonly Entry[]): EntryCounts {
+  const of = (kind: Kind): readonly Entry[] => entries.filter((each) => each.kind === kind);
+  return countsOf({ models: of('models'), settings: of('settings'), flights: of('flights') });
 }
 
 function byKey<T extends { readonly key: string }>(records: readonly T[]): ReadonlyMap<string, T> {
@@ -203,10 +173,10 @@ function latest(verified: ModelRecord['verified']): ModelRecord['verified'] {
 }
 
 /** `calm (2)`, or the next free number. */
-function freeName(name: string, names: readonly string[]): string {
+function freeName(name: string, beside: readonly object[]): string {
   for (let number = 2; ; number++) {
     const end = ` (${number})`;
     const free = beginningOf(name, LIMITS.name - end.length) + end;
-    if (!names.includes(free)) return free;
+    if (!beside.some((each) => 'name' in each && each.name === free)) return free;
   }
 }

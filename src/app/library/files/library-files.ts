@@ -12,9 +12,11 @@ import { type Library, newId } from '../../records/library.js';
 import { plainName } from '../../records/plain-names.js';
 import { ExportMarks } from './export-marks.js';
 import {
+  countsOf,
   type EntryCounts,
   type Group,
   groupsOf,
+  KINDS,
   type Kind,
   type Records,
   recordsOf,
@@ -63,8 +65,6 @@ const ALL_NAME = 'Sidus library';
 /** The files that the pilot can choose. */
 const ACCEPTED = '.sidus,.json,application/json';
 const ENDING = '.sidus.json';
-
-const KINDS = ['models', 'settings', 'flights'] as const;
 
 export interface LibraryFilesParts {
   readonly library: Library;
@@ -226,10 +226,6 @@ export class LibraryFiles {
     const { models, settings, flights } = this.#parts.library;
     return { models: models.list.value, settings: settings.list.value, flights: flights.list.value };
   }
-}
-
-function countsOf({ models, settings, flights }: Readonly<Record<Kind, readonly unknown[]>>): EntryCounts {
-  return { models: models.length, settings: settings.length, flights: flights.length };
 }
 
 /** A name that every system accepts for a file. */

@@ -1,7 +1,7 @@
-import { type EntryFacts, type Flight, formatLibraryFile, type Model, type Setting } from '../../../program/index.js';
+import { formatLibraryFile } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
 import { filesMessages } from '../../messages/en-files.js';
-import type { EntryCounts, Kind, Records } from './import-plan.js';
+import { contentOf, countsOf, type EntryCounts, type Kind, type Records } from './import-plan.js';
 
 /** What a file contains: everything, one model with all that belongs to it, or one setting with its model. */
 export type FilePart = { readonly kind: 'all' } | { readonly kind: 'model' | 'setting'; readonly id: string };
@@ -25,10 +25,7 @@ export function partOf({ models, settings, flights }: Records, part: FilePart): 
 }
 
 /** The text of a file and how much it holds; or why there is none. */
-export type Made =
-  | { readonly text: string; readonly holds: EntryCounts; readonly missing: readonly Kind[] }
-  | 'too-large'
-  | 'nothing';
+export type Made = { readonly text: string; readonly holds: EntryCounts } | 'too-large' | 'nothing';
 
 /**
  * Makes a library file.
@@ -43,13 +40,12 @@ export function textOf(
   missing: readonly Kind[] = [],
 ): Made {
   const { models, settings, flights } = records;
-  if (models.length + settings.length + flights.length === 0) return 'nothing';
-  const facts = new Map<Model | Setting | Flight, EntryFacts>();
-  for (const { model, changedAt, verified } of models) {
-    facts.set(model, { ...(isAll && verified.length > 0 ? { verified } : {}), changedAt });
-  }
-  for (const { setting, changedAt } of settings) facts.set(setting, { changedAt });
-  for (const { flight, changedAt } of flights) facts.set(flight, { changedAt });
+  const all = [...models, ...settings, ...flights];
+  if (all.length === 0) return 'nothing';
+  const facts = all.map((record) => {
+    const isKnown = isAll && 'verified' in record && record.verified.length > 0;
+    return [contentOf(record), { ...(isKnown && { verified: record.verified }), changedAt: record.changedAt }] as const;
+  });
   const library = {
     models: models.map(({ model }) => model),
     settings: settings.map(({ setting }) => setting),
@@ -57,8 +53,8 @@ export function textOf(
   };
   try {
     const writtenBy = [`Sidus Timer ${version}`, ...missing.map(filesMessages.export.without)].join(', ');
-    const text = formatLibraryFile(library, { writtenAt: now, writtenBy, facts });
-    return { text, holds: { models: models.length, settings: settings.length, flights: flights.length }, missing };
+    const text = formatLibraryFile(library, { writtenAt: now, writtenBy, facts: new Map(facts) });
+    return { text, holds: countsOf(library) };
   } catch (error) {
     if (error instanceof CodecError && error.code === 'too-large') return 'too-large';
     throw error;
