@@ -17,7 +17,7 @@ async function makeModel(app: AppPage, name: string): Promise<void> {
 
 async function makeSetting(app: AppPage, name: string): Promise<void> {
   await app.button(en.newProgram.title).click();
-  await app.page.getByRole('dialog').getByRole('textbox', { name: libraryMessages.save.name('program') }).fill(name);
+  await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name of the program' }).fill(name);
   await app.button(en.newProgram.make).click();
   await app.page.getByRole('article', { name }).waitFor();
 }
