@@ -7,10 +7,11 @@ export { tell } from './callback.js';
 export type { DespiteOptions } from './despite.js';
 export { TimerError, type TimerErrorCode, type TimerErrorDetails } from './errors.js';
 export type { LineEntry, LineErrorKind } from './log.js';
-export type { MemoriesHooks, MemoriesRead, MemoriesReport, MemoriesWrite, MemoryReport } from './memories.js';
+export type { MemoriesRead, MemoriesReport, MemoryReport } from './memories.js';
 export type {
   IdentifyOptions,
   JobOptions,
+  MemoriesHooks,
   MoveOptions,
   ReadMemoriesOptions,
   ReadOptions,

@@ -11,20 +11,6 @@ import { longestWrite, planWrite } from './write-plan.js';
 import { writeContent } from './write-program.js';
 import { isHeld, type WriteReport } from './write-report.js';
 
-/**
- * Functions that a job on several memories calls on its way. When one returns a promise, the job waits for it; when
- * that promise rejects, the job fails, too.
- */
-export interface MemoriesHooks {
-  /**
-   * Called with the current memory, counted from 0, before the first other memory is selected.
-   * Keep it until it is current again.
-   */
-  readonly onOriginal?: ((original: number) => unknown) | undefined;
-  /** Called with what a memory holds, before the first SET in it. Keep it as a backup. */
-  readonly onMemory?: ((read: TimerProgram, goal: TimerProgram) => unknown) | undefined;
-}
-
 /** What several memories hold. */
 export interface MemoriesRead {
   /** The memory that was current before and is current again, counted from 0. */
@@ -82,16 +68,6 @@ export async function readMemories(
     for (const index of readOnce) programs[index] = await trip.read(memories[index] as number, idleThrottle);
   });
   return { original: trip.original, programs };
-}
-
-/** What a write into several memories takes. */
-export interface MemoriesWrite extends MemoriesHooks {
-  /**
-   * What the memories held when the pilot agreed to the write. Each entry names its memory. A memory that holds
-   * something else now is not written, and the job stops with `stale`. A memory without an entry is written whatever it
-   * holds.
-   */
-  readonly baselines?: readonly TimerProgram[] | undefined;
 }
 
 /**

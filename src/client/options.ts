@@ -3,7 +3,6 @@ import type { TimerProgram } from '../program/index.js';
 import type { DespiteOptions } from './despite.js';
 import type { TimerError } from './errors.js';
 import type { LineEntry } from './log.js';
-import type { MemoriesHooks, MemoriesWrite } from './memories.js';
 import type { Progress } from './progress.js';
 import type { AssumedQuirks } from './quirks.js';
 
@@ -82,6 +81,20 @@ export interface WriteOptions extends JobOptions, MoveOptions, DespiteOptions {
   readonly baseline: TimerProgram;
 }
 
+/**
+ * Functions that a job on several memories calls on its way. When one returns a promise, the job waits for it; when
+ * that promise rejects, the job fails, too.
+ */
+export interface MemoriesHooks {
+  /**
+   * Called with the current memory, counted from 0, before the first other memory is selected.
+   * Keep it until it is current again.
+   */
+  readonly onOriginal?: ((original: number) => unknown) | undefined;
+  /** Called with what a memory holds, before the first SET in it. Keep it as a backup. */
+  readonly onMemory?: ((read: TimerProgram, goal: TimerProgram) => unknown) | undefined;
+}
+
 /** The options of `readMemories()`. */
 export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'onOriginal'> {
   /** Counted from 0. Default: all that the timer has. */
@@ -89,4 +102,11 @@ export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'o
 }
 
 /** The options of `writeMemories()`. */
-export interface WriteMemoriesOptions extends JobOptions, MoveOptions, DespiteOptions, MemoriesWrite {}
+export interface WriteMemoriesOptions extends JobOptions, MoveOptions, DespiteOptions, MemoriesHooks {
+  /**
+   * What the memories held when the pilot agreed to the write. Each entry names its memory. A memory that holds
+   * something else now is not written, and the job stops with `stale`. A memory without an entry is written whatever it
+   * holds.
+   */
+  readonly baselines?: readonly TimerProgram[] | undefined;
+}

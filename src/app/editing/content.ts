@@ -8,7 +8,7 @@ import {
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { type EditValues, type FieldValue, stepSize, withValues } from './edit.js';
+import { type EditValues, type FieldValue, type Owner, stepSize, withValues } from './edit.js';
 import {
   type Ambiguous,
   type Figure,
@@ -23,28 +23,9 @@ import {
 /**
  * What the pilot wants, and the texts in the fields as they were typed. An edit changes it, and undo brings it back.
  */
-export interface Content {
+export interface Content extends Owner {
   readonly working: TimerProgram;
   readonly texts: Readonly<Record<string, string>>;
-  /** The setting that it belongs to; undefined for none. */
-  readonly of?: SettingOf | undefined;
-  /**
-   * The id of the model whose backup was loaded into it, or {@link NOBODY}; undefined for none, or once a setting has
-   * replaced it.
-   */
-  readonly backupOf?: string | undefined;
-}
-
-/** In place of the id of a model: nobody has said of which one the backup is. */
-export const NOBODY = '';
-
-/** Whose values they are, as far as a setting or a backup says it. */
-export type Owner = Pick<Content, 'of' | 'backupOf'>;
-
-/** A setting of the library: its id, and its content when it was last opened or saved here. */
-export interface SettingOf {
-  readonly id: string;
-  readonly saved: TimerProgram;
 }
 
 /** A field with a text that is not a value. */

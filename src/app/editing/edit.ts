@@ -9,7 +9,6 @@ import {
   withValue,
 } from '../../program/index.js';
 import { type Identity, MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
-import type { Owner } from './content.js';
 import type { CellField } from './grid.js';
 import type { StepName } from './history.js';
 
@@ -45,6 +44,26 @@ export type Obstacle = Refusal | Unread<ProgramField>;
 export interface Unread<Field> {
   readonly code: 'unreadable';
   readonly field: Field;
+}
+
+/** Whose values they are, as far as a setting or a backup says it. */
+export interface Owner {
+  /** The setting that it belongs to; undefined for none. */
+  readonly of?: SettingOf | undefined;
+  /**
+   * The id of the model whose backup was loaded into it, or {@link NOBODY}; undefined for none, or once a setting has
+   * replaced it.
+   */
+  readonly backupOf?: string | undefined;
+}
+
+/** In place of the id of a model: nobody has said of which one the backup is. */
+export const NOBODY = '';
+
+/** A setting of the library: its id, and its content when it was last opened or saved here. */
+export interface SettingOf {
+  readonly id: string;
+  readonly saved: TimerProgram;
 }
 
 /** The values of an edit. All of them together are one step. */

@@ -12,17 +12,8 @@ import {
   valueAt,
 } from '../../program/index.js';
 import { computedList } from './computed-list.js';
-import {
-  type Content,
-  conflictsWith,
-  followed,
-  isJust,
-  type Owner,
-  ontoReading,
-  ownerOf,
-  textsFor,
-} from './content.js';
-import { type Edit, putBack, replaceAll, withValues } from './edit.js';
+import { type Content, conflictsWith, followed, isJust, ontoReading, ownerOf, textsFor } from './content.js';
+import { type Edit, type Owner, putBack, replaceAll, withValues } from './edit.js';
 import { EMPTY_HISTORY, groupOf, type History, mapStates, type StepName, settle } from './history.js';
 import { MINUTE } from './units.js';
 import { WorkingCopy } from './working-copy.js';

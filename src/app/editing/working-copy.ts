@@ -8,15 +8,13 @@ import {
   formatValue,
   inTheWay,
   meansSame,
-  type Owner,
   ownerOf,
-  type SettingOf,
   type UnreadableField,
   unreadableIn,
   valueOfText,
   without,
 } from './content.js';
-import { type Edit, type Obstacle, setValues } from './edit.js';
+import { type Edit, type Obstacle, type Owner, type SettingOf, setValues } from './edit.js';
 import * as histories from './history.js';
 import { EMPTY_HISTORY, groupOf, type History, type StepName, type Turned } from './history.js';
 import type { Ambiguous } from './units.js';

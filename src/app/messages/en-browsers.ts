@@ -1,5 +1,4 @@
-import { FIRST_VERSIONS, type UnsupportedReason } from '../browser/platform.js';
-import type { Said } from './en-notices.js';
+import { FIRST_VERSIONS } from '../browser/platform.js';
 
 /** For a page that cannot reach a timer here. */
 export const restWorks = 'Everything but the connection works here too.';
@@ -8,13 +7,13 @@ export const restWorks = 'Everything but the connection works here too.';
 export const android = `Chrome ${FIRST_VERSIONS.android} or later (${FIRST_VERSIONS.androidBluetooth} to ${FIRST_VERSIONS.android - 1} over Bluetooth only); a cable needs Android ${FIRST_VERSIONS.androidCable}`;
 
 /** For every browser about which nothing more is known. docs/connection.md names the first versions. */
-export const unsupportedHere: Said = {
+export const unsupportedHere = {
   title: 'This browser cannot reach a timer.',
   advice: `On a computer use a current Chrome, Edge, Opera or Firefox; on a phone, Chrome on Android. ${restWorks}`,
 };
 
 /** Replaces the sentence above where the browser's name tells more. */
-export const unsupported: Record<UnsupportedReason, Said> = {
+export const unsupported = {
   brave: {
     title: 'Brave reaches a timer only when you allow it.',
     advice: `Open brave://flags/#brave-web-serial-api, set it to Enabled and press Relaunch. ${restWorks}`,
