@@ -166,8 +166,7 @@ describe('the order of the page', () => {
     ['knowledge.of(0)', 'standings'],
     ['session.knowledge.of(memory)', 'standings'],
     ['recognition.model.value', 'origin'],
-    ['this.#session.opened.shown.peek()', 'origin'],
-    ['const { shown, unsaved } = this.#session.opened;', 'origin'],
+    ['const { model, tells } = this.#session.recognition;', 'origin'],
     ['const { model } = session.recognition;', 'origin'],
   ])('refuses to ask the sources of an answer: %s', (line, answer) => {
     expect(breaches('print/print.ts', line)).toEqual([expect.stringContaining(`ask session.${answer}`)]);

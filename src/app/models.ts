@@ -23,7 +23,7 @@ import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
 import { Views } from './shell/views.js';
 import { limited } from './storage/index.js';
-import { Session, type SessionOptions } from './work/session.js';
+import { createSession, type Session, type SessionOptions } from './work/session.js';
 import { WriteJob } from './write/write-job.js';
 
 /** The models that the views read and call. */
@@ -87,7 +87,7 @@ export function createModels({
 }: ModelOptions): AppModels {
   const keeping = new Keeping(lacks);
   const storage = limited(options.storage, keeping);
-  const session = new Session({ ...options, storage });
+  const session = createSession({ ...options, storage });
   keeping.onReturn(() => {
     void session.keptWork.bringBack();
     session.knowledge.keepAgain();

@@ -49,7 +49,7 @@ async function typeAndWait(bench: AppBench, text: string): Promise<boolean> {
 function expectNothingLost(bench: AppBench, store: FaultyStore, typed: string, restored: boolean, said: boolean): void {
   expect(screen.getByRole('table', { name: /^Time and servo positions/ }), 'the table is drawn').toBeTruthy();
   expect(bench.editor.textOf(S1), 'the field shows what was typed').toBe(typed);
-  if (bench.session.keptWork.kept.value)
+  if (bench.session.drafts.kept.value)
     expect(kept(store), 'the page says that it is kept, and it is').toContain(Number(typed));
   else expect(said, 'the page says that it keeps nothing').toBe(true);
   // What was left by the page before was seen before it was typed over, or is still there.

@@ -61,7 +61,7 @@ const WRITTEN = /\b(\w+\.\w+)\.value\s*(?:[-+*/]?=(?![=>])|\+\+|--)/g;
  * folders `work`, `records` and `timer` alone.
  */
 const ASKED = [
-  { sources: { recognition: 'model', opened: 'shown' }, ask: 'origin: whose the values are' },
+  { sources: { recognition: 'model' }, ask: 'origin: whose the values are' },
   { sources: { knowledge: 'of|isSent' }, ask: 'standings: what may be said of a timer' },
 ].flatMap(({ sources, ask }) =>
   Object.entries(sources).map(([model, names]) => ({

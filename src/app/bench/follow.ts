@@ -13,7 +13,7 @@ import { isProof, readBack, type Unlike } from './taken.js';
 /** What the servos follow, from the beginning to the end. */
 interface Following {
   readonly connection: TimerConnection;
-  /** Which program it is: see `OnScreen.workKey`. */
+  /** Which program it is: see `OnScreen.keyOf`. */
   readonly key: string;
   /** Whether the browser has kept what was stored. It keeps each position before the first byte goes out. */
   isKept: boolean;
@@ -179,7 +179,7 @@ export class Follow {
       this.trials.set({ before, touched: new Set() });
       this.#following.value = {
         connection,
-        key: onScreen.workKey(before),
+        key: onScreen.keyOf(before),
         isKept: true,
         hasStored: false,
         isProven: false,
@@ -251,7 +251,7 @@ export class Follow {
     // While another memory is being selected, nobody knows in which one a position would be stored.
     if (job?.kind === 'select') return 'memory';
     if (job && !BESIDE.has(job.kind)) return 'over';
-    const isSame = working && this.trials.current.value && onScreen.workKey(working) === key;
+    const isSame = working && this.trials.current.value && onScreen.keyOf(working) === key;
     return nextFlight.open.value || !isSame ? 'memory' : null;
   }
 

@@ -30,7 +30,7 @@ export class ServoStand {
       const last = this.#last.value;
       const held = session.editor.baseline.value;
       if (!last || !held || session.nextFlight.open.value || session.connection.value !== last.connection) return null;
-      const isSame = session.onScreen.workKey(held) === last.key && String(held.positions) === String(last.positions);
+      const isSame = session.onScreen.keyOf(held) === last.key && String(held.positions) === String(last.positions);
       return isSame ? last.slot : null;
     });
   }
@@ -40,7 +40,7 @@ export class ServoStand {
     const held = this.#session.editor.baseline.peek();
     this.#last.value = held && {
       connection,
-      key: this.#session.onScreen.workKey(held),
+      key: this.#session.onScreen.keyOf(held),
       slot,
       positions: held.positions,
     };

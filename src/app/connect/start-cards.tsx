@@ -16,16 +16,16 @@ const NAMED = 4;
 /** What this device keeps: the pilot's models, programs that are in no timer, and backups. */
 export function KeptCard({ session }: { readonly session: Session }) {
   const { newProgram, start } = messages.value;
-  const { backups, keptPrograms, library } = session;
+  const { backups, drafts, library } = session;
   const making = useSignal(false);
-  useEffect(() => void keptPrograms.load(), [keptPrograms]);
+  useEffect(() => void drafts.load(), [drafts]);
   const { models: words } = start;
   const models = library.models.list.value.filter(({ model }) => !model.archived);
   const counts = new Map<string | null, number>();
   for (const { setting } of library.settings.list.value) {
     counts.set(setting.model, (counts.get(setting.model) ?? 0) + 1);
   }
-  const unfinished = keptPrograms.list.value;
+  const unfinished = drafts.list.value;
   return (
     <section class="stack panel start-card" aria-labelledby="models-title">
       <h2 id="models-title">{words.title}</h2>
@@ -82,7 +82,7 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
         <strong class="kept" role="status">
           {words.sure}
         </strong>
-        <button type="button" onClick={() => void session.keptPrograms.remove(draft)}>
+        <button type="button" onClick={() => void session.drafts.remove(draft)}>
           {remove}
         </button>
         <button type="button" onClick={() => (asked.value = false)}>

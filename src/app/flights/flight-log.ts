@@ -55,8 +55,8 @@ export class FlightLog {
     this.filling = this.#filling;
     this.filter = this.#filter;
     this.held = computed(() => {
-      const { standing, nextFlight, byteOrderOpen, standings, editor } = session;
-      if (standing.value.sure !== 'now' || nextFlight.open.value || byteOrderOpen.value) return null;
+      const { standing, nextFlight, reader, standings, editor } = session;
+      if (standing.value.sure !== 'now' || nextFlight.open.value || reader.byteOrderOpen.value) return null;
       const { known } = standings.of(editor.working.value?.memory ?? null);
       return known.state === 'read' ? known.program : null;
     });

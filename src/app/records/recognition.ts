@@ -1,7 +1,6 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { Model, TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import type { TimerConnection } from '../../serial/index.js';
 import { CLASSES, newProgram } from '../editing/new-program.js';
 import type { ModelRecord } from '../storage/index.js';
 import type { FreshReading, Knowledge } from '../timer/knowledge.js';
@@ -29,7 +28,6 @@ export type FoundModel =
 interface RecognitionParts {
   readonly library: Library;
   readonly knowledge: Knowledge;
-  readonly connection: ReadonlySignal<TimerConnection | null>;
   readonly link: Link;
 }
 
@@ -72,8 +70,8 @@ export class Recognition {
   constructor(parts: RecognitionParts) {
     this.#parts = parts;
     this.timer = this.#timer;
-    const { library, connection, knowledge } = parts;
-    const { simulated } = parts.link;
+    const { library, knowledge } = parts;
+    const { connection, simulated } = parts.link;
     const recognised = computed((): Recognised | null => {
       const read = this.#evidence.value;
       const rule = this.#rule.value;
@@ -115,6 +113,7 @@ export class Recognition {
       if (!identity) return [];
       return library.models.list.value.filter((record) => canBe(record, identity, simulated.value)).map(modelOf);
     });
+    connection.subscribe((timer) => timer && this.#timerCame());
     knowledge.onRead((reading) => this.#wasRead(reading));
     effect(() => {
       const found = this.found.value;
@@ -124,7 +123,7 @@ export class Recognition {
   }
 
   /** A timer was connected; it may be any. */
-  timerCame(): void {
+  #timerCame(): void {
     this.#forget([]);
     void this.#parts.library.models.load();
     // Without the rule the pilot can still say which model it is.
@@ -137,7 +136,7 @@ export class Recognition {
 
   /** The pilot says that the timer belongs to this model. */
   say(model: Model): void {
-    if (!this.#parts.connection.peek()) return;
+    if (!this.#parts.link.connection.peek()) return;
     batch(() => {
       this.#said.value = model.id;
       this.#choosing.value = false;
@@ -146,7 +145,7 @@ export class Recognition {
 
   /** The pilot says that the timer belongs to a model that is not in the library yet. */
   async sayNew(name: string): Promise<void> {
-    const identity = this.#parts.connection.peek()?.identity;
+    const identity = this.#parts.link.connection.peek()?.identity;
     if (!identity) return;
     const model = emptyModel(newId(), name, identity.timerClass);
     const kept = this.#parts.library.keepModel(model);
@@ -164,7 +163,7 @@ export class Recognition {
 
   /** The pilot wants to say which model it is, for the first time or again. */
   choose(): void {
-    this.#choosing.value = this.#parts.connection.peek() !== null;
+    this.#choosing.value = this.#parts.link.connection.peek() !== null;
   }
 
   /** Closes the list without a choice. */
@@ -182,7 +181,7 @@ export class Recognition {
   }
 
   #wasRead({ program, at, expected }: FreshReading): void {
-    if (!this.#parts.connection.peek()) return;
+    if (!this.#parts.link.connection.peek()) return;
     if (!expected) this.#forget([program]);
     const isKnown = this.#evidence.peek().some(({ memory }) => memory === program.memory);
     batch(() => {

@@ -44,7 +44,7 @@ export function NoticeBar({ session, keeping, aside, update, platform, ...rest }
   return (
     <div class="notices" role="status">
       <RemovedNotice backups={session.backups} library={session.library} />
-      {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
+      {session.reader.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
           <NoticeText said={said(notice, platform, session.standing.value.sure === 'not')} />

@@ -25,9 +25,9 @@ export class UpdateOffer {
 
   /** Whether it can start: no port is open or being looked for, and a reload would lose nothing. */
   readonly free: ReadonlySignal<boolean> = computed(() => {
-    const { link, runner, keptWork, library } = this.#session;
+    const { link, runner, drafts, library } = this.#session;
     if (runner.busy.value || link.state.value.status !== 'off') return false;
-    return keptWork.kept.value && library.kept.value && !unsaved.value;
+    return drafts.kept.value && library.kept.value && !unsaved.value;
   });
 
   /** Calls back once, as soon as no port is open or being opened and a reload would lose nothing: at once if so. */

@@ -54,7 +54,6 @@ export type Work<T> = (connection: TimerConnection, options: JobContext) => Prom
 
 export interface RunnerParts {
   readonly link: Link;
-  readonly connection: ReadonlySignal<TimerConnection | null>;
   readonly safety: Safety;
   readonly notices: Notices;
   readonly knowledge: Knowledge;
@@ -71,7 +70,7 @@ const WRITING: ReadonlySet<JobKind> = new Set(['write', 'memories']);
  */
 export class JobRunner {
   readonly #job = signal<Job | null>(null, { name: 'job' });
-  readonly #claims = signal<ReadonlySet<object>>(new Set(), { name: 'claims' });
+  readonly #claimed = signal(false, { name: 'claimed' });
   /** The job in progress. */
   readonly job: ReadonlySignal<Job | null> = this.#job;
   /** Whether a job, or connecting, has the wire. */
@@ -84,16 +83,16 @@ export class JobRunner {
     return job !== null && WRITING.has(job.kind) && !job.asking;
   });
   /** Whether a dialog shows what is about to be sent, or its result. Then the bench sends nothing. */
-  readonly claimed: ReadonlySignal<boolean> = computed(() => this.#claims.value.size > 0);
+  readonly claimed: ReadonlySignal<boolean> = this.#claimed;
   readonly #parts: RunnerParts;
   #stop = new AbortController();
   #answer: ((goOn: boolean) => void) | null = null;
 
   constructor(parts: RunnerParts) {
     this.#parts = parts;
-    const { link, connection } = parts;
+    const { link } = parts;
     this.busy = computed(() => this.#job.value !== null || link.busy.value);
-    this.ready = computed(() => connection.value !== null && !this.busy.value);
+    this.ready = computed(() => link.connection.value !== null && !this.busy.value);
   }
 
   /**
@@ -110,7 +109,7 @@ export class JobRunner {
   /** Runs one job on the present connection and returns how it ended. The caller reports that. */
   async perform<T>(kind: JobKind, work: Work<T>, memory: number | null = null): Promise<JobEnd<T>> {
     const { link, notices, knowledge, recovery } = this.#parts;
-    const connection = this.#parts.connection.value;
+    const connection = link.connection.value;
     if (!connection || this.busy.value) return { good: false, error: null, lost: connection === null };
     const stop = new AbortController();
     this.#stop = stop;
@@ -122,7 +121,7 @@ export class JobRunner {
       if (connection.client.strays > strays) notices.sayIfSilent('strays');
       return { good: true, value };
     } catch (error) {
-      const lost = this.#parts.connection.value !== connection;
+      const lost = link.connection.value !== connection;
       // The head must not show a timer that is gone: asks the one that answers for its identity, and reads it.
       if (!lost && error instanceof TimerError && error.code === 'other-timer') link.recheck();
       return { good: false, error, lost };
@@ -192,17 +191,14 @@ export class JobRunner {
     if (this.#job.peek()?.kind !== 'write') this.#abort();
   }
 
-  /** @param on whether the owner shows what is about to be sent, or its result. */
-  claim(owner: object, on: boolean): void {
-    if (this.#claims.peek().has(owner) === on) return;
-    const claims = new Set(this.#claims.peek());
-    if (on) claims.add(owner);
-    else claims.delete(owner);
-    this.#claims.value = claims;
+  /** A dialog opens that shows what is about to be sent, or its result; or it is closed. */
+  claim(on: boolean): void {
+    this.#claimed.value = on;
   }
 
   #optionsOf(connection: TimerConnection, signal: AbortSignal): JobContext {
-    const { connection: present, safety } = this.#parts;
+    const { link, safety } = this.#parts;
+    const { connection: present } = link;
     const wasSafe = safety.confirmed.value;
     const { client } = connection;
     const { standstills } = client;

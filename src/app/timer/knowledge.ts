@@ -69,18 +69,15 @@ export class Knowledge {
    * @param memory counted from 0; null when the timer does not say which is current.
    */
   of(memory: number | null): Known {
-    const timer = this.#timer.value;
-    if (!timer) return { state: 'unread' };
-    const key = programKey({ identity: timer.identity, memory }, timer.simulated);
+    const key = this.#keyOf(memory);
     const cut = this.uncertain.value.find((record) => memoryKey(record) === key && !this.isOfOther(record.key));
     if (cut) return { state: 'uncertain', ...cut };
-    return this.#readings.value.get(key) ?? { state: 'unread' };
+    return this.#readings.value.get(key ?? '') ?? { state: 'unread' };
   }
 
   /** Whether this page has sent something into a memory since it was last read. */
   isSent(memory: number | null): boolean {
-    const timer = this.#timer.value;
-    const key = timer && programKey({ identity: timer.identity, memory }, timer.simulated);
+    const key = this.#keyOf(memory);
     return this.#records.writes.value.some(
       (record) => memoryKey(record) === key && this.#underWay.value.has(record.key),
     );
@@ -165,11 +162,7 @@ export class Knowledge {
 
   /** Values that were meant for another memory may be in this one: what was last read of it no longer counts. */
   doubt(memory: number): void {
-    const timer = this.#timer.peek();
-    if (!timer) return;
-    const readings = new Map(this.#readings.peek());
-    readings.delete(programKey({ identity: timer.identity, memory }, timer.simulated));
-    this.#readings.value = readings;
+    this.#unread(this.#keyOf(memory));
   }
 
   /**
@@ -185,7 +178,7 @@ export class Knowledge {
   /** The end of a change was seen, or nothing was sent: the memory holds what its last reading gave. */
   async ended(before: TimerProgram): Promise<void> {
     const keys = this.#underWayIn(before.memory);
-    await Promise.all(keys.map((key) => this.#drop(key)));
+    await Promise.all(keys.map((key) => this.forget(key)));
   }
 
   /** A job has ended. Changes that it began, and whose end nobody has seen, are cut off. */
@@ -230,8 +223,11 @@ export class Knowledge {
    * The pilot says that nothing more can be found out about this record:
    * it was read elsewhere or settled, or the timer is gone.
    */
-  async forget(key: string): Promise<void> {
-    await this.#drop(key);
+  forget(key: string): Promise<void> {
+    return batch(() => {
+      this.#leave(key);
+      return this.#records.remove(key);
+    });
   }
 
   /** Looks for what earlier pages have left behind. */
@@ -252,18 +248,20 @@ export class Knowledge {
         const isAcknowledged = under.get(record.key);
         if (isAcknowledged === undefined || !which(isAcknowledged)) continue;
         this.#leave(record.key);
-        const readings = new Map(this.#readings.value);
-        readings.delete(memoryKey(record));
-        this.#readings.value = readings;
+        this.#unread(memoryKey(record));
       }
     });
   }
 
-  #drop(key: string): Promise<void> {
-    return batch(() => {
-      this.#leave(key);
-      return this.#records.remove(key);
-    });
+  /** What was last read of this memory no longer counts. */
+  #unread(key: string | null): void {
+    this.#readings.value = new Map([...this.#readings.peek()].filter(([read]) => read !== key));
+  }
+
+  /** The key of a memory of the timer at hand; null without one. */
+  #keyOf(memory: number | null): string | null {
+    const timer = this.#timer.value;
+    return timer && programKey({ identity: timer.identity, memory }, timer.simulated);
   }
 
   /** @returns whether it was in progress. */

@@ -28,8 +28,6 @@ export interface LinkOptions {
   readonly surroundings: Surroundings;
   readonly ports: Keeper<PortRecord>;
   readonly onLine: (entry: LineEntry) => void;
-  /** Called with every new state, after {@link Link.state} has it. */
-  readonly onState: (state: LinkState, before: LinkState) => void;
 }
 
 /** The connection to a timer: its state, the known ports, and what is remembered of each. */
@@ -72,6 +70,7 @@ export class Link {
   #learning: Promise<readonly PortRecord[]> = Promise.resolve([]);
   /** What is assumed about the connected timer, as last stored. */
   #quirksKept: AssumedQuirks | undefined;
+  #onState: (state: LinkState, before: LinkState) => void = () => {};
 
   constructor(options: LinkOptions) {
     this.#options = options;
@@ -85,6 +84,11 @@ export class Link {
       remembered: (key) => this.#remembered(key),
       assumed: (identity, key) => this.#records.peek().get(key)?.quirks[kindKey(identity, false)],
     });
+  }
+
+  /** Calls back with every new state, after {@link Link.state} has it. */
+  onState(callback: (state: LinkState, before: LinkState) => void): void {
+    this.#onState = callback;
   }
 
   /** Reads the remembered ports, and which ports are plugged in. */
@@ -121,13 +125,14 @@ export class Link {
 
   /**
    * Connects to a timer, and is busy from the first moment.
-   * @param find finds out how to connect, which may take time.
+   * @param find finds its port, which may take time; null lets the pilot choose one.
    */
-  async begin(find: () => Promise<() => Promise<void>>): Promise<void> {
+  async begin(find: () => Promise<SerialPortLike | null>): Promise<void> {
     this.#beginning.value = true;
     let going: Promise<void>;
     try {
-      going = (await find())();
+      const port = await find();
+      going = port ? this.#connect(port) : this.choose();
     } finally {
       this.#beginning.value = false;
     }
@@ -139,13 +144,15 @@ export class Link {
     return this.#link.choose(this.settings.value ?? undefined);
   }
 
-  connect(port: SerialPortLike): Promise<void> {
-    return this.#link.connect(port, this.settings.value ?? undefined);
+  /** Notes that a port is one of this page, with a simulated timer or a recording behind it. */
+  simulate(port: SerialPortLike): SerialPortLike {
+    this.#simulated.add(port);
+    return port;
   }
 
-  connectSimulated(port: SerialPortLike): Promise<void> {
-    this.#simulated.add(port);
-    return this.#link.connect(port, { ...DEFAULT_SETTINGS, baudRate: 9600 });
+  #connect(port: SerialPortLike): Promise<void> {
+    const settings = this.#simulated.has(port) ? { ...DEFAULT_SETTINGS, baudRate: 9600 } : this.settings.value;
+    return this.#link.connect(port, settings ?? undefined);
   }
 
   /** Ends any connection or attempt, and closes the port. */
@@ -230,7 +237,7 @@ export class Link {
   #follow(state: LinkState): void {
     const before = this.state.value;
     this.#state.value = state;
-    this.#options.onState(state, before);
+    this.#onState(state, before);
   }
 }
 

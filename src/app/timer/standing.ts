@@ -4,6 +4,7 @@ import type { Editor } from '../editing/editor.js';
 import type { ModelRecord } from '../storage/index.js';
 import type { Knowledge } from './knowledge.js';
 import { type Known, lastRead } from './known.js';
+import type { Link } from './link.js';
 
 /**
  * How certain it is that the timer still holds what was read of the memory on the screen.
@@ -38,11 +39,9 @@ export interface HeldNow {
 interface StandingParts {
   readonly knowledge: Pick<Knowledge, 'of' | 'isSent'>;
   readonly editor: Pick<Editor, 'working' | 'baseline' | 'fresh' | 'changes'>;
-  readonly connection: ReadonlySignal<unknown>;
+  readonly link: Pick<Link, 'connection' | 'simulated'>;
   /** The model of the connected timer; null when it is not known. */
   readonly model: ReadonlySignal<Model | null>;
-  /** Whether the simulated timer is connected. */
-  readonly simulated: ReadonlySignal<boolean>;
 }
 
 /**
@@ -85,12 +84,12 @@ export class Standings {
    * @param memory counted from 0; null when the timer does not say which is current.
    */
   of(memory: number | null): Held {
-    const { knowledge, editor, connection } = this.#parts;
+    const { knowledge, editor, link } = this.#parts;
     const known = knowledge.of(memory);
     if (known.state === 'uncertain') return { known, sure: 'not' };
     const isOnScreen = this.#memory.value === memory;
     const isFresh = !knowledge.isSent(memory) && (editor.fresh.value || !isOnScreen);
-    return { known, sure: known.state === 'read' && connection.value && isFresh ? 'now' : 'once' };
+    return { known, sure: known.state === 'read' && link.connection.value && isFresh ? 'now' : 'once' };
   }
 
   /**
@@ -99,8 +98,8 @@ export class Standings {
    * @returns null when neither is known.
    */
   heldBy({ key, verified }: ModelRecord, memory: number | null, simulated: boolean): HeldNow | null {
-    const { connection, model, simulated: isSimulated } = this.#parts;
-    const isHere = connection.value && model.value?.id === key && isSimulated.value === simulated;
+    const { link, model } = this.#parts;
+    const isHere = link.connection.value && model.value?.id === key && link.simulated.value === simulated;
     const { known, sure } = isHere ? this.of(memory) : { known: null, sure: 'once' };
     if (known?.state === 'read') return { program: known.program, at: known.at, now: sure === 'now' };
     // After an interrupted write nobody knows.

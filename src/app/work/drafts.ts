@@ -28,7 +28,7 @@ export class Drafts {
   /** Whether everything that was typed would survive a reload. */
   readonly kept: ReadonlySignal<boolean> = computed(() => this.#unsaved.value.size === 0);
 
-  readonly #list = signal<readonly Draft[]>([], { name: 'keptPrograms' });
+  readonly #list = signal<readonly Draft[]>([], { name: 'drafts' });
   /** All drafts that can be shown, the latest first, as of the last look. */
   readonly list: ReadonlySignal<readonly Draft[]> = this.#list;
 
@@ -55,7 +55,7 @@ export class Drafts {
   /** The stored work on a program like this one. */
   async of(program: TimerProgram, simulated: boolean): Promise<Draft | undefined> {
     await this.#begun;
-    const key = this.keyOf(program, simulated);
+    const key = programKey(program, simulated);
     await this.#saving;
     const own = this.#open.get(key) ?? (await this.#load(key).catch(() => undefined));
     if (own) return this.take(own);
@@ -74,11 +74,6 @@ export class Drafts {
     await this.#begun;
     await this.#saving;
     return (await this.#all()).filter(isEdited);
-  }
-
-  /** The key under which work on such a program is kept. */
-  keyOf(program: TimerProgram, simulated: boolean): string {
-    return workKey(program, simulated);
   }
 
   /** A program that was made here leaves the screen, and is kept: see {@link Draft.shelved}. */

@@ -43,8 +43,8 @@ export class InterruptedJobs {
   readonly offer: ReadonlySignal<Offer | null>;
   /** The memory round trips that did not come back, as far as anybody knows. */
   readonly left: ReadonlySignal<readonly UnfinishedRoundTrip[]>;
-  /** The keys of those that this page has in progress. */
-  readonly #underWay = signal<ReadonlySet<string>>(new Set(), { name: 'roundTrips' });
+  /** The key of the one that this page has in progress. */
+  readonly #underWay = signal<string | null>(null, { name: 'roundTrip' });
   /** The last reading of the connected timer; null before there is one. */
   readonly #reading = signal<Reading | null>(null, { name: 'reading' });
   /** Round trips about which the pilot wants to hear nothing while this timer is connected. */
@@ -60,7 +60,7 @@ export class InterruptedJobs {
     this.left = computed(() =>
       records.list.value
         .filter((record) => record.kind === 'memories')
-        .filter(({ key }) => !this.#underWay.value.has(key) && !this.#notNow.value.has(key)),
+        .filter(({ key }) => key !== this.#underWay.value && !this.#notNow.value.has(key)),
     );
     this.offer = computed(() => {
       const reading = this.#reading.value;
@@ -85,7 +85,7 @@ export class InterruptedJobs {
    */
   async leave(trip: RoundTrip, identity: Identity, original: number, simulated: boolean): Promise<void> {
     const key = kindKey(identity, simulated);
-    this.#underWay.value = new Set(this.#underWay.value).add(key);
+    this.#underWay.value = key;
     // The record of a timer that the pilot has told apart from this one is kept for the right one.
     const isOfOther = trip.job === 'select' && this.#notNow.peek().has(key);
     if (isOfOther || this.offer.value?.kind === 'memories') return;
@@ -102,7 +102,7 @@ export class InterruptedJobs {
 
   /** A job has ended. A round trip that has not come back by now is cut off. */
   jobOver(): void {
-    if (this.#underWay.peek().size > 0) this.#underWay.value = new Set();
+    this.#underWay.value = null;
   }
 
   /** The pilot has made a memory fly next: whatever an earlier round trip left, this is what is meant. */

@@ -1,7 +1,25 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
+import type { Editor } from '../editing/editor.js';
 import { isMoving } from '../editing/history.js';
+import type { Library } from '../records/library.js';
+import type { SetAside } from '../records/set-aside.js';
+import type { Standings } from '../timer/standing.js';
 import type { Drafts } from './drafts.js';
-import type { Session } from './session.js';
+import type { OnScreen } from './on-screen.js';
+import type { Origin } from './origin.js';
+
+interface KeptWorkParts {
+  readonly editor: Editor;
+  readonly onScreen: OnScreen;
+  readonly origin: Origin;
+  readonly standings: Standings;
+  readonly engaged: ReadonlySignal<boolean>;
+  readonly drafts: Drafts;
+  readonly library: Library;
+  readonly aside: SetAside;
+  /** Reads everything else that is kept, and is known before the library. */
+  readonly readRest: () => Promise<unknown>;
+}
 
 /** How long to wait before looking again, when something came back during the first look. Milliseconds. */
 const LOOK_AGAIN = 1000;
@@ -11,10 +29,7 @@ const MOVING_WAIT = 500;
 
 /** Keeps the pilot's work while it is typed, and brings back what a reload or a crash has interrupted. */
 export class KeptWork {
-  /** Whether all that was typed would be there after a reload. */
-  readonly kept: ReadonlySignal<boolean>;
-  readonly #session: Session;
-  readonly #drafts: Drafts;
+  readonly #parts: KeptWorkParts;
   /** Keeps the content of the screen, when that waits for the release of a handle. */
   #late: (() => void) | null = null;
   #lateTimer: ReturnType<typeof setTimeout> | undefined;
@@ -23,15 +38,13 @@ export class KeptWork {
   /** Whether a program has been on the screen. One that the pilot has closed does not come back by itself. */
   #hasShown = false;
 
-  constructor(session: Session, drafts: Drafts) {
-    this.#session = session;
-    this.#drafts = drafts;
-    this.kept = drafts.kept;
+  constructor(parts: KeptWorkParts) {
+    this.#parts = parts;
   }
 
   /** From now on keeps what is typed, and brings back what was interrupted. Nothing on the screen waits for it. */
   async start(): Promise<void> {
-    const { editor, standing, onScreen, origin, library, aside } = this.#session;
+    const { editor, standings, onScreen, origin, library, aside, drafts } = this.#parts;
     // The library is read last, and flights only when they are wanted.
     for (const { loaded } of [library.models, library.settings, library.flights]) {
       effect(() => {
@@ -41,11 +54,11 @@ export class KeptWork {
     effect(() => {
       const content = editor.snapshot();
       if (content) this.#hasShown = true;
-      const readAt = standing.value.at;
+      const readAt = standings.screen.value.at;
       const model = origin.key.value;
       const ofModel = model === null ? {} : { model };
       const isSimulated = onScreen.simulated.value;
-      if (content) this.#late = () => this.#drafts.keep({ ...content, readAt, ...ofModel }, isSimulated);
+      if (content) this.#late = () => drafts.keep({ ...content, readAt, ...ofModel }, isSimulated);
       if (!content?.history || !isMoving(content.history)) this.#keepLate();
       else this.#lateTimer ??= setTimeout(() => this.#keepLate(), MOVING_WAIT);
     });
@@ -55,7 +68,7 @@ export class KeptWork {
   /** The pilot leaves the page, or may leave it: keeps at once what was typed. */
   keepNow(): void {
     this.#keepLate();
-    this.#drafts.flush();
+    this.#parts.drafts.flush();
   }
 
   #keepLate(): void {
@@ -78,18 +91,18 @@ export class KeptWork {
   }
 
   async #bringBack(): Promise<void> {
-    const { knowledge, backups, link, aside, library } = this.#session;
-    await Promise.all([this.#bringBackEdits(), knowledge.refresh(), backups.load(), link.start()]);
-    this.#drafts.keepAgain();
+    const { readRest, aside, library, drafts } = this.#parts;
+    await Promise.all([this.#bringBackEdits(), readRest()]);
+    drafts.keepAgain();
     // It may be long, and nothing waits for it.
     void library.load();
     await aside.load();
   }
 
   async #bringBackEdits(): Promise<void> {
-    const { engaged } = this.#session;
+    const { engaged, drafts, onScreen } = this.#parts;
     const wanted = (): boolean => !this.#hasShown && !engaged.value;
-    const draft = await this.#drafts.latest(wanted);
-    if (draft) this.#session.onScreen.bringBack(draft);
+    const draft = await drafts.latest(wanted);
+    if (draft) onScreen.bringBack(draft);
   }
 }

@@ -25,12 +25,12 @@ export function memoryOf(model: Pick<Model, 'memoryNames'> | null, memory: numbe
 }
 
 /** Names a memory of the present model. An empty name removes the name. */
-export async function nameMemory(session: Session, memory: number, name: string): Promise<void> {
+export function nameMemory(session: Pick<Session, 'origin' | 'library'>, memory: number, name: string): void {
   const model = session.origin.named.peek();
   const given = beginningOf(name.trim(), LIMITS.name);
   if (!model || givenName(model, memory) === given) return;
   const memoryNames = [...model.memoryNames];
   while (memoryNames.length <= memory) memoryNames.push('');
   memoryNames[memory] = given;
-  await session.library.keepModel({ ...model, memoryNames });
+  void session.library.keepModel({ ...model, memoryNames });
 }

@@ -1,13 +1,24 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
-import { NOBODY, type Owner } from '../editing/content.js';
-import { replaceAll } from '../editing/edit.js';
+import { NOBODY, type Owner, replaceAll } from '../editing/edit.js';
+import type { Editor } from '../editing/editor.js';
 import { isOfOneShape } from '../editing/shape.js';
 import type { Backup, Draft } from '../storage/index.js';
+import type { Knowledge } from '../timer/knowledge.js';
+import type { Notices } from '../timer/notices.js';
+import { programKey } from '../timer/record-keys.js';
 import type { Drafts } from './drafts.js';
-import type { Session } from './session.js';
+import type { Origin } from './origin.js';
 
-type OnScreenParts = Pick<Session, 'editor' | 'knowledge' | 'notices' | 'connection' | 'engaged' | 'origin'>;
+interface OnScreenParts {
+  readonly editor: Editor;
+  readonly origin: Origin;
+  readonly knowledge: Knowledge;
+  readonly notices: Notices;
+  readonly drafts: Drafts;
+  readonly connection: ReadonlySignal<unknown>;
+  readonly engaged: ReadonlySignal<boolean>;
+}
 
 /** The program on the screen, and what comes there at the pilot's wish. For readings see `Reader`. */
 export class OnScreen {
@@ -15,11 +26,9 @@ export class OnScreen {
   /** Whether it comes from the simulated timer. */
   readonly simulated: ReadonlySignal<boolean> = this.#simulated;
   readonly #parts: OnScreenParts;
-  readonly #drafts: Drafts;
 
-  constructor(parts: OnScreenParts, drafts: Drafts) {
+  constructor(parts: OnScreenParts) {
     this.#parts = parts;
-    this.#drafts = drafts;
   }
 
   /**
@@ -47,7 +56,7 @@ export class OnScreen {
 
   /** Shows a stored draft, as a program of no timer. */
   showKept(draft: Draft): void {
-    if (this.closeProgram()) this.bringBack(this.#drafts.take(draft));
+    if (this.closeProgram()) this.bringBack(this.#parts.drafts.take(draft));
   }
 
   /** Brings a draft back to an empty screen. */
@@ -84,15 +93,15 @@ export class OnScreen {
 
   /** Clears the screen. The pilot's changes are kept. */
   clear(): void {
-    const { editor } = this.#parts;
+    const { editor, drafts } = this.#parts;
     const madeAt = editor.madeAt.value;
-    if (madeAt !== null) this.#drafts.shelve(madeAt);
+    if (madeAt !== null) drafts.shelve(madeAt);
     editor.clear();
   }
 
-  /** The key of the work on such a program, from the same timer as the one on the screen. */
-  workKey(program: TimerProgram): string {
-    return this.#drafts.keyOf(program, this.#simulated.value);
+  /** The key of such a program, from the same timer as the one on the screen: see `programKey`. */
+  keyOf(program: TimerProgram): string {
+    return programKey(program, this.#simulated.value);
   }
 
   /** @param simulated whether the last reading was of the simulated timer. */

@@ -1,16 +1,24 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
-import { type Model, requireProgram, type Setting, sameLayout, type TimerProgram } from '../../program/index.js';
-import { changesSince, type Owner } from '../editing/content.js';
-import { replaceAll } from '../editing/edit.js';
+import { requireProgram, type Setting, sameLayout, type TimerProgram } from '../../program/index.js';
+import { changesSince } from '../editing/content.js';
+import { type Owner, replaceAll } from '../editing/edit.js';
+import type { Editor } from '../editing/editor.js';
 import { isOfOneShape } from '../editing/shape.js';
-import { newId } from '../records/library.js';
+import { type Library, newId } from '../records/library.js';
+import type { Standings } from '../timer/standing.js';
 import type { Drafts } from './drafts.js';
-import type { Session } from './session.js';
+import type { OnScreen } from './on-screen.js';
+import type { Origin } from './origin.js';
 
-/** The open setting, and the model that it belongs to. */
-export interface Opened {
-  readonly model: Model | null;
-  readonly setting: Setting | null;
+interface OpenSettingParts {
+  readonly editor: Editor;
+  readonly library: Library;
+  readonly origin: Origin;
+  readonly standings: Standings;
+  readonly onScreen: OnScreen;
+  readonly drafts: Drafts;
+  readonly connection: ReadonlySignal<unknown>;
+  readonly engaged: ReadonlySignal<boolean>;
 }
 
 /**
@@ -43,8 +51,6 @@ export interface NewSetting extends Pick<Setting, 'model' | 'name'>, Partial<Pic
 
 /** The setting of the library that the program on the screen belongs to: opening it, and saving it. */
 export class OpenSetting {
-  /** Null when the program belongs to none. A deleted setting comes back when its deletion is undone. */
-  readonly shown: ReadonlySignal<Opened | null>;
   /** Null when no setting is open. */
   readonly unsaved: ReadonlySignal<Unsaved | null>;
   /** Whether the program on the screen can be saved: each field has a value that a timer can hold. */
@@ -52,24 +58,16 @@ export class OpenSetting {
   /** The setting that was saved last, as long as that can be taken back; null when it cannot. */
   readonly undoable: ReadonlySignal<Setting | null>;
   readonly #last = signal<LastSave | null>(null, { name: 'lastSave' });
-  readonly #session: Session;
-  readonly #drafts: Drafts;
+  readonly #parts: OpenSettingParts;
   #following: ReadonlySignal<boolean> | null = null;
 
-  constructor(session: Session, drafts: Drafts) {
-    this.#session = session;
-    this.#drafts = drafts;
-    const { editor, library } = session;
-    const record = computed(() => library.settings.get(editor.of.value?.id ?? null));
-    this.shown = computed(() => {
-      const setting = record.value?.setting;
-      return setting ? { setting, model: library.models.get(setting.model)?.model ?? null } : null;
-    });
+  constructor(parts: OpenSettingParts) {
+    this.#parts = parts;
+    const { editor, origin } = parts;
     this.unsaved = computed(() => {
-      const of = editor.of.value;
       const working = editor.working.value;
-      const held = record.value?.setting.program;
-      if (!of || !working || !held) return null;
+      const held = origin.setting.value?.program;
+      if (!working || !held) return null;
       const changes = sameLayout(held.identity, working.identity) ? changesSince(held, working).length : Infinity;
       return { changes, unreadable: editor.unreadable.value.size };
     });
@@ -80,9 +78,9 @@ export class OpenSetting {
     this.undoable = computed(() => {
       const last = this.#last.value?.setting;
       // Not once it has changed again, or something else is on the screen.
-      const isHere = last && editor.of.value?.id === last.id;
-      const now = isHere ? record.value?.setting : undefined;
-      return now && last && now.at === last.at && isSame(now.program, last.program) ? now : null;
+      const now = origin.setting.value;
+      const isHere = last && now && now.id === last.id && now.at === last.at;
+      return isHere && isSame(now.program, last.program) ? now : null;
     });
   }
 
@@ -93,14 +91,13 @@ export class OpenSetting {
 
   /** Why a program cannot come to the screen now; null when it can. */
   obstacle(program: TimerProgram): ShowObstacle | null {
-    const { connection, engaged, editor } = this.#session;
+    const { connection, engaged, editor } = this.#parts;
     if (engaged.value) return 'busy';
     if (!connection.value) return null;
     if (this.#following?.value) return 'following';
     const held = editor.baseline.value;
     if (!held) return 'busy';
-    if (isOfOneShape(program.identity, held.identity)) return null;
-    return 'not-fitting';
+    return isOfOneShape(program.identity, held.identity) ? null : 'not-fitting';
   }
 
   /**
@@ -110,10 +107,10 @@ export class OpenSetting {
    */
   async show(setting: Setting): Promise<boolean> {
     if (this.obstacle(setting.program)) return false;
-    const { editor, connection, onScreen } = this.#session;
+    const { editor, connection, onScreen, drafts } = this.#parts;
     if (connection.value) return this.#layOver(setting);
     if (editor.of.value?.id === setting.id && editor.madeAt.value !== null) return true;
-    const kept = await this.#drafts.ofSetting(setting.id);
+    const kept = await drafts.ofSetting(setting.id);
     // A timer may have come in the meantime.
     if (this.obstacle(setting.program) || connection.value) return false;
     // It belongs to no memory, so nothing that is known about a memory applies to it.
@@ -127,10 +124,10 @@ export class OpenSetting {
    * @returns whether the browser has stored it. It is in the library in any case.
    */
   async save(): Promise<boolean> {
-    const opened = this.shown.peek()?.setting;
+    const setting = this.#parts.origin.setting.peek();
     const program = this.#program();
-    if (!opened || !program) return false;
-    return await this.#keep({ ...opened, program, ...this.source() });
+    if (!setting || !program) return false;
+    return await this.#keep({ ...setting, program, ...this.source() });
   }
 
   /**
@@ -146,8 +143,9 @@ export class OpenSetting {
 
   /** Brings the values of the open setting back to the screen, as one step. */
   loadAgain(): void {
-    const setting = this.shown.peek()?.setting;
-    const working = this.#session.editor.working.peek();
+    const { editor, origin } = this.#parts;
+    const setting = origin.setting.peek();
+    const working = editor.working.peek();
     if (setting && working && sameLayout(setting.program.identity, working.identity)) this.#layOver(setting);
   }
 
@@ -156,10 +154,10 @@ export class OpenSetting {
    * the timer is the date of typing, never that of a reading.
    */
   source(): Pick<Setting, 'from' | 'at'> {
-    const { editor, onScreen, standing, standings } = this.#session;
-    const saved = this.shown.peek()?.setting;
+    const { editor, onScreen, origin, standings } = this.#parts;
+    const saved = origin.setting.peek();
     if (saved && this.unsaved.peek()?.changes === 0) return { from: saved.from, at: saved.at };
-    const { at: readAt } = standing.peek();
+    const { at: readAt } = standings.screen.peek();
     const isRead = editor.baseline.peek() !== null && standings.sinceRead.peek().length === 0;
     if (!isRead || editor.unreadable.peek().size > 0 || readAt === null) {
       return { from: 'typed', at: Date.now() };
@@ -169,15 +167,15 @@ export class OpenSetting {
 
   #layOver(setting: Setting): boolean {
     const name = { code: 'open', params: { name: setting.name } } as const;
-    return this.#session.editor.apply({ ...replaceAll(name, setting.program), owner: ownerBy(setting) }) === null;
+    return this.#parts.editor.apply({ ...replaceAll(name, setting.program), owner: ownerBy(setting) }) === null;
   }
 
   #program(): TimerProgram | null {
-    return this.savable.peek() ? this.#session.origin.program.peek() : null;
+    return this.savable.peek() ? this.#parts.origin.program.peek() : null;
   }
 
   async #keep(setting: Setting): Promise<boolean> {
-    const { library, editor } = this.#session;
+    const { library, editor } = this.#parts;
     const before = { of: editor.of.peek(), backupOf: editor.backupOf.peek() };
     const replaced = library.settings.get(setting.id)?.setting ?? null;
     const keeping = library.keepSetting(setting);
@@ -189,7 +187,7 @@ export class OpenSetting {
 
   /** Takes the last save back: what it replaced is in the library again, and the screen is as changed as before. */
   undoSave(): void {
-    const { library, editor } = this.#session;
+    const { library, editor } = this.#parts;
     const last = this.#last.peek();
     if (!last || !this.undoable.peek()) return;
     this.#last.value = null;

@@ -4,13 +4,10 @@ import type { Editor } from '../editing/editor.js';
 import { type Crossing, crossingOf } from '../records/crossing.js';
 import type { Library } from '../records/library.js';
 import type { Recognition } from '../records/recognition.js';
-import type { Opened } from './open-setting.js';
 
 interface OriginParts {
-  readonly editor: Pick<Editor, 'working' | 'dirty' | 'madeAt' | 'backupOf' | 'baseline'>;
-  readonly models: Pick<Library['models'], 'get'>;
-  /** The setting that the program on the screen belongs to. */
-  readonly opened: ReadonlySignal<Opened | null>;
+  readonly editor: Pick<Editor, 'working' | 'dirty' | 'madeAt' | 'of' | 'backupOf' | 'baseline'>;
+  readonly library: Library;
   readonly recognition: Pick<Recognition, 'found' | 'model' | 'timer'>;
   readonly connection: ReadonlySignal<unknown>;
 }
@@ -32,7 +29,10 @@ export class Origin {
   readonly key: ReadonlySignal<string | null>;
   /** The model of the values on the screen; null when they have none, or it is not known. */
   readonly model: ReadonlySignal<Model | null>;
-  /** The setting of the values on the screen, changed or not; null when they are of none. */
+  /**
+   * The setting of the values on the screen, changed or not; null when they are of none. A deleted one comes back when
+   * its deletion is undone.
+   */
   readonly setting: ReadonlySignal<Setting | null>;
   /**
    * The model of the connected timer; without one, of the timer whose reading is still on the screen. Null when that is
@@ -50,14 +50,15 @@ export class Origin {
   readonly program: ReadonlySignal<TimerProgram | null>;
   /** Null when the values belong to the connected timer, as far as that is known. */
   readonly crossing: ReadonlySignal<Crossing | null>;
-  readonly #editor: OriginParts['editor'];
-  readonly #parts: Pick<OriginParts, 'models' | 'recognition' | 'connection'>;
+  readonly #parts: OriginParts;
   readonly #taken = signal<Taken | null>(null, { name: 'origin' });
   /** The id of the model from whose timer the baseline was read. */
   readonly #readOf = signal<string | null>(null, { name: 'readOf' });
 
-  constructor({ editor, models, opened, recognition, connection }: OriginParts) {
-    const modelOf = (key: string | null | undefined): Model | null => models.get(key ?? null)?.model ?? null;
+  constructor(parts: OriginParts) {
+    this.#parts = parts;
+    const { editor, library, recognition, connection } = parts;
+    const modelOf = (key: string | null | undefined): Model | null => library.models.get(key ?? null)?.model ?? null;
     this.key = computed(() => {
       // A backup, like a setting, keeps its own model through every undo.
       const isChanged = editor.dirty.value || editor.madeAt.value !== null;
@@ -67,12 +68,12 @@ export class Origin {
       if (connection.value) return recognition.model.value;
       return editor.baseline.value ? modelOf(this.#readOf.value) : null;
     });
-    this.setting = computed(() => opened.value?.setting ?? null);
+    this.setting = computed(() => library.settings.get(editor.of.value?.id ?? null)?.setting ?? null);
     this.isOfTimer = computed(
       () => editor.baseline.value !== null && !this.setting.value && editor.backupOf.value === undefined,
     );
     this.model = computed(() => {
-      if (this.setting.value) return opened.value?.model ?? null;
+      if (this.setting.value) return modelOf(this.setting.value.model);
       if (editor.backupOf.value !== undefined) return modelOf(editor.backupOf.value);
       return editor.dirty.value ? modelOf(this.#taken.value?.model) : this.timer.value;
     });
@@ -84,8 +85,6 @@ export class Origin {
       const memory = this.setting.value?.program.memory ?? null;
       return { ...working, memory: memory !== null && memory < working.identity.memories ? memory : null };
     });
-    this.#editor = editor;
-    this.#parts = { models, recognition, connection };
     this.crossing = computed(() => crossingOf(this.model.value, recognition.found.value));
     effect(() => {
       const isDirty = editor.dirty.value;
@@ -103,20 +102,20 @@ export class Origin {
 
   /** Whether values of this model, by its id, would go into the timer of another. */
   crossingFrom(key: string | null): Crossing | null {
-    const { models, recognition } = this.#parts;
-    return crossingOf(models.get(key)?.model ?? null, recognition.found.value);
+    const { library, recognition } = this.#parts;
+    return crossingOf(library.models.get(key)?.model ?? null, recognition.found.value);
   }
 
   /** Work that was kept has come to the screen, with the model that it was for. Call it afterwards. */
   take(model: string | undefined): void {
-    const { connection, recognition } = this.#parts;
+    const { editor, connection, recognition } = this.#parts;
     // A backup is of its own model, which need not be that of the timer that was connected.
-    const isRead = this.#editor.backupOf.peek() === undefined;
+    const isRead = editor.backupOf.peek() === undefined;
     if (!connection.peek()) this.#readOf.value = (isRead && model) || null;
     // Of work that nobody has given to a model, only the timer that is there can say it.
     const found = recognition.model.peek()?.id;
     const said =
       model === undefined ? found && { model: found, timer: recognition.timer.peek() } : { model, timer: null };
-    this.#taken.value = (this.#editor.dirty.peek() && said) || null;
+    this.#taken.value = (editor.dirty.peek() && said) || null;
   }
 }

@@ -2,17 +2,34 @@ import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import { differences, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { replaceAll } from '../editing/edit.js';
+import type { Editor } from '../editing/editor.js';
 import { isOfOneShape } from '../editing/shape.js';
-import type { JobContext } from '../timer/job-runner.js';
+import type { JobContext, JobRunner } from '../timer/job-runner.js';
+import type { Knowledge } from '../timer/knowledge.js';
+import type { Link } from '../timer/link.js';
+import type { NextFlight } from '../timer/next-flight.js';
+import type { Notices } from '../timer/notices.js';
 import { kindKey, programKey } from '../timer/record-keys.js';
+import type { Safety } from '../timer/safety.js';
 import type { Drafts } from './drafts.js';
-import type { Session } from './session.js';
+import type { InterruptedJobs } from './interrupted-jobs.js';
+import type { OnScreen } from './on-screen.js';
+import type { Origin } from './origin.js';
 
 /** The models that a reading changes, or depends on. */
-type ReaderParts = Pick<
-  Session,
-  'editor' | 'onScreen' | 'link' | 'runner' | 'notices' | 'safety' | 'knowledge' | 'recovery' | 'nextFlight' | 'origin'
->;
+interface ReaderParts {
+  readonly editor: Editor;
+  readonly onScreen: OnScreen;
+  readonly origin: Origin;
+  readonly link: Link;
+  readonly runner: JobRunner;
+  readonly notices: Notices;
+  readonly safety: Safety;
+  readonly knowledge: Knowledge;
+  readonly recovery: InterruptedJobs;
+  readonly nextFlight: NextFlight;
+  readonly drafts: Drafts;
+}
 
 /** Reads the timer, and shows its content with the edits that belong to it. */
 export class Reader {
@@ -20,26 +37,19 @@ export class Reader {
   /** Whether it is open how this timer writes its times. The pilot has to choose before times are written. */
   readonly byteOrderOpen: ReadonlySignal<boolean> = this.#byteOrderOpen;
   readonly #parts: ReaderParts;
-  readonly #drafts: Drafts;
   /** Whether the timer was away or silent, so that the next reading is of one that has come back. */
   #wasAway = false;
   /** Whether a new timer has come, for which there may be stored edits. */
   #isNew = false;
   #firstReading: Promise<unknown> = Promise.resolve();
 
-  constructor(parts: ReaderParts, drafts: Drafts) {
+  constructor(parts: ReaderParts) {
     this.#parts = parts;
-    this.#drafts = drafts;
   }
 
-  /** The timer is away or silent; the next one may be the same. */
-  timerAway(): void {
-    this.#wasAway = true;
-  }
-
-  /** Nobody waits for the timer any more. */
-  timerGone(): void {
-    this.#wasAway = false;
+  /** @param isAwaited whether the timer is away or silent, and the next one may be the same. */
+  timerAway(isAwaited: boolean): void {
+    this.#wasAway = isAwaited;
   }
 
   /** A timer has given its identity: reads its content. */
@@ -129,7 +139,7 @@ export class Reader {
   /** Shows a reading, with the edits that belong to it. */
   async #show(read: TimerProgram, { stillOn }: JobContext): Promise<void> {
     const at = Date.now();
-    const { editor, onScreen, origin, link, knowledge, recovery, nextFlight, notices } = this.#parts;
+    const { editor, onScreen, origin, link, knowledge, recovery, nextFlight, notices, drafts } = this.#parts;
     const simulated = link.simulated.value;
     const wasSimulated = onScreen.simulated.value;
     const before = editor.working.value;
@@ -144,7 +154,7 @@ export class Reader {
     // Both at once, so that a storage that does not answer is waited for only once.
     const [draft] = await Promise.all([
       // The screen may still show the earlier reading.
-      same && (editor.dirty.value || !this.#isNew) ? undefined : this.#drafts.of(read, simulated),
+      same && (editor.dirty.value || !this.#isNew) ? undefined : drafts.of(read, simulated),
       knowledge.refresh(),
     ]);
     this.#isNew = false;

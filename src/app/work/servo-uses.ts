@@ -3,12 +3,17 @@ import * as v from 'valibot';
 import { DUTIES, LIMITS, type ServoUse } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
+import type { Editor } from '../editing/editor.js';
+import type { Library } from '../records/library.js';
+import { kindKey } from '../timer/record-keys.js';
+import type { OnScreen } from './on-screen.js';
+import type { Origin } from './origin.js';
 
-/** The uses of servos belong to one model's timer. The kind of timer comes closest to that. */
-export interface ServosAtHand {
-  /** See `kindKey`. */
-  readonly kind: string;
-  readonly servos: number;
+interface ServoUsesParts {
+  readonly editor: Pick<Editor, 'identity'>;
+  readonly onScreen: Pick<OnScreen, 'simulated'>;
+  readonly origin: Pick<Origin, 'named'>;
+  readonly library: Pick<Library, 'sayServos'>;
 }
 
 const step = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_POSITION));
@@ -24,56 +29,49 @@ const schema = v.array(
 
 type Said = readonly ServoUse[] | null;
 
-/** The uses of one model's servos. */
-export interface ServosOfModel {
-  /** Empty when the pilot has said nothing. */
-  readonly servos: readonly ServoUse[];
-  say(servos: readonly ServoUse[]): void;
-}
-
 /**
  * What the servos of the model move, as the pilot says.
- * Kept with the model when it is known, else for each kind of timer.
+ * Kept with the model when it is known. Else for each kind of timer: that comes closest to a model.
  */
 export class ServoUses {
   /** One entry for each servo; null when the pilot has said nothing. A drawing then has to guess. */
   readonly named: ReadonlySignal<Said>;
-  readonly #atHand: ReadonlySignal<ServosAtHand | null>;
-  readonly #ofModel: ReadonlySignal<ServosOfModel | null>;
+  readonly #parts: ServoUsesParts;
+  /** See `kindKey`. Null while nothing is on the screen. */
+  readonly #kind: ReadonlySignal<string | null>;
   /** What was said since the page opened, by kind: all that there is where the browser keeps nothing. */
   readonly #said = signal<ReadonlyMap<string, Said>>(new Map());
 
-  /** @param ofModel null while the model is not known. */
-  constructor(
-    atHand: ReadonlySignal<ServosAtHand | null>,
-    ofModel: ReadonlySignal<ServosOfModel | null> = signal(null),
-  ) {
-    this.#atHand = atHand;
-    this.#ofModel = ofModel;
+  constructor(parts: ServoUsesParts) {
+    this.#parts = parts;
+    const { editor, onScreen, origin } = parts;
+    this.#kind = computed(() => editor.identity.value && kindKey(editor.identity.value, onScreen.simulated.value));
     this.named = computed(() => {
-      const { value } = this.#atHand;
-      if (!value) return null;
-      const own = this.#ofModel.value?.servos;
-      if (own?.length === value.servos) return own;
-      const said = this.#said.value.get(value.kind);
-      const uses = said === undefined ? loadSetting(settingOf(value), v.nullable(schema)) : said;
-      return uses?.length === value.servos ? uses : null;
+      const kind = this.#kind.value;
+      const count = editor.identity.value?.servos;
+      if (kind === null) return null;
+      const own = origin.named.value?.servos;
+      if (own && own.length === count) return own;
+      const said = this.#said.value.get(kind);
+      const uses = said === undefined ? loadSetting(settingOf(kind), v.nullable(schema)) : said;
+      return uses && uses.length === count ? uses : null;
     });
   }
 
   /** @param uses one for each servo; null forgets them. */
   say(uses: Said): void {
-    const atHand = this.#atHand.peek();
-    if (!atHand) return;
-    const model = this.#ofModel.peek();
-    model?.say(uses ?? []);
+    const { origin, library } = this.#parts;
+    const kind = this.#kind.peek();
+    if (kind === null) return;
+    const model = origin.named.peek();
+    if (model) void library.sayServos(model.id, uses ?? []);
     // Uses that were said before the model was known are removed with it.
     if (model && uses) return;
-    this.#said.value = new Map(this.#said.peek()).set(atHand.kind, uses);
-    saveSetting(settingOf(atHand), uses);
+    this.#said.value = new Map(this.#said.peek()).set(kind, uses);
+    saveSetting(settingOf(kind), uses);
   }
 }
 
-function settingOf({ kind }: ServosAtHand): string {
+function settingOf(kind: string): string {
   return `servos/${kind}`;
 }

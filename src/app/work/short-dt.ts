@@ -2,9 +2,14 @@ import { computed, effect, type ReadonlySignal } from '@preact/signals';
 import * as v from 'valibot';
 import type { TimerProgram } from '../../program/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
+import type { Editor } from '../editing/editor.js';
 import { time } from '../records/preferences.js';
+import type { NextFlight } from '../timer/next-flight.js';
 import { programKey } from '../timer/record-keys.js';
-import type { Session } from './session.js';
+import type { Standings } from '../timer/standing.js';
+import type { OnScreen } from './on-screen.js';
+import type { Origin } from './origin.js';
+import type { Reader } from './reader.js';
 
 /** A short DT in the connected timer. Times are hundredths of a second. */
 export interface ShortDtWord {
@@ -17,15 +22,22 @@ export interface ShortDtWord {
   readonly remembered: boolean;
 }
 
-/** The DT that a contest round needs in a class, if nothing else is known: 3 min, or 5 min for F1E. */
-const USUAL: Readonly<Record<string, number>> = { E: 30_000 };
-const USUAL_OTHERWISE = 18_000;
+/** The DT that a contest round needs, if nothing else is known: 3 min, or 5 min for F1E. */
+const USUAL = 18_000;
+const USUAL_E = 30_000;
 
 /** How many are remembered: five memories of twenty models. */
 const MOST = 100;
 const remembered = v.record(v.pipe(v.string(), v.maxLength(200)), time);
 
-type ShortDtParts = Pick<Session, 'editor' | 'standing' | 'nextFlight' | 'byteOrderOpen' | 'simulated' | 'origin'>;
+interface ShortDtParts {
+  readonly editor: Pick<Editor, 'baseline' | 'shortDt'>;
+  readonly onScreen: Pick<OnScreen, 'simulated'>;
+  readonly origin: Pick<Origin, 'timer'>;
+  readonly standings: Pick<Standings, 'screen'>;
+  readonly nextFlight: Pick<NextFlight, 'open'>;
+  readonly reader: Pick<Reader, 'byteOrderOpen'>;
+}
 
 /**
  * A short DT brings a model down early, as for trimming. Forgotten, it costs a flight. So the last long DT of each
@@ -38,10 +50,10 @@ export class ShortDt {
 
   constructor(parts: ShortDtParts) {
     this.#parts = parts;
-    const { editor, standing, nextFlight, byteOrderOpen } = parts;
+    const { editor, standings, nextFlight, reader } = parts;
     /** What flies next, by a reading of this connection: not an older reading, and not another memory. */
     const now = computed(() => {
-      const isSure = standing.value.sure === 'now' && !nextFlight.open.value && !byteOrderOpen.value;
+      const isSure = standings.screen.value.sure === 'now' && !nextFlight.open.value && !reader.byteOrderOpen.value;
       return isSure ? editor.baseline.value : null;
     });
     this.held = computed(() => {
@@ -64,7 +76,7 @@ export class ShortDt {
   #back(program: TimerProgram): Pick<ShortDtWord, 'back' | 'remembered'> {
     const kept = loadSetting('long-dts', remembered) ?? {};
     const limit = this.#parts.editor.shortDt.value;
-    const usual = USUAL[program.identity.timerClass] ?? USUAL_OTHERWISE;
+    const usual = program.identity.timerClass === 'E' ? USUAL_E : USUAL;
     const known = this.#keys(program).map((key) => kept[key]);
     const last = known.find((dt) => dt !== undefined && dt >= limit);
     return { back: last ?? Math.max(usual, limit), remembered: last !== undefined };
@@ -73,7 +85,7 @@ export class ShortDt {
   /** The keys under which its DT is remembered, the most certain first. */
   #keys(program: TimerProgram): readonly string[] {
     const model = this.#parts.origin.timer.value;
-    const byKind = programKey(program, this.#parts.simulated.value);
+    const byKind = programKey(program, this.#parts.onScreen.simulated.value);
     return model === null ? [byKind] : [`model/${model.id}/${program.memory ?? '?'}`, byKind];
   }
 

@@ -1,10 +1,17 @@
-import { batch } from '@preact/signals';
+import { batch, type ReadonlySignal } from '@preact/signals';
 import type { AssumedQuirks } from '../../client/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { LinkState, SerialPortLike, Surroundings } from '../../serial/index.js';
-import { portInfoOf } from '../timer/link.js';
+import type { Editor } from '../editing/editor.js';
+import type { JobRunner } from '../timer/job-runner.js';
+import type { Knowledge } from '../timer/knowledge.js';
+import { type Link, portInfoOf } from '../timer/link.js';
+import type { NextFlight } from '../timer/next-flight.js';
+import type { Notices } from '../timer/notices.js';
+import type { Trials } from '../timer/trials.js';
+import type { InterruptedJobs } from './interrupted-jobs.js';
+import type { OnScreen } from './on-screen.js';
 import type { Reader } from './reader.js';
-import type { Session } from './session.js';
 
 /** The classes for which there is a simulated timer. */
 export const SIMULATED_CLASSES = ['Q', 'B', 'E'] as const;
@@ -17,18 +24,32 @@ export interface TimerSources {
   readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike | Promise<SerialPortLike>;
 }
 
+/** All that depends on which timer is there. */
+interface AccessParts {
+  readonly link: Link;
+  readonly runner: JobRunner;
+  readonly reader: Reader;
+  readonly notices: Notices;
+  readonly knowledge: Knowledge;
+  readonly recovery: InterruptedJobs;
+  readonly nextFlight: NextFlight;
+  readonly trials: Trials;
+  readonly editor: Pick<Editor, 'identity'>;
+  readonly onScreen: Pick<OnScreen, 'simulated'>;
+  readonly engaged: ReadonlySignal<boolean>;
+}
+
 /** Connects and disconnects: one connection at a time, also while it waits for a timer. */
 export class TimerAccess {
-  readonly #session: Session;
-  readonly #reader: Reader;
+  readonly #parts: AccessParts;
   readonly #sources: TimerSources;
   /** Whether there was a simulated timer in this page: each keeps what it holds until the page is closed. */
   #hasSimulated = false;
 
-  constructor(session: Session, sources: TimerSources) {
-    this.#session = session;
-    this.#reader = session.reader;
+  constructor(parts: AccessParts, sources: TimerSources) {
+    this.#parts = parts;
     this.#sources = sources;
+    parts.link.onState((state, before) => this.#follow(state, before));
   }
 
   /**
@@ -38,47 +59,43 @@ export class TimerAccess {
    * @returns once the timer is read, or has to be waited for.
    */
   async connect(choose = false): Promise<void> {
-    const { engaged, connection, link } = this.#session;
+    const { engaged, link, reader } = this.#parts;
     if (!this.#sources.surroundings.serial || engaged.value) return;
-    if (connection.value && !choose) return void (await this.#reader.read());
+    if (link.connection.value && !choose) return void (await reader.read());
     await this.#goTo(async () => {
       await link.refresh();
       const [first, ...more] = choose ? [] : link.ports.value;
       const sure = first && (more.length === 0 || link.recordOf(first.key));
-      return sure ? () => link.connect(first.port) : () => link.choose();
+      return sure ? first.port : null;
     });
   }
 
   /** Connects to one of the known ports. */
   async connectTo(port: SerialPortLike): Promise<void> {
-    await this.#goTo(async () => () => this.#session.link.connect(port));
+    await this.#goTo(async () => port);
   }
 
   async trySimulated(timerClass: SimulatedClass): Promise<void> {
-    const { recovery, trials, link } = this.#session;
+    const { recovery, trials, link } = this.#parts;
     await this.#goTo(async () => {
       if (!this.#hasSimulated) {
         trials.forgetSimulated();
         await recovery.forgetSimulated();
       }
       this.#hasSimulated = true;
-      const port = await this.#sources.plugSimulated(timerClass);
-      return () => link.connectSimulated(port);
+      return link.simulate(await this.#sources.plugSimulated(timerClass));
     });
   }
 
   /** Connects to a timer that replays a recording. */
   async tryRecording(entries: readonly CaptureEntry[]): Promise<void> {
-    await this.#goTo(async () => {
-      const port = await this.#sources.plugRecording(entries);
-      return () => this.#session.link.connectSimulated(port);
-    });
+    await this.#goTo(async () => this.#parts.link.simulate(await this.#sources.plugRecording(entries)));
   }
 
   /** The simulated timer from which the program on the screen came; undefined when it came from another one. */
   get simulated(): SimulatedClass | undefined {
-    const { simulated, editor } = this.#session;
-    const timerClass = simulated.value ? editor.identity.value?.timerClass : undefined;
+    const { onScreen, editor } = this.#parts;
+    const timerClass = onScreen.simulated.value ? editor.identity.value?.timerClass : undefined;
     return SIMULATED_CLASSES.find((each) => each === timerClass);
   }
 
@@ -93,10 +110,10 @@ export class TimerAccess {
    * The wait goes on until a port is chosen.
    */
   async chooseAnother(): Promise<void> {
-    const { link } = this.#session;
+    const { link, reader } = this.#parts;
     if (!['searching', 'waiting'].includes(link.state.value.status)) return;
     await link.choose();
-    await this.#reader.settled();
+    await reader.settled();
   }
 
   /**
@@ -104,7 +121,7 @@ export class TimerAccess {
    * with everything that was typed.
    */
   async disconnect(): Promise<void> {
-    const { runner, link, notices, recovery } = this.#session;
+    const { runner, link, notices, recovery } = this.#parts;
     void runner.stop();
     const closing = link.stop();
     batch(() => {
@@ -117,30 +134,28 @@ export class TimerAccess {
 
   /** The pilot has said how this timer works: reads it again in that way. */
   async assume(quirks: AssumedQuirks): Promise<void> {
-    const { runner, link } = this.#session;
+    const { runner, link, reader } = this.#parts;
     if (runner.busy.value) return;
     await link.assume(quirks);
-    await this.#reader.read();
+    await reader.read();
   }
 
   /** Forgets all assumptions about the connected kind of timer on its port, and reads it again without them. */
   async forgetAssumed(): Promise<void> {
-    const { runner, link } = this.#session;
+    const { runner, link, reader } = this.#parts;
     const connection = link.connection.value;
     if (runner.busy.value || !connection) return;
     await link.forgetAssumed(connection);
-    if (connection === link.connection.value) await this.#reader.read();
+    if (connection === link.connection.value) await reader.read();
   }
 
   /** The state of the link has changed: tells everything that depends on which timer is there. */
-  follow(state: LinkState, before: LinkState): void {
-    const { recognition, runner, knowledge, recovery, nextFlight, notices, link } = this.#session;
-    if (state.status === 'away' || (before.status === 'on' && ['waiting', 'searching'].includes(state.status))) {
-      this.#reader.timerAway();
-    }
+  #follow(state: LinkState, before: LinkState): void {
+    const { runner, knowledge, recovery, nextFlight, notices, link, reader } = this.#parts;
+    const isSilent = before.status === 'on' && ['waiting', 'searching'].includes(state.status);
+    if (isSilent || state.status === 'away') reader.timerAway(true);
     if (state.status === 'on') {
-      this.#reader.timerCame(state.connection);
-      recognition.timerCame();
+      reader.timerCame(state.connection);
       return;
     }
     runner.connectionOver();
@@ -148,7 +163,7 @@ export class TimerAccess {
     // The offer depends on the content of a timer that is no longer there.
     if (before.status === 'on') recovery.anotherTimer();
     if (state.status !== 'off') return;
-    this.#reader.timerGone();
+    reader.timerAway(false);
     nextFlight.forget();
     if (!state.error) return;
     const { code, bytes } = state.error;
@@ -158,11 +173,11 @@ export class TimerAccess {
   }
 
   /** Settles once the timer is read, or has to be waited for. */
-  async #goTo(find: () => Promise<() => Promise<void>>): Promise<void> {
-    const { engaged, notices, link } = this.#session;
+  async #goTo(find: () => Promise<SerialPortLike | null>): Promise<void> {
+    const { engaged, notices, link, reader } = this.#parts;
     if (engaged.value) return;
     notices.dismiss();
     await link.begin(find);
-    await this.#reader.settled();
+    await reader.settled();
   }
 }

@@ -1,9 +1,10 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
-import type { NextFlightWord } from '../timer/next-flight.js';
-import type { OpenTrial } from '../timer/trials.js';
-import type { Offer } from './interrupted-jobs.js';
-import type { Session } from './session.js';
+import type { JobRunner } from '../timer/job-runner.js';
+import type { Knowledge } from '../timer/knowledge.js';
+import type { NextFlight, NextFlightWord } from '../timer/next-flight.js';
+import type { OpenTrial, Trials } from '../timer/trials.js';
+import type { InterruptedJobs, Offer } from './interrupted-jobs.js';
 
 /** Something that was begun with a timer and has no end yet. `key` tells it from the others. */
 export type OpenJob = { readonly key: string } & (
@@ -24,15 +25,21 @@ export type OpenJob = { readonly key: string } & (
   | { readonly kind: 'tried'; readonly trial: OpenTrial }
 );
 
-type Parts = Pick<Session, 'knowledge' | 'recovery' | 'nextFlight' | 'runner' | 'trials'>;
+interface Parts {
+  readonly knowledge: Pick<Knowledge, 'uncertain'>;
+  readonly recovery: Pick<InterruptedJobs, 'offer' | 'left'>;
+  readonly nextFlight: Pick<NextFlight, 'word'>;
+  readonly runner: Pick<JobRunner, 'busy'>;
+  readonly trials: Pick<Trials, 'open'>;
+}
 
 /**
  * Everything that is unfinished, the worst first: what a memory holds, which memory flies, what was half written, what
  * was tried. Also of timers that are not connected, from the first picture on, until a reading or the pilot settles it.
  */
 export function unfinishedWork(parts: Parts): ReadonlySignal<readonly OpenJob[]> {
+  const { knowledge, recovery, nextFlight, runner, trials } = parts;
   return computed(() => {
-    const { knowledge, recovery, nextFlight, runner, trials } = parts;
     const offer = recovery.offer.value;
     const uncertain = knowledge.uncertain.value;
     const isUncertain = offer !== null && uncertain.some(({ key }) => key === offer.record.key);

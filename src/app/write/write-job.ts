@@ -415,7 +415,7 @@ export class WriteJob {
   #show(step: WriteStep | null): void {
     batch(() => {
       this.#current.value = step;
-      this.#session.runner.claim(this, step !== null);
+      this.#session.runner.claim(step !== null);
     });
   }
 }

@@ -139,9 +139,9 @@ describe('with a short DT in the timer', () => {
     const { session, timer } = await appBench({ quirks: { bigEndianTimes: true } });
     for (const memory of timer.core.memories) memory.times[10] = 0x1700;
     await run(session.timer.connect());
-    expect([session.byteOrderOpen.value, session.shortDt.held.value]).toEqual([true, null]);
+    expect([session.reader.byteOrderOpen.value, session.shortDt.held.value]).toEqual([true, null]);
     await run(session.timer.assume({ bigEndianTimes: true }));
-    expect([session.byteOrderOpen.value, session.shortDt.held.value?.dt]).toEqual([false, 0x1700]);
+    expect([session.reader.byteOrderOpen.value, session.shortDt.held.value?.dt]).toEqual([false, 0x1700]);
   });
 
   it('cannot be put back while something blocks the write, and says so', async () => {

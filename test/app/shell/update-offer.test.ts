@@ -17,7 +17,7 @@ describe('a new version of the page', () => {
     const begin = vi.fn();
     update.whenFree(begin);
     await idle();
-    expect([update.free.value, session.keptWork.kept.value, begin.mock.calls.length]).toEqual([false, true, 0]);
+    expect([update.free.value, session.drafts.kept.value, begin.mock.calls.length]).toEqual([false, true, 0]);
     await run(session.timer.disconnect());
     await idle();
     expect([update.free.value, begin.mock.calls.length]).toEqual([true, 1]);

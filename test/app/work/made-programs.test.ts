@@ -59,8 +59,8 @@ describe('a program that was made here', () => {
     expect(bench.editor.changes.value.length).toBeGreaterThan(30);
     bench.editor.undo();
     expect([bench.editor.changes.value, bench.editor.working.value]).toEqual([[], held]);
-    await bench.session.keptPrograms.load();
-    expect(bench.session.keptPrograms.list.value.map(({ working }) => working.positions[1]?.[3])).toEqual([70]);
+    await bench.session.drafts.load();
+    expect(bench.session.drafts.list.value.map(({ working }) => working.positions[1]?.[3])).toEqual([70]);
   });
 
   it('is loaded over the earlier edits of that memory, which undo brings back', async () => {
@@ -106,8 +106,8 @@ describe('a program that was made here', () => {
     expect(bench.editor.working.value).toBeNull();
     const again = await reloaded(bench);
     expect(again.editor.working.value, 'a closed program stays closed after a reload').toBeNull();
-    await again.session.keptPrograms.load();
-    const list = again.session.keptPrograms.list.value;
+    await again.session.drafts.load();
+    const list = again.session.drafts.list.value;
     expect(list.map(({ working }) => working.identity.timerClass).sort()).toEqual(['E', 'Q']);
     const first = list.find(({ working }) => working.identity.timerClass === 'Q');
     if (!first) throw new Error('it is gone');
@@ -122,12 +122,12 @@ describe('a program that was made here', () => {
   it('is deleted for good', async () => {
     const bench = await made();
     bench.session.onScreen.closeProgram();
-    await bench.session.keptPrograms.load();
-    const [draft] = bench.session.keptPrograms.list.value;
+    await bench.session.drafts.load();
+    const [draft] = bench.session.drafts.list.value;
     if (!draft) throw new Error('it is not kept');
-    await bench.session.keptPrograms.remove(draft);
-    await bench.session.keptPrograms.load();
-    expect([kept(bench), bench.session.keptPrograms.list.value]).toEqual([[], []]);
+    await bench.session.drafts.remove(draft);
+    await bench.session.drafts.load();
+    expect([kept(bench), bench.session.drafts.list.value]).toEqual([[], []]);
   });
 
   it('never takes the place of a timer that is connected', async () => {

@@ -43,9 +43,9 @@ function type(bench: AppBench, field: typeof DT | typeof S2, text: string): void
 
 const dtOf = ({ store }: AppBench, id: string): number | undefined =>
   (store.settings.records.get(id) as SettingRecord | undefined)?.setting.program.times[10];
-const names = ({ session: { opened } }: AppBench) => [
-  opened.shown.value?.model?.name ?? null,
-  opened.shown.value?.setting?.name ?? null,
+const names = ({ session: { origin } }: AppBench) => [
+  origin.model.value?.name ?? null,
+  origin.setting.value?.name ?? null,
 ];
 
 describe('a setting that is opened without a timer', () => {
@@ -120,7 +120,7 @@ describe('a setting that is opened without a timer', () => {
   it('is no longer one when it is deleted, and is one again after undo', async () => {
     const bench = await opened(settingOf('calm'));
     bench.session.library.settings.remove('calm');
-    expect([bench.session.opened.shown.value, bench.editor.working.value !== null]).toEqual([null, true]);
+    expect([bench.session.origin.setting.value, bench.editor.working.value !== null]).toEqual([null, true]);
     bench.session.library.undoRemove();
     expect(names(bench)).toEqual(['Lancer', 'calm']);
   });
@@ -152,7 +152,7 @@ describe('a setting with a timer', () => {
     ]);
     expect(bench.session.opened.unsaved.value?.changes).toBe(0);
     bench.editor.undo();
-    expect([bench.editor.working.value, bench.session.opened.shown.value]).toEqual([held, null]);
+    expect([bench.editor.working.value, bench.session.origin.setting.value]).toEqual([held, null]);
     bench.editor.redo();
     expect(names(bench)).toEqual(['Lancer', 'calm']);
   });
@@ -167,7 +167,7 @@ describe('a setting with a timer', () => {
       1,
     ]);
     bench.editor.undo();
-    expect(bench.session.opened.shown.value).toBeNull();
+    expect(bench.session.origin.setting.value).toBeNull();
   });
 
   it.each([
@@ -204,7 +204,7 @@ describe('a setting with a timer', () => {
     const memory = bench.timer.core.memories[0];
     if (memory) memory.times[10] = 7700;
     await run(bench.session.reader.read());
-    expect(bench.session.opened.shown.value, 'it may be another timer, so the setting is closed').toBeNull();
+    expect(bench.session.origin.setting.value, 'it may be another timer, so the setting is closed').toBeNull();
   });
 
   it('stays open during a write', async () => {

@@ -1,15 +1,23 @@
-import { computed, signal } from '@preact/signals';
+import { signal } from '@preact/signals';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { type ServosAtHand, ServoUses } from '../../../src/app/work/servo-uses.js';
-import type { ServoUse } from '../../../src/program/index.js';
+import { emptyModel } from '../../../src/app/records/library.js';
+import { ServoUses } from '../../../src/app/work/servo-uses.js';
+import type { Model, ServoUse } from '../../../src/program/index.js';
 
 const TAILPLANE: ServoUse = { duty: 'tailplane', name: '', low: 20, high: 95, reversed: false };
 const FLAP: ServoUse = { duty: 'other', name: 'Flap', low: 0, high: 130, reversed: false };
 
-/** Freshly opened, with a timer of this kind at hand. */
-function opened(kind = 'timer/Q') {
-  const atHand = signal<ServosAtHand | null>({ kind, servos: 2 });
-  return { atHand, uses: new ServoUses(atHand) };
+const timerOf = (timerClass: string) => ({ timerClass, firmware: '536', functions: 10, memories: 4, servos: 2 });
+
+/** Freshly opened, with the program of a timer of this class on the screen, and of no known model. */
+function opened(timerClass = 'Q') {
+  const identity = signal<ReturnType<typeof timerOf> | null>(timerOf(timerClass));
+  const named = signal<Model | null>(null);
+  const sayServos = async (_: string, servos: Model['servos']): Promise<void> => {
+    named.value = named.value && { ...named.value, servos };
+  };
+  const parts = { editor: { identity }, onScreen: { simulated: signal(false) }, origin: { named } };
+  return { identity, named, uses: new ServoUses({ ...parts, library: { sayServos } }) };
 }
 
 afterEach(() => {
@@ -24,48 +32,44 @@ describe('what the servos move', () => {
     uses.say([TAILPLANE, FLAP]);
     expect(uses.named.value).toEqual([TAILPLANE, FLAP]);
     expect(opened().uses.named.value).toEqual([TAILPLANE, FLAP]);
-    expect(opened('timer/B').uses.named.value).toBeNull();
+    expect(opened('B').uses.named.value).toBeNull();
   });
 
   it('follows the timer on the screen', () => {
-    const { atHand, uses } = opened();
+    const { identity, uses } = opened();
     uses.say([TAILPLANE, FLAP]);
-    atHand.value = { kind: 'timer/B', servos: 2 };
+    identity.value = timerOf('B');
     expect(uses.named.value).toBeNull();
-    atHand.value = null;
+    identity.value = null;
     expect(uses.named.value).toBeNull();
     uses.say([FLAP, FLAP]);
-    atHand.value = { kind: 'timer/Q', servos: 2 };
+    identity.value = timerOf('Q');
     expect(uses.named.value, 'a name that is given while there is no timer is not kept').toEqual([TAILPLANE, FLAP]);
   });
 
   it('belongs to the model when that is known, and only then', () => {
-    const atHand = signal<ServosAtHand | null>({ kind: 'timer/Q', servos: 2 });
-    const servos = signal<readonly ServoUse[] | null>(null);
-    const say = (said: readonly ServoUse[]): void => {
-      servos.value = said;
-    };
-    const ofModel = computed(() => servos.value && { servos: servos.value, say });
-    const uses = new ServoUses(atHand, ofModel);
+    const { named, uses } = opened();
+    const servos = () => named.value?.servos;
     uses.say([TAILPLANE, FLAP]);
-    servos.value = [];
+    const lancer = emptyModel('lancer', 'Lancer', 'Q');
+    named.value = lancer;
     expect(uses.named.value, 'the model has no names, so those of the kind of timer are used').toEqual([
       TAILPLANE,
       FLAP,
     ]);
     uses.say([FLAP, FLAP]);
-    expect([servos.value, uses.named.value]).toEqual([
+    expect([servos(), uses.named.value]).toEqual([
       [FLAP, FLAP],
       [FLAP, FLAP],
     ]);
     expect(opened().uses.named.value, 'the names for the kind of timer have not changed').toEqual([TAILPLANE, FLAP]);
-    servos.value = [FLAP];
+    named.value = { ...lancer, servos: [FLAP] };
     expect(uses.named.value, 'the model has another number of servos, so its names are not used').toEqual([
       TAILPLANE,
       FLAP,
     ]);
     uses.say(null);
-    expect([servos.value, uses.named.value]).toEqual([[], null]);
+    expect([servos(), uses.named.value]).toEqual([[], null]);
   });
 
   it('can be taken back, to be guessed again', () => {
@@ -99,7 +103,7 @@ describe('what the servos move', () => {
     [JSON.stringify([TAILPLANE, { ...FLAP, duty: 'flap' }]), 'an unknown duty'],
     [JSON.stringify([TAILPLANE, { ...FLAP, name: 'x'.repeat(17) }]), 'a name that is too long'],
   ])('is not known when the stored value is impossible: %s (%s)', (text) => {
-    localStorage.setItem('sidus-timer/servos/timer/Q', text);
+    localStorage.setItem('sidus-timer/servos/timer/Q/536/10/2', text);
     expect(opened().uses.named.value).toBeNull();
   });
 });

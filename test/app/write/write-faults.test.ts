@@ -152,7 +152,7 @@ async function reviewed(store: FaultyStore): Promise<AppBench> {
 /** Whether the position that was typed is still there: on the screen, or kept for when such a timer is read again. */
 function isTyped({ editor, session }: AppBench, store: FaultyStore): boolean {
   const kept = [...store.drafts.records.values()].map(({ working }) => working.positions[0]?.[2]);
-  return editor.textOf(S1) === '8' || kept.includes(8) || !session.keptWork.kept.value;
+  return editor.textOf(S1) === '8' || kept.includes(8) || !session.drafts.kept.value;
 }
 
 /** After all that has happened: the timer is awake, at its port, and read. */
