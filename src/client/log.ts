@@ -1,4 +1,4 @@
-import type { Frame, RejectionReason } from '../protocol/index.js';
+import type { Bytes, Frame, RejectionReason } from '../protocol/index.js';
 
 /**
  * An error of the line that the port reported. Reading went on after it. Web Serial names `framing`, `parity`, `break`
@@ -15,7 +15,7 @@ export interface LineEntry {
   /** `out`: to the timer. `in`: from the timer, or an error of the line. */
   readonly direction: 'out' | 'in';
   /** The bytes as they went or came. Empty for an error of the line. */
-  readonly bytes: Uint8Array;
+  readonly bytes: Bytes;
   /** Null for bytes that belong to no frame, and for an error of the line. */
   readonly frame: Frame | null;
   /** Why the bytes belong to no frame; null for anything else. */

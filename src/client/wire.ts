@@ -1,5 +1,6 @@
 import type { Clock } from '../line/index.js';
 import {
+  type Bytes,
   COMMANDS,
   commandOf,
   encodeFrame,
@@ -204,7 +205,7 @@ export class Wire {
   }
 
   async #exchange<T>(
-    bytes: Uint8Array,
+    bytes: Bytes,
     size: number,
     judge: (frame: Frame) => AnswerOutcome<T> | undefined,
   ): Promise<Outcome<T>> {
@@ -250,7 +251,7 @@ export class Wire {
     }
   }
 
-  async #send(bytes: Uint8Array): Promise<void> {
+  async #send(bytes: Bytes): Promise<void> {
     const { writable } = this.#port;
     if (!writable) return this.#lose(new TimerError('port-lost', 'the port takes no more bytes'));
     // The port has not accepted the last request yet. So this one is not sent and gets no answer.

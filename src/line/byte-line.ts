@@ -1,6 +1,9 @@
 import type { Clock } from './clock.js';
 import { requireNumber } from './require.js';
 
+/** Bytes that arrive: those of `sidus-timer/protocol`, which this room does not know. */
+export type Bytes = ReturnType<typeof Uint8Array.of>;
+
 /** Bits on the wire for each byte at 8N1: one start bit, eight data bits, one stop bit. */
 export const BITS_PER_BYTE = 10;
 
@@ -42,12 +45,12 @@ export class ByteLine {
   readonly #latency: number;
   readonly #chunks: readonly number[];
   readonly #fault: ByteLineOptions['fault'];
-  readonly #deliver: (bytes: Uint8Array) => void;
+  readonly #deliver: (bytes: Bytes) => void;
   /**
    * Pieces on their way, oldest first. Each callback delivers the oldest piece, not the one that it was made for: a
    * real clock may swap two callbacks that are due at nearly the same time.
    */
-  readonly #underWay: Uint8Array[] = [];
+  readonly #underWay: Bytes[] = [];
   readonly #appointments = new Set<() => void>();
   #freeAt = Number.NEGATIVE_INFINITY;
   #sent = 0;
@@ -59,7 +62,7 @@ export class ByteLine {
    * @param deliver is called with each piece as it arrives, and may keep the array.
    * @throws RangeError when a rate, a latency or a size is negative or no number.
    */
-  constructor(deliver: (bytes: Uint8Array) => void, options: ByteLineOptions) {
+  constructor(deliver: (bytes: Bytes) => void, options: ByteLineOptions) {
     const { clock, baudRate = 0, latency = 0, chunks = [], fault } = options;
     requireNumber(baudRate, 'baudRate', 0);
     requireNumber(latency, 'latency', 0);
@@ -129,7 +132,7 @@ export class ByteLine {
     this.#underWay.push(bytes);
     const cancel = this.#clock.after(at + this.#latency - this.#clock.now(), () => {
       this.#appointments.delete(cancel);
-      this.#deliver(this.#underWay.shift() as Uint8Array);
+      this.#deliver(this.#underWay.shift() as Bytes);
     });
     this.#appointments.add(cancel);
   }

@@ -3,5 +3,5 @@
  * @module
  */
 
-export { BITS_PER_BYTE, ByteLine, type ByteLineOptions, wireTime } from './byte-line.js';
+export { BITS_PER_BYTE, ByteLine, type ByteLineOptions, type Bytes, wireTime } from './byte-line.js';
 export { type Clock, realClock, VirtualClock } from './clock.js';

@@ -1,4 +1,4 @@
-import { BITS_PER_BYTE, ByteLine, type ByteLineOptions, type Clock } from '../line/index.js';
+import { BITS_PER_BYTE, ByteLine, type ByteLineOptions, type Bytes, type Clock } from '../line/index.js';
 import type { OpenedOptions, PlugOptions } from './types.js';
 
 /** For lines that take no time: everything is due at once, but never before the caller has gone on. */
@@ -18,9 +18,9 @@ const promptClock: Clock = {
 /** What is connected to the two ends of a cable. */
 export interface CableEnds {
   /** Called when bytes reach the device, which may keep the array. */
-  toDevice(bytes: Uint8Array): void;
+  toDevice(bytes: Bytes): void;
   /** Called when bytes reach the port, which may keep the array. */
-  toPage(bytes: Uint8Array): void;
+  toPage(bytes: Bytes): void;
 }
 
 /**
@@ -146,7 +146,7 @@ export class Cable {
     ];
   }
 
-  #reachPage(bytes: Uint8Array): void {
+  #reachPage(bytes: Bytes): void {
     this.#arrivedAtPage += bytes.length;
     this.#ends.toPage(bytes);
     this.#callBehind();

@@ -1,3 +1,4 @@
+import type { Bytes } from '../line/index.js';
 import type { Cable } from './cable.js';
 import { networkError, READ_ERROR_KINDS } from './errors.js';
 import type { Receiver } from './receiver.js';
@@ -35,8 +36,8 @@ export class Device implements MockDevice {
   #unplugged = false;
   /** Bytes that were written here without a cable, and bytes that earlier ports of this device have lost. */
   #unsent = 0;
-  #arrived: Uint8Array[] = [];
-  #readers: ((bytes: Uint8Array) => void)[] = [];
+  #arrived: Bytes[] = [];
+  #readers: ((bytes: Bytes) => void)[] = [];
 
   constructor(port: PortSide, busy: boolean) {
     this.#port = port;
@@ -56,7 +57,7 @@ export class Device implements MockDevice {
     return this.#readers.length > 0;
   }
 
-  read(): Promise<Uint8Array> {
+  read(): Promise<Bytes> {
     const bytes = this.#arrived.shift();
     if (bytes) return Promise.resolve(bytes);
     if (this.#unplugged) return Promise.resolve(new Uint8Array());
@@ -103,7 +104,7 @@ export class Device implements MockDevice {
   }
 
   /** Takes bytes that reach the device. */
-  arrive(bytes: Uint8Array): void {
+  arrive(bytes: Bytes): void {
     const reader = this.#readers.shift();
     if (reader) reader(bytes);
     else this.#arrived.push(bytes);

@@ -1,3 +1,4 @@
+import type { Bytes } from '../line/index.js';
 import { invalidState, networkError } from './errors.js';
 import { ConnectionTarget } from './events.js';
 import type { Hardware } from './hardware.js';
@@ -43,7 +44,7 @@ export class MockSerialPort extends ConnectionTarget {
    * The `readable` attribute: a byte stream while the port is open, else null. An error ends the stream after all bytes
    * that came before it. Then there is a new stream; after the loss of the device, null.
    */
-  get readable(): ReadableStream<Uint8Array> | null {
+  get readable(): ReadableStream<Bytes> | null {
     if (this.#isDeadly)
       throw new Error('Chromium kills the tab here: close() had failed before because writable was locked.');
     if (this.#state === 'closing' && this.#hardware.follows('closingHidesReadable')) return null;

@@ -1,7 +1,8 @@
+import type { Bytes } from '../line/index.js';
 import { streamError } from './errors.js';
 import type { ReadErrorKind } from './types.js';
 
-type Item = Uint8Array | ReadErrorKind;
+type Item = Bytes | ReadErrorKind;
 /** Called with whether all bytes before it are in the buffer. */
 type Mark = (kept: boolean) => void;
 
@@ -27,7 +28,7 @@ export class Receiver {
   /** How many bytes were lost before the last mark. */
   #lostBefore = 0;
   /** The standard's [[readable]]. */
-  stream: ReadableStream<Uint8Array> | null = null;
+  stream: ReadableStream<Bytes> | null = null;
   #controller: ReadableByteStreamController | null = null;
   /** Whether the page waits for a read. */
   #wanted = false;
@@ -65,7 +66,7 @@ export class Receiver {
   }
 
   /** A fresh stream, unless a fatal error forbids it. */
-  createStream(): ReadableStream<Uint8Array> | null {
+  createStream(): ReadableStream<Bytes> | null {
     if (this.#fatal) return null;
     const source: UnderlyingByteSource = {
       type: 'bytes',
@@ -82,7 +83,7 @@ export class Receiver {
     return this.stream;
   }
 
-  push(bytes: Uint8Array): void {
+  push(bytes: Bytes): void {
     if (!this.#open || this.#over) {
       this.lost += bytes.length;
       return;
@@ -161,7 +162,7 @@ export class Receiver {
       new Uint8Array(view.buffer, view.byteOffset, view.byteLength).set(next.subarray(0, length));
       controller.byobRequest?.respond(length);
     } else {
-      controller.enqueue(next as Uint8Array<ArrayBuffer>);
+      controller.enqueue(next as Bytes);
     }
   }
 

@@ -1,4 +1,4 @@
-import type { Clock } from '../line/index.js';
+import type { Bytes, Clock } from '../line/index.js';
 
 /** What tells one port from another: the standard's SerialPortInfo dictionary. Members that do not apply are absent. */
 export interface PortInfo {
@@ -194,7 +194,7 @@ export interface MockDevice {
    * closes the port.
    * @returns an empty array once the port is unplugged and everything that had arrived is read.
    */
-  read(): Promise<Uint8Array>;
+  read(): Promise<Bytes>;
   /**
    * Sends bytes to the page. `lost` counts those that arrive while the port is unplugged or closed.
    * @returns a promise that settles when all bytes are in the port's buffer, and rejects with NetworkError when some

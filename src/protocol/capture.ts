@@ -1,13 +1,14 @@
 import { CodecError } from './errors.js';
+import type { Bytes } from './frame.js';
 
 /** Bytes that passed on the line together. */
-export interface CaptureEntry {
+export interface CaptureEntry<Data extends Uint8Array = Bytes> {
   /** Milliseconds since the capture began. Never less than in the entry before. */
   readonly time: number;
   /** `out`: to the timer. `in`: from the timer. */
   readonly direction: 'out' | 'in';
   /** One byte or more. */
-  readonly bytes: Uint8Array;
+  readonly bytes: Data;
 }
 
 const HEADER = '# Sidus capture 1';
@@ -29,7 +30,7 @@ const LINE = /^(\d{1,9}(?:\.\d{1,6})?) ([<>])((?: [0-9a-f]{2})+)$/i;
  * could not read back: a time that is negative, past the longest capture (31 years) or before the one above it; no
  * bytes, or what is no byte; no direction. {@link captureOf} turns times since 1970 into times of a capture.
  */
-export function formatCapture(entries: readonly CaptureEntry[]): string {
+export function formatCapture(entries: readonly CaptureEntry<Uint8Array>[]): string {
   let previous = 0;
   const lines = entries.map(({ time, direction, bytes }, index) => {
     if (!(time >= previous && time <= LONGEST_CAPTURE)) {
@@ -89,7 +90,7 @@ export function parseCapture(text: string): CaptureEntry[] {
  * console.log(formatCapture(captureOf(seen)).split('\n')[1]); // 0.000 > 00 00 00 00 00 03 6b 6b 45
  * ```
  */
-export function captureOf(entries: readonly CaptureEntry[]): CaptureEntry[] {
+export function captureOf<Data extends Uint8Array>(entries: readonly CaptureEntry<Data>[]): CaptureEntry<Data>[] {
   const seen = entries.filter(({ bytes }) => bytes.length > 0);
   const begin = seen[0]?.time ?? 0;
   let latest = 0;

@@ -1,4 +1,4 @@
-import { checksum, type Frame, MIN_LENGTH, TERMINATOR, ZEROS_NEEDED, ZEROS_SENT } from './frame.js';
+import { type Bytes, checksum, type Frame, MIN_LENGTH, TERMINATOR, ZEROS_NEEDED, ZEROS_SENT } from './frame.js';
 
 /**
  * Why bytes were skipped.
@@ -15,7 +15,7 @@ export interface Rejection {
   /** Why the first header in these bytes was refused; `noise` when there is none. */
   readonly reason: RejectionReason;
   /** The bytes as they came. Of the zeros before them at most five are shown. */
-  readonly bytes: Uint8Array;
+  readonly bytes: Bytes;
 }
 
 /** How the frames of a timer may differ from the usual form. */
@@ -36,7 +36,7 @@ export interface FrameDecoderOptions {
    * Called with each frame and its bytes as they came, before `push` returns the frame. Of the zeros before it at most
    * five are shown.
    */
-  readonly onFrame?: ((frame: Frame, bytes: Uint8Array, bareChecksum: boolean) => void) | undefined;
+  readonly onFrame?: ((frame: Frame, bytes: Bytes, bareChecksum: boolean) => void) | undefined;
   /** How the frames of this timer differ from the usual form. Default: not at all. */
   readonly quirks?: DecoderQuirks | undefined;
 }
@@ -323,7 +323,7 @@ function sumOf(bytes: Uint8Array, from: number, to: number): number {
   return sum & 0xff;
 }
 
-function withZeros(zeros: number, bytes: Uint8Array): Uint8Array {
+function withZeros(zeros: number, bytes: Uint8Array): Bytes {
   const shown = Math.min(zeros, ZEROS_SENT);
   const all = new Uint8Array(shown + bytes.length);
   all.set(bytes, shown);

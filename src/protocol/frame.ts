@@ -1,14 +1,20 @@
 import { CodecError, requireInteger } from './errors.js';
 
 /**
+ * Bytes that this package makes: in a buffer of their own kind, never a shared one, as `Blob`, `fetch`, `WebSocket` and
+ * `crypto.subtle` ask for. From TypeScript 5.7 on it is `Uint8Array<ArrayBuffer>`, before that `Uint8Array`.
+ */
+export type Bytes = ReturnType<typeof Uint8Array.of>;
+
+/**
  * The content of one frame. On the wire, five zeros (preamble and sync) and the length stand before it, the checksum
  * and the terminator 45 after it.
  */
-export interface Frame {
+export interface Frame<Data extends Uint8Array = Bytes> {
   /** The letter of the command, 0..255. Requests have odd letters; each reply has the next even one. */
   readonly code: number;
   /** 0 to 252 bytes. */
-  readonly data: Uint8Array;
+  readonly data: Data;
 }
 
 /** Zeros that are sent before each frame: one of preamble, four of sync. */
@@ -60,11 +66,7 @@ const NO_DATA = new Uint8Array(0);
  * console.log(bytes.join(' ')); // 0 0 0 0 0 3 107 107 69
  * ```
  */
-export function encodeFrame(
-  code: number,
-  data: ArrayLike<number> = NO_DATA,
-  options: EncodeFrameOptions = {},
-): Uint8Array {
+export function encodeFrame(code: number, data: ArrayLike<number> = NO_DATA, options: EncodeFrameOptions = {}): Bytes {
   requireInteger(code, 'code', 0, 0xff);
   if (!Number.isInteger(data?.length)) throw new CodecError('wrong-type', 'data', 'no list of bytes');
   if (data.length < 0 || data.length > MAX_DATA) {

@@ -25,6 +25,7 @@ export {
 export { CodecError, type CodecErrorCode, type CodecErrorDetails } from './errors.js';
 export { type LayoutOptions, type LayoutQuirks, MAX_POSITION, MAX_TIME } from './fields.js';
 export {
+  type Bytes,
   checksum,
   type EncodeFrameOptions,
   encodeFrame,
@@ -37,7 +38,7 @@ export {
   ZEROS_NEEDED,
   ZEROS_SENT,
 } from './frame.js';
-export { frames } from './frames.js';
+export { type ByteStream, frames } from './frames.js';
 export { type Identity, isUsualVersion, requireIdentity, slotCount, type TimerClass } from './identity.js';
 export {
   answers,

@@ -1,7 +1,7 @@
 import { COMMANDS, type CommandName, commandOf, type Reply, type ReplyOf, type Request } from './commands.js';
 import { CodecError } from './errors.js';
 import type { Field, LayoutOptions } from './fields.js';
-import { type EncodeFrameOptions, encodeFrame, type Frame, frameSize } from './frame.js';
+import { type Bytes, type EncodeFrameOptions, encodeFrame, type Frame, frameSize } from './frame.js';
 import type { Identity } from './identity.js';
 
 /** All ways in which the bytes of a timer may differ from the usual reading of the protocol. */
@@ -30,7 +30,7 @@ type Values = Readonly<Record<string, unknown>>;
  * console.log(bytes.join(' ')); // 0 0 0 0 0 6 99 4 0 65 168 69
  * ```
  */
-export function encodeRequest(request: Request, options: CodecOptions = {}): Uint8Array {
+export function encodeRequest(request: Request, options: CodecOptions = {}): Bytes {
   const { request: code } = commandNamed(request);
   return encodeFrame(code, encodeFields(requestFields(request.name, options), request, options), options);
 }
@@ -39,7 +39,7 @@ export function encodeRequest(request: Request, options: CodecOptions = {}): Uin
  * Reads a request, as a timer does.
  * @throws CodecError `unknown-command`, `wrong-length`, `out-of-range`.
  */
-export function decodeRequest(frame: Frame, options: LayoutOptions = {}): Request {
+export function decodeRequest(frame: Frame<Uint8Array>, options: LayoutOptions = {}): Request {
   const command = commandOf(frame.code);
   if (command?.direction !== 'request') throw unknownCommand(frame);
   const values = decodeFields(requestFields(command.name, options), frame.data, options);
@@ -50,7 +50,7 @@ export function decodeRequest(frame: Frame, options: LayoutOptions = {}): Reques
  * The bytes of a reply.
  * @throws CodecError `unknown-command`, `not-an-integer`, `out-of-range`, `wrong-count` or `bad-identity`.
  */
-export function encodeReply(reply: Reply, options: CodecOptions = {}): Uint8Array {
+export function encodeReply(reply: Reply, options: CodecOptions = {}): Bytes {
   const { reply: code } = commandNamed(reply);
   return encodeFrame(code, encodeFields(replyFields(reply.name), reply, options), options);
 }
@@ -70,7 +70,7 @@ export function encodeReply(reply: Reply, options: CodecOptions = {}): Uint8Arra
  * ```
  */
 export function decodeReply<Name extends CommandName = CommandName>(
-  frame: Frame,
+  frame: Frame<Uint8Array>,
   options: DecodeReplyOptions<Name> = {},
 ): ReplyOf<Name> {
   const { pending } = options;
@@ -140,7 +140,7 @@ function decodeFields(fields: readonly Field[], data: Uint8Array, layout: Layout
   return values;
 }
 
-function unknownCommand(frame: Frame): CodecError {
+function unknownCommand(frame: Frame<Uint8Array>): CodecError {
   const letter = frame.code.toString(16).padStart(2, '0');
   return new CodecError('unknown-command', 'code', `no such command: ${letter}`, { value: frame.code });
 }

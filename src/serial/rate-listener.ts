@@ -1,5 +1,5 @@
 import type { LineEntry } from '../client/index.js';
-import { commandOf, FrameDecoder } from '../protocol/index.js';
+import { type Bytes, commandOf, FrameDecoder } from '../protocol/index.js';
 
 /** What was heard on a port in place of a timer. */
 export interface Heard {
@@ -9,7 +9,7 @@ export interface Heard {
    */
   readonly kind: 'slow' | 'text' | 'noise' | 'echo';
   /** The last bytes, 64 at most; none for an echo. */
-  readonly sample: Uint8Array;
+  readonly sample: Bytes;
   /** The rate at which it was heard, in bits a second. */
   readonly baudRate: number;
 }

@@ -1,8 +1,10 @@
+import type { Bytes } from '../protocol/index.js';
+
 /** The far end of a pair of byte streams, as a timer has it: takes what is written, gives what it sends, can be cut. */
 export class FarEnd {
-  readonly readable: ReadableStream<Uint8Array>;
+  readonly readable: ReadableStream<Bytes>;
   readonly writable: WritableStream<Uint8Array>;
-  #controller: ReadableStreamDefaultController<Uint8Array> | undefined;
+  #controller: ReadableStreamDefaultController<Bytes> | undefined;
   #isCut = false;
 
   /**
@@ -10,7 +12,7 @@ export class FarEnd {
    * @param receive called with the bytes that are written.
    */
   constructor(timer: string, receive: (bytes: Uint8Array) => void) {
-    this.readable = new ReadableStream<Uint8Array>({
+    this.readable = new ReadableStream<Bytes>({
       start: (controller) => {
         this.#controller = controller;
       },
@@ -27,7 +29,7 @@ export class FarEnd {
   }
 
   /** Gives bytes to whoever reads. */
-  send(bytes: Uint8Array): void {
+  send(bytes: Bytes): void {
     this.#controller?.enqueue(bytes);
   }
 

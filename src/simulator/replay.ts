@@ -1,5 +1,5 @@
 import { type Clock, realClock } from '../line/index.js';
-import { type CaptureEntry, FrameDecoder } from '../protocol/index.js';
+import { type Bytes, type CaptureEntry, FrameDecoder } from '../protocol/index.js';
 import { FarEnd } from './far-end.js';
 import { RequestReader, SILENCE } from './request-reader.js';
 
@@ -14,7 +14,7 @@ export interface ReplayTimerOptions {
  */
 interface Piece {
   readonly after: number;
-  readonly bytes: Uint8Array;
+  readonly bytes: Bytes;
 }
 
 interface Exchange {
@@ -53,11 +53,11 @@ interface Exchange {
  */
 export class ReplayTimer {
   /** The bytes that the timer sends. */
-  readonly readable: ReadableStream<Uint8Array>;
+  readonly readable: ReadableStream<Bytes>;
   /** Takes the bytes for the timer. */
   readonly writable: WritableStream<Uint8Array>;
   /** The requests that the recording does not hold, oldest first, as they came but with at most five zeros. */
-  readonly unknown: Uint8Array[] = [];
+  readonly unknown: Bytes[] = [];
   readonly #clock: Clock;
   readonly #exchanges: readonly Exchange[];
   readonly #end: FarEnd;
@@ -72,7 +72,7 @@ export class ReplayTimer {
    * @param entries as `parseCapture` gives them. They are copied.
    * @param options the clock that times the answers.
    */
-  constructor(entries: readonly CaptureEntry[], { clock = realClock }: ReplayTimerOptions = {}) {
+  constructor(entries: readonly CaptureEntry<Uint8Array>[], { clock = realClock }: ReplayTimerOptions = {}) {
     this.#clock = clock;
     const { unasked, exchanges } = sorted(entries);
     this.#exchanges = exchanges;
@@ -92,7 +92,7 @@ export class ReplayTimer {
     this.#end.cut(reason);
   }
 
-  #answer(request: string, wire: Uint8Array): void {
+  #answer(request: string, wire: Bytes): void {
     const { length } = this.#exchanges;
     for (let step = 0; step < length; step++) {
       const index = (this.#next + step) % length;
@@ -119,7 +119,7 @@ export class ReplayTimer {
 }
 
 /** Finds requests, also those with a bare checksum, and reports each from its length byte on. */
-function requestDecoder(tell: (request: string, wire: Uint8Array) => void): FrameDecoder {
+function requestDecoder(tell: (request: string, wire: Bytes) => void): FrameDecoder {
   const everyLetter = Array.from({ length: 256 }, (_, letter) => letter);
   return new FrameDecoder({
     quirks: { bareChecksum: everyLetter },
@@ -128,7 +128,7 @@ function requestDecoder(tell: (request: string, wire: Uint8Array) => void): Fram
 }
 
 /** The recording as a list of requests, each with the bytes that followed it. */
-function sorted(entries: readonly CaptureEntry[]): { unasked: Piece[]; exchanges: Exchange[] } {
+function sorted(entries: readonly CaptureEntry<Uint8Array>[]): { unasked: Piece[]; exchanges: Exchange[] } {
   const unasked: Piece[] = [];
   const exchanges: Exchange[] = [];
   let asked = entries[0]?.time ?? 0;

@@ -1,5 +1,6 @@
 import type { Clock } from '../line/index.js';
 import {
+  type Bytes,
   COMMANDS,
   CodecError,
   type CommandName,
@@ -115,7 +116,7 @@ export class TimerCore {
    * The reply to a frame, as bytes for the line; undefined when it stays silent.
    * @param bare whether the frame carried its command byte in place of its checksum.
    */
-  answer(frame: Frame, bare = false): Uint8Array | undefined {
+  answer(frame: Frame, bare = false): Bytes | undefined {
     if (this.#clock.now() - this.#awakeSince > this.#sleepAfter) this.sleep();
     if (this.phase === 'asleep') return undefined;
     const request = this.#understand(frame);
@@ -193,7 +194,7 @@ export class TimerCore {
     return this.content.positions.map((row) => row[slot] as number);
   }
 
-  #wrap(reply: Reply): Uint8Array {
+  #wrap(reply: Reply): Bytes {
     const quirks = this.#quirks;
     const bareChecksum = quirks.bareChecksumReply === true && reply.name === 'GETLOWRPM';
     const bytes = encodeReply(reply, { identity: this.identity, quirks, bareChecksum });

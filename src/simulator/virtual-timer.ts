@@ -1,5 +1,5 @@
 import { ByteLine, type ByteLineOptions, type Clock, realClock } from '../line/index.js';
-import { COMMANDS, type Frame, FrameDecoder, type Identity, requireIdentity } from '../protocol/index.js';
+import { type Bytes, COMMANDS, type Frame, FrameDecoder, type Identity, requireIdentity } from '../protocol/index.js';
 import { FarEnd } from './far-end.js';
 import type { MemoryContent } from './memory.js';
 import type { TimerQuirks } from './quirks.js';
@@ -63,7 +63,7 @@ export class VirtualTimer {
   /** What the timer holds and does. Tests may read and change it. */
   readonly core: TimerCore;
   /** The bytes that the timer sends. */
-  readonly readable: ReadableStream<Uint8Array>;
+  readonly readable: ReadableStream<Bytes>;
   /** Takes the bytes for the timer. */
   readonly writable: WritableStream<Uint8Array>;
   readonly #toTimer: ByteLine;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { TimerClient } from '../../src/client/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
-import { answers, decodeReply, FrameDecoder, type Request } from '../../src/protocol/index.js';
+import { answers, type Bytes, decodeReply, FrameDecoder, type Request } from '../../src/protocol/index.js';
 import type { VirtualTimer } from '../../src/simulator/index.js';
 import { toHex } from '../tools/bytes.js';
 import { shareOf } from '../tools/share.js';
@@ -45,7 +45,7 @@ describe('a reply of which two bits are flipped, or two bytes changed, and the s
     const answer = timer.core.answer.bind(timer.core);
     const found: Heard[] = [];
     timer.core.answer = (frame, bare) => {
-      const bytes = answer(frame, bare) as Uint8Array;
+      const bytes = answer(frame, bare) as Bytes;
       found.push({ request: timer.core.answered.at(-1) as Request, bytes });
       return bytes;
     };

@@ -1,7 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { TimerClient } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
-import { COMMANDS, type CommandName, encodeFrame, encodeReply, type Reply } from '../../src/protocol/index.js';
+import {
+  type Bytes,
+  COMMANDS,
+  type CommandName,
+  encodeFrame,
+  encodeReply,
+  type Reply,
+} from '../../src/protocol/index.js';
 import { VirtualTimer } from '../../src/simulator/index.js';
 import { contentOf, edited, names } from './bench.js';
 import { type Crowd, crowd, type Moment } from './crowd.js';
@@ -17,7 +24,7 @@ function setUp() {
 const { identity } = new VirtualTimer({ identity: { timerClass: 'Q' } }).core;
 
 /** What another timer of the same kind would say, with other values in all of it. */
-const OTHERS: Readonly<Record<CommandName, Uint8Array>> = {
+const OTHERS: Readonly<Record<CommandName, Bytes>> = {
   GETTIMERS: said({ name: 'GETTIMERS', times: Array.from({ length: 11 }, (_, slot) => 111 * slot) }),
   SETTIMERS: said({ name: 'SETTIMERS', times: Array.from({ length: 11 }, (_, slot) => 111 * slot) }),
   GETSERVOPOS: said({ name: 'GETSERVOPOS', positions: Array.from({ length: 3 }, () => Array<number>(11).fill(99)) }),
@@ -32,7 +39,7 @@ const OTHERS: Readonly<Record<CommandName, Uint8Array>> = {
   JUMP2: said({ name: 'JUMP2' }),
 };
 
-function said(reply: Reply): Uint8Array {
+function said(reply: Reply): Bytes {
   return encodeReply(reply, { identity });
 }
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import * as protocol from '../../src/protocol/index.js';
-import { type Frame, FrameDecoder, type FrameDecoderOptions } from '../../src/protocol/index.js';
+import { type Bytes, type Frame, FrameDecoder, type FrameDecoderOptions } from '../../src/protocol/index.js';
 import { fuzz } from './fuzz.js';
 import { LAWS, type Protocol } from './laws.js';
 
@@ -84,7 +84,8 @@ class Lender extends FrameDecoder {
   override push(chunk: Uint8Array): Frame[] {
     return super.push(chunk).map((frame) => {
       const at = Buffer.from(chunk).indexOf(frame.data);
-      return at < 0 || frame.data.length === 0 ? frame : { ...frame, data: chunk.subarray(at, at + frame.data.length) };
+      const lent = chunk.subarray(at, at + frame.data.length) as Bytes;
+      return at < 0 || frame.data.length === 0 ? frame : { ...frame, data: lent };
     });
   }
 }

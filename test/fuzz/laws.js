@@ -7,7 +7,7 @@ import { options, replyFor, requestFor } from './messages.js';
 import { anyByte, bareChecksum, byte, hex, pieces, piecesAndSilence, stream, usual } from './streams.js';
 
 /**
- * @typedef {import('../../src/protocol/index.js').Frame} Frame
+ * @typedef {import('../../src/protocol/index.js').Frame<Uint8Array>} Frame
  * @typedef {Pick<typeof import('../../src/protocol/index.js'), 'CodecError' | 'decodeReply' | 'decodeRequest' |
  *   'encodeFrame' | 'encodeReply' | 'encodeRequest' | 'FrameDecoder'>} Protocol
  */

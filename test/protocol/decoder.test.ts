@@ -5,7 +5,7 @@ import { PageDecoder } from './reference.js';
 import { table } from './table.js';
 import { CAPTURE, CAPTURE_PIECES } from './vectors.js';
 
-function shown(frames: readonly Frame[]): string[] {
+function shown(frames: readonly Frame<Uint8Array>[]): string[] {
   return frames.map(({ code, data }) => toHex(concat(Uint8Array.of(code), data)));
 }
 

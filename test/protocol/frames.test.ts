@@ -44,3 +44,10 @@ it('end with the error of the stream, and release it when the reader stops', asy
   const broken = new ReadableStream<Uint8Array>({ pull: (controller) => controller.error(new Error('gone')) });
   await expect(all(broken)).rejects.toThrow('gone');
 });
+
+it('are found in a stream where `for await` takes none, as in Chrome before 124 and Safari', async () => {
+  const stream = new Blob([encodeFrame(0x6b)]).stream();
+  Object.defineProperty(stream, Symbol.asyncIterator, { value: undefined });
+  expect(await all(stream)).toEqual([{ code: 0x6b, data: new Uint8Array() }]);
+  expect(stream.locked).toBe(false);
+});

@@ -1,5 +1,7 @@
+import type { Bytes } from '../../src/protocol/index.js';
+
 /** `'00 0f'` or `'000f'` to bytes. */
-export function fromHex(hex: string): Uint8Array {
+export function fromHex(hex: string): Bytes {
   const digits = hex.replaceAll(/\s/g, '');
   if (!/^([0-9a-f]{2})*$/i.test(digits)) throw new Error(`not hex: ${hex}`);
   return Uint8Array.from({ length: digits.length / 2 }, (_, i) => Number.parseInt(digits.slice(2 * i, 2 * i + 2), 16));

@@ -23,6 +23,28 @@ const SURROUNDINGS = [
   { name: 'DOM, Node and the newest library', lib: ['esnext', 'dom', 'dom.iterable'], types: ['node'] },
 ];
 
+/** What the package makes is bytes as the platform wants them. TypeScript 5.7 and later tell those from shared ones. */
+const BYTES = `import { encodeFrame, frames, parseCapture, formatCapture } from 'sidus-timer/protocol';
+import { MockSerial } from 'sidus-timer/mock-serial';
+import { VirtualTimer } from 'sidus-timer/simulator';
+
+export async function use(socket: WebSocket, stream: ReadableStream<Uint8Array>, plain: Uint8Array): Promise<void> {
+  const device = new MockSerial().plug({}).device;
+  const { value } = await new VirtualTimer().readable.getReader().read();
+  const data: Uint8Array[] = [];
+  for await (const frame of frames(stream)) data.push(frame.data);
+  for await (const { data } of frames(new Response(new Blob()).body ?? [])) socket.send(data);
+  const made = [encodeFrame(0x6b), await device.read(), value ?? encodeFrame(0x6b), ...parseCapture('').map((e) => e.bytes)];
+  for (const bytes of made) {
+    new Blob([bytes]);
+    await crypto.subtle.digest('SHA-256', bytes);
+    await fetch('/', { method: 'POST', body: bytes });
+    socket.send(bytes);
+  }
+  formatCapture([{ time: 0, direction: 'in', bytes: plain }]);
+}
+`;
+
 /** For a project with the types of Node: its streams are a port. */
 const NODE = `import { Duplex } from 'node:stream';
 import { COMMANDS, decodeReply, TimerClient } from 'sidus-timer';
@@ -82,6 +104,7 @@ function compile(tarball) {
     const compilerOptions = { ...options, lib, types, exactOptionalPropertyTypes: true };
     writeFileSync(join(where, 'tsconfig.json'), JSON.stringify({ compilerOptions, include: ['*.ts'] }));
     writeFileSync(join(where, 'node.ts'), types.includes('node') ? NODE : '');
+    writeFileSync(join(where, 'bytes.ts'), lib.includes('dom') ? BYTES : '');
     for (const version of COMPILERS) {
       run(where, process.execPath, `node_modules/typescript-${version}/bin/tsc`, '-p', '.');
       console.log(`TypeScript ${version} accepts the types, with ${name}.`);

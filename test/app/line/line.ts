@@ -1,6 +1,7 @@
 import { parseRecording, type Recording } from '../../../src/app/line/recording.js';
 import type { LineEntry, LineErrorKind } from '../../../src/client/index.js';
 import {
+  type Bytes,
   encodeReply,
   encodeRequest,
   type RejectionReason,
@@ -21,7 +22,7 @@ export function came(reply: Reply, time = 0): LineEntry {
 }
 
 /** Any whole frame, from its five zeros on. */
-export function frameEntry(direction: 'in' | 'out', bytes: Uint8Array, time = 0): LineEntry {
+export function frameEntry(direction: 'in' | 'out', bytes: Bytes, time = 0): LineEntry {
   const frame = { code: bytes[6] as number, data: bytes.slice(7, -2) };
   return { time, direction, bytes, frame, rejected: null, error: null };
 }
