@@ -2,7 +2,7 @@ import { stdout } from 'node:process';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { connected, Pilot } from './pilot.js';
-import { type Direction, Rig } from './rig.js';
+import type { Direction, Rig } from './rig.js';
 
 /** What is written in these tests: one SETTIMERS and three SETSERVO. */
 const values = (round: number) => ({
@@ -199,22 +199,4 @@ test('a timer that answers only at 19200 baud is found, and the next time that r
   await pilot.clickConnect();
   await pilot.isConnected();
   expect(rig.sessions.opened, 'the port is opened once, at the rate that is known').toBe(opened + 1);
-});
-
-test('a timer that sleeps is found when it wakes, and waited for when it falls asleep', async () => {
-  const rig = await Rig.start();
-  const pilot = new Pilot(await rig.open());
-  rig.timer.core.sleep();
-  await pilot.clickConnect();
-  await pilot.sees('This page keeps asking');
-  rig.timer.core.press();
-  await pilot.isConnected();
-  await pilot.type(values(1));
-
-  rig.timer.core.sleep();
-  await pilot.button(en.program.read).click();
-  await pilot.sees('This page keeps asking');
-  rig.timer.core.press();
-  await pilot.isConnected();
-  expect(await pilot.shown(Object.keys(values(1)))).toEqual(values(1));
 });

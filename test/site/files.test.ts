@@ -122,30 +122,6 @@ test('the list of commands has Import and Export', async () => {
   expect(parseLibraryFile(await readFile(await download.path(), 'utf8')).library.flights).toHaveLength(30);
 });
 
-test('a broken file is refused with its line, a foreign one does not replace the page, and nothing has changed', async () => {
-  const app = await opened();
-  const { page } = app;
-  await drop(page, 'season.sidus.json', TEXT);
-  await takeAll(app);
-  await app.button('Dismiss').click();
-  const address = page.url();
-  for (const [text, reason] of [
-    [TEXT.replace('"10.50"', '"1050"'), /^Line\s\d+, Program .*, function \d, time: expected seconds/],
-    [TEXT.slice(0, 9000), filesMessages.refused.damaged],
-    ['['.repeat(200_000), filesMessages.refused.files['too-large']],
-    ['\u0000\u0001', filesMessages.refused.damaged],
-  ] as const) {
-    await drop(page, 'broken.sidus', text);
-    await page.getByRole('alert').filter({ hasText: reason }).waitFor();
-    await app.button('Close').click();
-  }
-  await drop(page, 'newer.sidus', TEXT.replaceAll('"calm"', '"windy"').replace(/"changedAt.*/g, ''));
-  await app.text(filesMessages.import.differs).waitFor();
-  await app.button('Cancel').click();
-  expect(page.url()).toBe(address);
-  expect(await exported(app)).toEqual(SEASON);
-});
-
 test('a file that the system opens is shown', async () => {
   const app = await AppPage.open({
     before: () => {

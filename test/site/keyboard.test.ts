@@ -64,17 +64,6 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   expect(await app.bench(({ content }) => content)).toEqual(SHIFTED);
 });
 
-test('by keyboard alone a simulated timer is tried, and the question about a time is answered', async () => {
-  const app = await AppPage.open();
-  const keys = new Keys(app.page);
-  await keys.enter(/^Try a simulated F1Q timer$/);
-  await app.hasRead();
-  await keys.tabTo(/^DT time$/);
-  await keys.type('240');
-  await keys.enter(/^240 s, 4:00$/);
-  await expect.poll(() => app.valueOf('DT time')).toBe('4:00');
-});
-
 test('the focus stays during a reading, and comes back after the dialog', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   const keys = new Keys(app.page);

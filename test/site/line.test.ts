@@ -49,64 +49,6 @@ describe('the line', () => {
     for (const servo of ['S1', 'S2', 'S3']) await expect.poll(() => app.positions(servo)).toEqual(FIRST_POSITIONS);
     await expect.poll(() => app.valueOf('DT time')).toBe('3:00');
   });
-
-  test('shows damage, and only damage when the pilot wants that', async () => {
-    const app = await AppPage.open({ bench: {} });
-    await app.bench((bench) => bench.damageAfter(70));
-    await app.connect();
-    await app.openLine();
-    await app.page.getByRole('combobox', { name: 'Show' }).selectOption(words.damaged);
-    await expect.poll(() => app.line.locator('.line-rows li:not(.damaged)').count()).toBe(0);
-    await expect.poll(() => app.line.locator('.line-rows .damaged').count()).toBeGreaterThan(0);
-    await app.page.getByRole('searchbox', { name: 'Search' }).fill('nothing like this');
-    await app.text(words.empty).waitFor();
-  });
-
-  test('does not move while it is paused', async () => {
-    const app = await opened();
-    await app.button('Pause').click();
-    const before = await app.line.locator('.line-rows li').count();
-    await app.goTo('Program');
-    await app.readAgain();
-    await app.goTo('Line');
-    await app.text(words.came(12)).waitFor();
-    await expect.poll(() => app.line.locator('.line-rows li').count()).toBe(before);
-    await app.button('Go on').click();
-    await expect.poll(() => app.line.locator('.line-rows li').count()).toBe(before + 12);
-  });
-
-  test('refuses a bad file with the line that is wrong', async () => {
-    const app = await opened();
-    await load(app, '# Sidus capture 1\n0.000 > 00\nnonsense\n');
-    await app.page.getByRole('alert').getByText(words.noRecording(3)).waitFor();
-  });
-});
-
-describe('copying', () => {
-  test('a report goes to the clipboard', async () => {
-    const app = await opened({ permissions: ['clipboard-read', 'clipboard-write'] });
-    await app.button('Copy report').click();
-    await app.text('Copied.').waitFor();
-    const text = await app.page.evaluate(() => navigator.clipboard.readText());
-    expect(text.split('\n')[1]).toMatch(/^# Sidus Timer \d+\.\d+\.\d+$/);
-    expect(text).toContain('# Timer: F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos');
-    expect(parseCapture(text)).toHaveLength(14);
-  });
-
-  test('is done by hand where the clipboard is refused', async () => {
-    const refuse = (): void => {
-      navigator.clipboard.writeText = () => Promise.reject(new DOMException('no', 'NotAllowedError'));
-    };
-    const app = await opened({ before: refuse });
-    await app.button('Copy').click();
-    const dialog = app.page.getByRole('dialog', { name: words.copyByHand });
-    const marked = await dialog
-      .getByRole('textbox')
-      .evaluate((area: HTMLTextAreaElement) => area.value.slice(area.selectionStart, area.selectionEnd));
-    expect(parseCapture(marked)).toHaveLength(14);
-    await app.page.keyboard.press('Escape');
-    await dialog.waitFor({ state: 'hidden' });
-  });
 });
 
 describe('a frame by hand', () => {

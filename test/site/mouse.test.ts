@@ -42,25 +42,6 @@ describe('a drag with the mouse selects, and moves no value', () => {
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   });
 
-  test('and a click ends the selection', async () => {
-    const app = await opened();
-    const { mouse } = app.page;
-    const start = await textOf(cell(app, 'Function 2, S1'));
-    const end = await textOf(cell(app, 'Function 3, S1'));
-    await mouse.move(start.x, start.y);
-    await mouse.down();
-    await mouse.move(end.x, end.y, { steps: 3 });
-    await mouse.up();
-    const toolbar = app.page.getByRole('toolbar', { name: en.edits.table.range.title });
-    await toolbar.waitFor();
-    await mouse.click(end.x, end.y);
-    await toolbar.waitFor({ state: 'hidden' });
-    await app.page.keyboard.press('Control+a');
-    await app.page.keyboard.type('50');
-    await expect.poll(() => app.valueOf('Function 3, S1')).toBe('50');
-    await app.changes(1).waitFor();
-  });
-
   test('also not a text from elsewhere', async () => {
     const app = await opened();
     const { mouse } = app.page;
@@ -77,26 +58,4 @@ describe('a drag with the mouse selects, and moves no value', () => {
     await expect.poll(() => app.entries()).toEqual(before);
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   });
-});
-
-test('the wheel over the field that has the focus moves the page, and with Alt the value', async () => {
-  const app = await AppPage.open({ bench: {}, viewport: { width: 1280, height: 520 } });
-  await app.connect();
-  const { mouse, keyboard } = app.page;
-  const input = app.field('Function 2, S1');
-  await input.focus();
-  const place = await textOf(cell(app, 'Function 2, S1'));
-  await mouse.move(place.x, place.y);
-  const top = (): Promise<number> => app.page.evaluate(() => scrollY);
-  const before = await top();
-  await mouse.wheel(0, 200);
-  await expect.poll(top).not.toBe(before);
-  await expect.poll(() => app.valueOf('Function 2, S1')).toBe('35');
-  await input.scrollIntoViewIfNeeded();
-  const now = await textOf(cell(app, 'Function 2, S1'));
-  await mouse.move(now.x, now.y);
-  await keyboard.down('Alt');
-  await mouse.wheel(0, -100);
-  await keyboard.up('Alt');
-  await expect.poll(() => app.valueOf('Function 2, S1')).toBe('36');
 });

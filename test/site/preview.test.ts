@@ -45,47 +45,6 @@ test('the model is shown under the timeline, both in one window, at the time of 
   await preview(app).getByText(en.findings['dt-moves-nothing']({})).waitFor();
 });
 
-test('the flight can be played with keys alone, and the timeline shows the time', async () => {
-  const app = await AppPage.open({ viewport: SIZES.desktop });
-  await app.trySimulated('F1Q');
-  const cursor = app.page.locator('.crosshair');
-  await expect.poll(() => cursor.count(), { message: 'there is no time mark before the flight is played' }).toBe(0);
-  await preview(app).getByRole('combobox', { name: 'Speed' }).selectOption('20×');
-  await preview(app).getByRole('button', { name: 'Play' }).press('Enter');
-  await preview(app).getByText('3:03 min', { exact: true }).waitFor();
-  await cursor.first().waitFor();
-  const back = preview(app).getByRole('button', { name: en.previous });
-  await back.press('Enter');
-  await preview(app).getByText('3:00 min', { exact: true }).waitFor();
-  await back.press('Enter');
-  await preview(app).getByText('Function 9 at 20.00 s').waitFor();
-});
-
-test('the pilot names the servos once: on the sketch, in the lanes, and after a reload', async () => {
-  const app = await AppPage.open({ viewport: SIZES.desktop });
-  await app.trySimulated('F1Q');
-  const lanes = app.page.locator('.lane-names');
-  await app.button(en.preview.nameServos).click();
-  await app.page.getByRole('combobox', { name: 'S1 moves' }).selectOption(en.preview.duties.other);
-  await app.page.getByRole('textbox', { name: 'Name for what S1 moves' }).fill('Left flap');
-  await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('131');
-  await app.button('Save').click();
-  await expect
-    .poll(() => app.page.getByRole('dialog').isVisible(), { message: 'the dialog stays open: there is no step 131' })
-    .toBe(true);
-  await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('20');
-  await app.button('Save').click();
-  await app.page.getByRole('dialog').waitFor({ state: 'hidden' });
-  await lanes.getByText('Left flap').waitFor();
-  await app.type('DT time', '4:00');
-  await app.kept();
-  await app.reload();
-  await lanes.getByText('Left flap').waitFor();
-  await preview(app).getByText('Tailplane').waitFor();
-  await app.button(en.preview.nameServos).click();
-  await expect.poll(() => app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).inputValue()).toBe('20');
-});
-
 test('on a phone the picture includes the preview, which works by finger', async () => {
   const app = await AppPage.open({ viewport: SIZES.phone, hasTouch: true });
   await app.trySimulated('F1B');

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { AppPage } from './app-page.js';
-import { edited, edits, held } from './edited.js';
+import { edited, held } from './edited.js';
 
 describe('a write that the page did not survive', () => {
   /** The page is reloaded after the times and before the position is written. */
@@ -31,55 +31,6 @@ describe('a write that the page did not survive', () => {
     expect(await held(app)).toEqual([24000, 7]);
     await app.close();
     await panel(app).waitFor({ state: 'detached' });
-  });
-
-  test('can be taken back', async () => {
-    const app = await interrupted();
-    await app.button('Connect').click();
-    await panel(app).getByRole('button', { name: en.recovery.goBack }).click();
-    await app.dialog.waitFor();
-    await expect.poll(() => app.difference()).toEqual(['DT | 4:00 min | 3:00 min']);
-    await app.tickSafety();
-    await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
-    await app.result('Verified.');
-    expect(await held(app)).toEqual([18000, 35]);
-    await app.close();
-    await panel(app).waitFor({ state: 'detached' });
-    await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
-  });
-
-  test('leads to a question which timer this is, when the timer holds unexplained values', async () => {
-    const app = await interrupted();
-    await app.bench((bench) => {
-      bench.content.times[3] = 1234;
-    });
-    await app.button('Connect').click();
-    await panel(app).getByText('Is it another timer, or did something else change it?').waitFor();
-    await expect
-      .poll(() =>
-        panel(app)
-          .getByRole('button', { name: en.recovery.finish })
-          .or(panel(app).getByRole('button', { name: en.recovery.goBack }))
-          .count(),
-      )
-      .toBe(0);
-    await panel(app).getByRole('button', { name: en.recovery.otherTimer }).click();
-    await panel(app).waitFor({ state: 'detached' });
-
-    await app.button('Disconnect').click();
-    await app.reload();
-    await app.button('Connect').click();
-    await panel(app)
-      .getByRole('button', { name: /^It is the same timer/ })
-      .click();
-    await panel(app).waitFor({ state: 'detached' });
-    await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
-    await expect
-      .poll(() => app.valueOf('Function 3 time'), {
-        message: 'the page shows the value from before the write, as an edit',
-      })
-      .toBe('11.50');
-    expect(await app.bench(({ sets }) => sets), 'nothing is written unasked').toEqual([]);
   });
 });
 

@@ -1,5 +1,4 @@
 import { expect, inject, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
 import { libraryMessages } from '../../src/app/messages/en-library.js';
 import { share } from '../../src/app/messages/en-share.js';
 import { decodeLink, encodeLink, LIMITS, LINK_MARK } from '../../src/program/index.js';
@@ -13,7 +12,6 @@ const { program, name, at, tags } = SETTING;
 const SHARED = { name, note: 'Turns left after 12 s. '.repeat(20), at, tags, program, modelName: 'Lancer 07' };
 const HASH = LINK_MARK + encodeLink(SHARED);
 const arrive = (app: AppPage, hash: string): Promise<void> => app.page.evaluate((to) => void location.assign(to), hash);
-const hashOf = (app: AppPage): string => new URL(app.page.url()).hash;
 
 test('a setting that is shared by link can be kept on another device, after one question', async () => {
   const pilot = await AppPage.open();
@@ -102,21 +100,4 @@ test.each(NAMES)('code and link of “%s” are in sight at once, on every size 
       expect(code?.width, `${where}: a camera needs some pixels for each square`).toBeGreaterThan(159);
     }
   }
-});
-
-test('a link that is opened while the page is open is shown over the present view, and edits stay', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await app.connect();
-  await app.type('DT time', '5:00');
-  await app.goTo('Memories');
-  await arrive(app, `${HASH.slice(0, -4)}AAAA`);
-  await app.page.getByRole('alert').filter({ hasText: share.damaged.title }).waitFor();
-  await app.button('Close').click();
-  expect(hashOf(app)).toBe('#memories');
-  await arrive(app, HASH);
-  await app.text(en.notFitting).waitFor();
-  await app.button('Do not keep').click();
-  expect(hashOf(app)).toBe('#memories');
-  await app.goTo('Program');
-  await expect.poll(() => app.valueOf('DT time')).toBe('5:00');
 });

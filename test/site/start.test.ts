@@ -1,6 +1,5 @@
 import { expect, inject, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
-import { AppPage } from './app-page.js';
 import { newPage } from './page.js';
 
 test('a storage of a newer version has its own sentence', async () => {
@@ -52,54 +51,4 @@ test('inside a frame the page does not work, and says where it does', async () =
     document.documentElement.getAttribute('data-theme'),
   ]);
   expect(left).toEqual([0, 0, 0, 0, 0, 'light']);
-});
-
-/** Makes a program with the defaults of the dialog. */
-async function make(app: AppPage): Promise<void> {
-  await app.button(en.newProgram.title).click();
-  await app.button(en.newProgram.make).click();
-  await app.table.waitFor();
-}
-
-test('a program is made without a timer, survives a reload, and is written after Connect', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await make(app);
-  await app.text(en.knowledge.made).waitFor();
-  await app.type('Function 4, S2', '70');
-  await app.kept();
-  await app.reload();
-  await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
-  expect(await app.bench(({ sets, rates }) => [sets, rates]), 'nothing was sent and no port was opened').toEqual([
-    [],
-    [],
-  ]);
-  await app.button(en.program.connectAndWrite).click();
-  await app.dialog.getByRole('checkbox', { name: /^The propeller is off/ }).check();
-  await app.dialog.getByRole('button', { name: /^Write \d+ changes$/ }).click();
-  await app.result('Verified.');
-  const { times, positions } = await app.bench(({ content }) => content);
-  expect([times[10], positions[1]?.[4], positions[1]?.[5]]).toEqual([18000, 70, 65]);
-});
-
-test('a kept program is deleted after one question', async () => {
-  const app = await AppPage.open({ bench: {} });
-  await app.button(en.newProgram.title).click();
-  await app.button(en.newProgram.make).click();
-  await app.table.waitFor();
-  await app.button(en.header.closeProgram).click();
-  await app.button(/^Open F1Q, new/).waitFor();
-  await app.button(/^Delete: F1Q/).click();
-  await app.page.getByRole('listitem').getByRole('button', { name: 'Delete', exact: true }).click();
-  await app.button(/^Open F1Q, new/).waitFor({ state: 'detached' });
-});
-
-test('the advice during the search for a timer fills the page, and another port is one click away', async () => {
-  const app = await AppPage.open({ bench: {} });
-  await app.bench((bench) => bench.sleep());
-  await app.button('Connect').click();
-  await app.page.getByRole('heading', { name: en.link.stages.steps.switch }).waitFor();
-  expect(await app.page.evaluate(() => document.activeElement?.tagName)).toBe('H1');
-  await expect.poll(() => app.page.getByRole('button').allInnerTexts()).toEqual([en.header.choosePort, 'Stop']);
-  await app.button('Stop').click();
-  await app.button('Connect').waitFor();
 });

@@ -2,7 +2,6 @@ import type { Locator } from 'playwright';
 import { describe, expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { type AppOptions, AppPage } from './app-page.js';
-import { Keys } from './keys.js';
 import { PHONE } from './page.js';
 
 const FIELD = 'Function 3 time';
@@ -74,21 +73,6 @@ describe('the mark of a function is moved', () => {
     await isMoved(seen);
   });
 
-  test('by mouse, and put back by Escape without an undo step', async () => {
-    const { app, mark } = await opened();
-    const { mouse, keyboard } = app.page;
-    const { x, y } = await middleOf(mark);
-    await mouse.move(x, y);
-    await mouse.down();
-    await mouse.move(x + 18, y, { steps: 6 });
-    await expect.poll(() => cell(app).inputValue()).not.toBe('11.50');
-    await keyboard.press('Escape');
-    await mouse.up();
-    await expect.poll(() => cell(app).inputValue()).toBe('11.50');
-    await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
-    await expect.poll(() => app.undo.isDisabled()).toBe(true);
-  });
-
   test('by mouse, many times, and no drawing but the last one is kept', async () => {
     const { app, mark } = await opened();
     const { mouse } = app.page;
@@ -127,43 +111,6 @@ describe('the mark of a function is moved', () => {
     for (let way = 2; way <= 16; way += 2) await touch('touchMove', { x: x + way, y: y + way });
     await touch('touchEnd');
     expect(await scrolled()).toBe(before);
-    await isMoved(seen);
-  });
-
-  test('by finger, finer when the finger is far from the mark', async () => {
-    const { app, mark } = await opened(PHONE);
-    const { x, y } = await middleOf(mark);
-    const devTools = await app.page.context().newCDPSession(app.page);
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: { x: number; y: number }[]) =>
-      devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
-    await touch('touchStart', { x, y });
-    for (let way = 1; way <= 16; way++) await touch('touchMove', { x: x + way, y: y + 220 });
-    await app.text(en.timeline.finer).waitFor();
-    await touch('touchEnd');
-    await stands(mark, 11.6);
-  });
-
-  test('by keyboard: each key press is one undo step, and a key that is held is one too', async () => {
-    const seen = await opened();
-    const { app } = seen;
-    const keys = new Keys(app.page);
-    await keys.tabTo(/^Servo positions over time/);
-    await keys.press('Enter');
-    while ((await keys.focused()) !== FIELD) await keys.press('Tab');
-    await keys.press('ArrowRight');
-    await expect.poll(() => cell(app).inputValue()).toBe('11.60');
-    await keys.press('ArrowLeft');
-    await expect.poll(() => cell(app).inputValue()).toBe('11.50');
-    for (const before of ['11.60', '11.50']) {
-      await keys.press('Control+z');
-      await expect.poll(() => cell(app).inputValue()).toBe(before);
-      await stands(seen.mark, Number(before));
-    }
-
-    // The keyboard repeats the key.
-    for (let i = 0; i < 3; i++) await app.page.keyboard.down('ArrowRight');
-    await app.page.keyboard.up('ArrowRight');
-    await expect.poll(() => cell(app).inputValue()).toBe('11.80');
     await isMoved(seen);
   });
 });

@@ -59,19 +59,3 @@ test('a cable pulled before the answer to a write makes the timer uncertain unti
     })
     .toBe(0);
 });
-
-test('a write stopped on the way says so after Disconnect, too', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await app.connect();
-  await app.type('DT time', '6:00');
-  await app.bench((bench) => bench.sleepAt('SETTIMERS'));
-  await app.write();
-  await app.result(en.write.unknown.title);
-  await app.close();
-  await app
-    .button(/^(Stop|Disconnect)$/)
-    .first()
-    .click();
-  await app.button('Connect').first().waitFor();
-  await isUncertain(app, 'after Disconnect');
-});

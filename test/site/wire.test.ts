@@ -33,60 +33,9 @@ describe('through a serial port', () => {
     await app.button('Connect').waitFor();
     await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();
   });
-
-  test('another program uses the port: the page says so, and continues when the port is free', async () => {
-    const app = await AppPage.open({ bench: {} });
-    await app.bench((bench) => bench.setBusy(true));
-    await app.button('Connect').click();
-    await app.says(en.link.refused);
-    await app.bench((bench) => bench.setBusy(false));
-    await app.hasRead();
-  });
-
-  test('the timer falls asleep before it is read: a press of its switch continues', async () => {
-    const app = await AppPage.open({ bench: {} });
-    await app.bench((bench) => bench.sleepAt('GETSWVER'));
-    await app.button('Connect').click();
-    await app.text(/^No answer for /).waitFor();
-    await app.bench((bench) => bench.press());
-    await app.hasRead();
-  });
-});
-
-test('the computer sleeps in the middle of a write: nothing more is sent, and the write can be finished', async () => {
-  const app = await edited();
-  await app.bench(({ adapter: { timer } }) => {
-    timer.core.onAnswer = ({ name }) => {
-      if (name !== 'SETTIMERS') return;
-      timer.core.onAnswer = undefined;
-      const now = Date.now;
-      Date.now = () => now() + 3_600_000;
-    };
-  });
-  await app.write();
-  await app.result(en.write.unknown.title);
-  await app.dialog.getByText(en.timer['stood-still'].title).waitFor();
-  expect(await app.bench(({ sets }) => sets)).toEqual(['SETTIMERS']);
-  await app.close();
-  await app.readAgain();
-  await app.write();
-  await app.result('Verified.');
 });
 
 describe('the plug is pulled', () => {
-  test('during a reading: the page says so, and reads again after plugging in', async () => {
-    const app = await edited();
-    await app.bench((bench) => bench.unplugAt('GETTIMERS'));
-    await app.actions.getByRole('button', { name: 'Read again' }).click();
-    await app.says(en.link.lost.title);
-    await expect.poll(() => app.valueOf('DT time')).toBe('4:00');
-    await app.bench((bench) => bench.replug());
-    await app.isReady();
-    await expect
-      .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
-      .toEqual(['4:00', '7']);
-  });
-
   test('during a write: nothing is called verified, and the write can be finished later', async () => {
     const app = await edited();
     await app.bench((bench) => bench.unplugAt('SETSERVO'));
@@ -110,16 +59,6 @@ describe('the plug is pulled', () => {
     expect([times[10], positions[0]?.[2]]).toEqual([24000, 7]);
   });
 
-  test('while the difference is shown: the dialog does not offer what it cannot do', async () => {
-    const app = await edited();
-    await app.review();
-    await app.tickSafety();
-    await app.bench((bench) => bench.adapter.unplug());
-    await app.says(en.link.lost.title);
-    const start = app.dialog.getByRole('button', { name: /^Write/ });
-    expect((await start.isVisible()) && (await start.isEnabled())).toBe(false);
-  });
-
   test('the message is visible, wherever the page is scrolled on a phone', async () => {
     const app = await AppPage.open({ bench: {}, viewport: { width: 390, height: 844 } });
     await app.connect();
@@ -138,23 +77,6 @@ describe('the plug is pulled', () => {
 });
 
 describe('an impatient pilot', () => {
-  test('clicks Connect twice: one connection', async () => {
-    const app = await AppPage.open({ bench: { granted: true } });
-    await app.button('Connect').dblclick();
-    await app.hasRead();
-    // Once to connect, once after the reading.
-    expect((await app.sent()).filter((name) => name === 'GETSWVER')).toHaveLength(2);
-  });
-
-  test('clicks Write twice: one write, and its result', async () => {
-    const app = await edited();
-    await app.review();
-    await app.tickSafety();
-    await app.dialog.getByRole('button', { name: 'Write 2 changes' }).dblclick();
-    await app.result('Verified.');
-    expect(await app.sets()).toEqual(['SETTIMERS', 'SETSERVO']);
-  });
-
   test('presses Escape again and again during a write: the result is still shown', async () => {
     const app = await edited();
     // A timer that sleeps makes the writing last long enough for a hand.
