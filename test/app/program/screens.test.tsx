@@ -265,7 +265,7 @@ describe('moving through the table', () => {
   });
 });
 
-describe('the table', () => {
+describe('the table of each class', () => {
   it('has a DT that the strip shows, too: in red when it is short', async () => {
     await connected();
     await type('DT time', '30');
