@@ -4,6 +4,7 @@ import { resolve } from 'node:path';
 import preact from '@preact/preset-vite';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
+import { SHAPES } from './src/app/ui/shapes.js';
 import { connectionPage } from './test/tools/connection-page.js';
 import { licences, ownWorkOnly } from './test/tools/licences.js';
 
@@ -47,6 +48,19 @@ const securityPolicy: Plugin = {
       injectTo: 'head-prepend',
     },
   ],
+};
+
+/** Gives the styles the shapes of the window. Browsers do not know `@custom-media` yet. */
+const shapes: Plugin = {
+  name: 'shapes',
+  enforce: 'pre',
+  transform: {
+    filter: { id: /\.css$/ },
+    handler: (text) =>
+      text.replace(/@media .*/g, (rule) =>
+        rule.replace(/\(--(\w+)\)/g, (_, name: keyof typeof SHAPES) => SHAPES[name]),
+      ),
+  },
 };
 
 /**
@@ -136,6 +150,7 @@ export default defineConfig({
   },
   plugins: [
     preact({ include: [/\.tsx$/] }),
+    shapes,
     whereBuilt,
     firstPicture,
     securityPolicy,

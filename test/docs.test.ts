@@ -218,15 +218,18 @@ describe('the styles of the page', () => {
   it('know few shapes of the window', () => {
     const text = (condition: string) => `${condition} {\n  .a {\n    margin: 0;\n  }\n}\n`;
     for (const condition of [
-      '@media (max-width: 759.98px), (max-height: 479.98px)',
-      '@media (min-width: 1100px) and (pointer: fine)',
+      '@media (--phone), (--side)',
+      '@media (--laptop) and (pointer: fine)',
+      '@media print',
       '@container program-table (max-width: 480px)',
     ]) {
       expect(strayThresholds('line/a.css', text(condition))).toEqual([]);
     }
     for (const condition of [
-      '@media (max-width: 760px)',
-      '@media (min-width: 560px) and (max-height: 600px)',
+      '@media (max-width: 47.5em)',
+      '@media (--phone) and (height < 40em)',
+      '@media (--phone), (--small)',
+      '@container program-table (width < 480px)',
       '@container program-table (max-width: 530px)',
     ]) {
       expect(strayThresholds('line/a.css', text(condition))).toEqual([

@@ -72,24 +72,15 @@ export function dearSelectors(file, text) {
     .map((selector) => `${file}: ${selector.trim()}: styles more than what a key changes`);
 }
 
-/**
- * Where one shape of the window ends and the next begins, in pixels:
- * - phone: narrower than 760, or than 560 however low it is: one held upright, with its keys in sight;
- * - phone on its side: at least 560 wide and lower than 480, as is a page at 200 %;
- * - tablet: from 760 wide, and from 480 high;
- * - laptop: from 1100 wide, and lower than 720;
- * - desktop: from 1100 wide, and from 720 high.
- */
-const EDGES = { width: [560, 760, 1100], height: [480, 720] };
-
-/** The same edge for a reader with larger letters, where the strip would break. */
-const IN_LETTERS = '(max-width: 68.74em)';
+/** The shapes of the window, by the names that the styles have for them. */
+const SHAPES = [...readFileSync(new URL('ui/shapes.ts', page), 'utf8').matchAll(/^ {2}(\w+): '/gm)].map(
+  ([, name]) => `--${name}`,
+);
 
 /** Parts that are drawn by their own room, each with its one edge. */
 const PARTS = new Map([
   ['program-table', '(max-width: 480px)'],
   ['program-side', '(max-height: 670px)'],
-  ['flights', '(max-width: 24rem)'],
   ['edit-sheet', '(max-width: 17rem)'],
   ['', '(max-width: 27rem)'],
 ]);
@@ -102,17 +93,13 @@ const PARTS = new Map([
  */
 export function strayThresholds(file, text) {
   return [...bare(text).matchAll(/@(media|container)([^{]*)\{/g)].flatMap(([, rule, condition = '']) => {
-    const name = rule === 'container' ? (/^\s*([\w-]*)/.exec(condition)?.[1] ?? '') : '';
-    return [...condition.matchAll(/\((min|max)-(width|height): ([^)]*)\)/g)].flatMap(([said, end, side, at]) => {
-      const isKnown =
-        rule === 'container'
-          ? PARTS.get(name) === said
-          : said === IN_LETTERS ||
-            EDGES[/** @type {'width' | 'height'} */ (side)].some(
-              (edge) => at === (end === 'min' ? `${edge}px` : `${edge - 0.02}px`),
-            );
-      return isKnown ? [] : [`${file}: ${said}: no shape of the window, see EDGES in test/tools/styles.js`];
-    });
+    const [, name = '', edge = ''] = /^ ([\w-]*) ?(.*) $/.exec(condition) ?? [];
+    const isKnown =
+      rule === 'container'
+        ? PARTS.get(name) === edge
+        : !/width|height/.test(condition) &&
+          (condition.match(/--\w+/g) ?? []).every((/** @type {string} */ shape) => SHAPES.includes(shape));
+    return isKnown ? [] : [`${file}:${condition}: no shape of the window, see ui/shapes.ts`];
   });
 }
 

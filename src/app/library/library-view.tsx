@@ -1,6 +1,7 @@
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
+import { SHAPES } from '../ui/shapes.js';
 import { useQuery } from '../ui/use-query.js';
 import type { Session } from '../work/session.js';
 import type { Browse } from './browse.js';
@@ -25,15 +26,13 @@ export interface LibraryViewProps {
   readonly onGo: (path: string) => void;
 }
 
-/** From this width on, two parts stand side by side: the models and one of them, or its settings and one of those. */
-const WIDE = '(min-width: 760px)';
-
 /** The pilot's models and settings. On a phone one part at a time, with a way back. */
 export function LibraryView({ session, browse, path, places, onProgram, onGo }: LibraryViewProps) {
   const { views, parts } = messages.value;
   const { library } = session;
   useEffect(() => void library.load(), [library]);
-  const isWide = useQuery(WIDE).value;
+  // Two parts stand side by side: the models and one of them, or its settings and one of those.
+  const isWide = !useQuery(SHAPES.phone).value;
   const isLoaded = library.models.loaded.value && library.settings.loaded.value;
   const place = placeOf(path);
   const model = library.models.get(place.model) ?? null;

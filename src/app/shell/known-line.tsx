@@ -1,7 +1,8 @@
 import { useComputed } from '@preact/signals';
 import type { Follow } from '../bench/follow.js';
 import { clockText, messages } from '../messages/index.js';
-import { NARROW, useQuery } from '../ui/use-query.js';
+import { NARROW } from '../ui/shapes.js';
+import { useQuery } from '../ui/use-query.js';
 import type { Session } from '../work/session.js';
 import { hintText, madeAs, standingText } from '../work/standing-text.js';
 import './known-line.css';

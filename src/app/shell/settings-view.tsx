@@ -8,7 +8,8 @@ import type { Erase } from '../settings/erase.js';
 import type { Theme } from '../settings/theme.js';
 import { ThemeChoice } from '../settings/theme-choice.js';
 import { Check } from '../ui/check.js';
-import { TABS_BELOW, useQuery } from '../ui/use-query.js';
+import { SHAPES } from '../ui/shapes.js';
+import { useQuery } from '../ui/use-query.js';
 import type { Session } from '../work/session.js';
 import { AboutPage } from './about-page.js';
 import type { UpdateOffer } from './update-offer.js';
@@ -30,7 +31,7 @@ export function SettingsView(props: SettingsViewProps) {
   const { session, preferences, theme, erase, views, installation, update } = props;
   const { settings: words, erase: eraseWords, program, views: viewWords } = messages.value;
   // A rail leads to the help, too.
-  const areLinksBelow = useQuery(TABS_BELOW).value;
+  const areLinksBelow = useQuery(SHAPES.phone).value;
   return (
     <>
       <h1>{viewWords.names.settings}</h1>

@@ -1,8 +1,9 @@
 import type { ReadonlySignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
+import { SHAPES } from '../ui/shapes.js';
 import { useHeight } from '../ui/use-height.js';
-import { TABS_BELOW, useQuery } from '../ui/use-query.js';
+import { useQuery } from '../ui/use-query.js';
 import { ViewIcon } from './icons.js';
 import { VIEWS, type View, type Views } from './views.js';
 import './view-links.css';
@@ -16,7 +17,7 @@ interface ViewLinksProps {
 /** Links to the views: a rail at the left, on a phone a bar at the bottom. */
 export function ViewLinks({ views, printed }: ViewLinksProps) {
   const { views: words } = messages.value;
-  const areBelow = useQuery(TABS_BELOW).value;
+  const areBelow = useQuery(SHAPES.phone).value;
   const nav = useRef<HTMLElement>(null);
   useHeight(nav, areBelow ? '--tabs' : null, 57);
   const shown = views.shown.value;

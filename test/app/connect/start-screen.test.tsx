@@ -2,7 +2,7 @@ import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { platformOf } from '../../../src/app/browser/platform.js';
 import { en } from '../../../src/app/messages/en.js';
-import { NARROW } from '../../../src/app/ui/use-query.js';
+import { NARROW } from '../../../src/app/ui/shapes.js';
 import { idle, reloaded, run } from '../bench/bench.js';
 import { connected, drawn, field, goTo, opened, press, table, type } from '../screen.js';
 

@@ -2,7 +2,7 @@ import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { checklist, guide, troubles, words } from '../../../src/app/messages/en-guide.js';
-import { TABS_BELOW } from '../../../src/app/ui/use-query.js';
+import { SHAPES } from '../../../src/app/ui/shapes.js';
 import { idle, reloaded, run } from '../bench/bench.js';
 import { connected, drawn, goTo, inWindow, opened, press, type } from '../screen.js';
 
@@ -142,7 +142,7 @@ it('the settings lead to the help where the links to the views have no room for 
   const links = () => screen.getAllByRole('link', { name: /^Help/ }).map(({ textContent }) => textContent);
   expect(links()).toEqual(['Help']);
   cleanup();
-  inWindow((query) => query === TABS_BELOW);
+  inWindow((query) => query === SHAPES.phone);
   await opened();
   await goTo('settings');
   expect(links()).toEqual(['Help']);

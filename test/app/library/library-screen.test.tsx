@@ -2,6 +2,7 @@ import { fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it, onTestFinished, vi } from 'vitest';
 import { libraryMessages } from '../../../src/app/messages/en-library.js';
 import { messages } from '../../../src/app/messages/index.js';
+import { SHAPES } from '../../../src/app/ui/shapes.js';
 import { idle } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
 import { stored } from './stored.js';
@@ -184,7 +185,7 @@ it('a phone saves a program from what the strip opens', async () => {
   });
   window.matchMedia = ((query: string) => ({
     ...real.call(window, query),
-    matches: query.includes('max-width'),
+    matches: query.includes(SHAPES.phone),
   })) as typeof real;
   await at('model-0/setting-0');
   await press(messages.value.open);

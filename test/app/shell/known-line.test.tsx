@@ -1,7 +1,7 @@
 import { render, screen } from '@testing-library/preact';
 import { afterEach, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
-import { NARROW } from '../../../src/app/ui/use-query.js';
+import { NARROW } from '../../../src/app/ui/shapes.js';
 import { connectedBench, idle, run } from '../bench/bench.js';
 import { inWindow } from '../screen.js';
 

@@ -1,7 +1,7 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
-import { TIGHT } from '../../../src/app/ui/use-query.js';
+import { SHAPES, TIGHT } from '../../../src/app/ui/shapes.js';
 import { idle } from '../bench/bench.js';
 import { connected, inWindow, lookAt, opened, press, type } from '../screen.js';
 
@@ -15,7 +15,7 @@ async function openFigures(): Promise<void> {
   expect(isOpen()).toBe(true);
 }
 
-const onPhone = (): void => inWindow((query) => query.includes('max-width'));
+const onPhone = (): void => inWindow((query) => query.includes(SHAPES.phone));
 const onTablet = (): void => inWindow((query) => query === TIGHT);
 
 it('a phone has no presets for the memory that flies next below the name of another one', async () => {
