@@ -16,9 +16,7 @@ import './app.css';
 
 /** The whole page: gives each part the models that it needs. */
 export function App({ models }: { readonly models: AppModels }) {
-  const { session, views, write, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, programPicture, saveSetting, keeping, aside, update, line, installation } = models;
-  const { help } = models;
+  const { session, views, follow, line } = models;
   const { views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
@@ -46,19 +44,11 @@ export function App({ models }: { readonly models: AppModels }) {
   // Where a view asks for a timer.
   const connect = <ConnectButtons session={session} part="first" />;
   const view: Record<View, () => preact.JSX.Element> = {
-    program: () =>
-      hasProgram ? (
-        <parts.Program
-          {...{ session, write, memories, bench, follow, preferences, programPicture, saveSetting }}
-          sharing={models.sharing}
-          onPrint={printProgram}
-        />
-      ) : (
-        <StartScreen {...{ session, installation, platform }} />
-      ),
+    program: () => (hasProgram ? <parts.Program {...models} onPrint={printProgram} /> : <StartScreen {...models} />),
     memories: () => (
       <parts.Memories
-        {...{ session, memories, write, connect }}
+        {...models}
+        connect={connect}
         print={<PrintMemories session={session} onPrint={print} />}
         following={follow.on.value}
         onProgram={() => views.show('program')}
@@ -66,13 +56,26 @@ export function App({ models }: { readonly models: AppModels }) {
         onCompareBackup={({ key }) => compare(backupKey(key), null)}
       />
     ),
-    bench: () => <parts.Bench {...{ session, views, bench, follow, connect }} />,
+    bench: () => (
+      <>
+        <h1>{words.names.bench}</h1>
+        {hasProgram ? (
+          <parts.Bench {...models} expert={views.expert.value} />
+        ) : (
+          <>
+            <p class="hint">{words.noTimer.bench}</p>
+            <div>{connect}</div>
+          </>
+        )}
+      </>
+    ),
     library: () =>
       views.path.value === FLIGHTS ? (
         <parts.Flights session={session} log={models.flights} />
       ) : views.path.value === COMPARE ? (
         <parts.Compare
-          {...{ session, pair: models.comparedPair }}
+          session={session}
+          pair={models.comparedPair}
           following={follow.on.value}
           onBack={() => views.show('library')}
         />
@@ -80,26 +83,14 @@ export function App({ models }: { readonly models: AppModels }) {
         <parts.Library models={models} />
       ),
     print: () => <parts.Print session={session} order={models.printOrder} onPrint={() => window.print()} />,
-    help: () => <parts.Help {...{ session, help, platform }} path={views.path.value} />,
+    help: () => <parts.Help {...models} path={views.path.value} />,
     line: () => <parts.Line session={session} view={line.view} form={line.form} />,
-    settings: () => <parts.Settings {...{ session, preferences, theme, erase, views, installation, update }} />,
+    settings: () => <parts.Settings {...models} />,
   };
   return (
     <>
       <Header
-        {...{
-          session,
-          memories,
-          leaving,
-          write,
-          follow,
-          preferences,
-          saveSetting,
-          keeping,
-          aside,
-          update,
-          platform,
-        }}
+        {...models}
         recognized={<parts.Recognized recognition={session.recognition} />}
         fileNotice={parts.allElse.hasFailed ? <NoDialogs /> : <parts.FileNotice models={models} />}
         onExport={() =>

@@ -50,7 +50,7 @@ function placesOf(models: AppModels): Places {
   return {
     library: (
       <>
-        <ul class="panel library-list">
+        <ul class="panel ruled library-list">
           <li>
             <a class="stack library-item" href={`#library/${FLIGHTS}`} onClick={() => flights.showOnly()}>
               <b>{flightMessages.title}</b>

@@ -9,7 +9,7 @@ export const allElse = onDemand(() => import('./all-else.js'));
 /** The parts that the first picture does not need. */
 export const Program = programFile.part(({ ProgramView }) => ProgramView);
 export const Memories = allElse.part(({ MemoriesPage }) => MemoriesPage);
-export const Bench = allElse.part(({ BenchView }) => BenchView);
+export const Bench = allElse.part(({ BenchPanel }) => BenchPanel);
 export const Library = allElse.part(({ LibraryPage }) => LibraryPage);
 export const Flights = allElse.part(({ FlightsView }) => FlightsView);
 export const Compare = allElse.part(({ ComparePage }) => ComparePage);

@@ -31,7 +31,7 @@ export function KeptCard({ session }: { readonly session: Session }) {
       <h2 id="models-title">{words.title}</h2>
       {models.length === 0 && <p>{words.none}</p>}
       {models.length > 0 && (
-        <ul>
+        <ul class="ruled">
           {models.slice(0, NAMED).map(({ key, model }) => (
             <li key={key}>
               <a class="kept" href={`#library/${key}`}>
@@ -44,7 +44,7 @@ export function KeptCard({ session }: { readonly session: Session }) {
       {unfinished.length > 0 && (
         <>
           <h3 id="unfinished-title">{start.programs.title}</h3>
-          <ul aria-labelledby="unfinished-title">
+          <ul class="ruled" aria-labelledby="unfinished-title">
             {unfinished.map((draft) => (
               <KeptProgram key={draft.key} session={session} draft={draft} />
             ))}
@@ -56,7 +56,9 @@ export function KeptCard({ session }: { readonly session: Session }) {
         <button type="button" onClick={() => (making.value = true)}>
           {newProgram.title}
         </button>
-        <a href="#library">{words.library}</a>
+        <a class="alone" href="#library">
+          {words.library}
+        </a>
       </div>
       <NewProgramDialog
         open={making.value}
@@ -159,7 +161,9 @@ function KeptBackups({ backups }: { readonly backups: Backups }) {
   const what = dotted([timerName(identity), memory === null ? null : memoryName(memory)]);
   return (
     <p>
-      <a href="#memories">{start.backups(list.length, `${clockText(last.savedAt)}, ${what}`)}</a>
+      <a class="alone" href="#memories">
+        {start.backups(list.length, `${clockText(last.savedAt)}, ${what}`)}
+      </a>
     </p>
   );
 }

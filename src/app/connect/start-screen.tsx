@@ -73,8 +73,12 @@ function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) 
           {start.install}
         </button>
       )}
-      <a href="#help">{views.names.help}</a>
-      <a href="#settings">{views.names.settings}</a>
+      <a class="alone" href="#help">
+        {views.names.help}
+      </a>
+      <a class="alone" href="#settings">
+        {views.names.settings}
+      </a>
     </p>
   );
 }

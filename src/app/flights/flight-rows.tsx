@@ -27,7 +27,7 @@ export function FlightRows({ days, ...props }: FlightRowsProps) {
               <span>{title}</span> {/* Of a single day, the totals above say the same. */}
               {days.length > 1 && <small>{totals.flights(records.length)}</small>}
             </h2>
-            <ul>
+            <ul class="ruled">
               {records.map((record) => (
                 <Row key={record.key} record={record} {...props} />
               ))}

@@ -23,7 +23,7 @@ export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
   return (
     <div class="stack gap-3 checklist">
       <p>{words.lead}</p>
-      <ul class="panel">
+      <ul class="panel ruled">
         {checklist.items.value.map((id) => (
           <li key={id}>
             <label class={ticked.has(id) ? 'check ticked' : 'check'}>

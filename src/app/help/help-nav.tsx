@@ -7,7 +7,7 @@ export function HelpNav({ shown }: { readonly shown: HelpPage }) {
   return (
     <nav class="row gap-4 help-nav" aria-label={guide.nav}>
       {HELP_PAGES.map((page) => (
-        <a key={page} href={`#help/${page}`} aria-current={page === shown ? 'page' : undefined}>
+        <a key={page} class="alone" href={`#help/${page}`} aria-current={page === shown ? 'page' : undefined}>
           {guide.pages[page]}
         </a>
       ))}

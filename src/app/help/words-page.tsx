@@ -16,7 +16,7 @@ export function WordsPage() {
     [program.memory, words.memory],
   ];
   return (
-    <dl class="stack gap-3 words-page">
+    <dl class="stack gap-3 ruled words-page">
       {fields.map(([name, { text, range }]) => (
         <div class="stack gap-1" key={name}>
           <dt>{name}</dt>

@@ -86,7 +86,7 @@ function Models({ session, browse }: Pick<ModelListProps, 'session' | 'browse'>)
       refused.has(key) && libraryMessages.unkept.mark,
     ]);
   return (
-    <ul class="panel library-list">
+    <ul class="panel ruled library-list">
       {browse.models.value.map((record) => (
         <Row key={record.key} address={addressOf(record.key)} name={record.model.name} about={about(record)} />
       ))}

@@ -22,7 +22,7 @@ export function SettingList({ session, records, chosen, withModel }: SettingList
   const open = session.origin.setting.value?.id ?? null;
   const refused = settings.refused.value;
   return (
-    <ul class="library-list library-settings">
+    <ul class="ruled library-list library-settings">
       {records.map((record) => (
         <li key={record.key}>
           <SettingRow

@@ -11,7 +11,7 @@ export function LineRows({ view }: { readonly view: LineView }) {
   const hidden = found.value.length - shown.value.length;
   return (
     <>
-      <ol class="panel line-rows" aria-label={views.names.line}>
+      <ol class="panel ruled line-rows" aria-label={views.names.line}>
         {shown.value.map((record) => (
           <LineRow
             key={record.number}

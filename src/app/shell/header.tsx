@@ -21,23 +21,13 @@ interface HeaderProps extends StatusStripProps, NoticeBarProps {
 }
 
 /** Stays in sight in every view: the status, what is unfinished, what is in progress, and messages. */
-export function Header({
-  session,
-  memories,
-  leaving,
-  follow,
-  preferences,
-  saveSetting,
-  staged,
-  write,
-  recognized,
-  ...notices
-}: HeaderProps) {
+export function Header(props: HeaderProps) {
+  const { session, memories, leaving, follow, staged, write, recognized, platform } = props;
   const top = useRef<HTMLElement>(null);
   useHeight(top, useQuery(LOW).value ? null : '--top');
   return (
     <header class="top" ref={top}>
-      <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting, staged }} hash={location.hash} />
+      <StatusStrip {...props} hash={location.hash} />
       {session.recognition.tells.value && recognized}
       <NextFlightNotes session={session} />
       <UnfinishedBand
@@ -49,11 +39,11 @@ export function Header({
       />
       {!staged && (
         <>
-          <LinkNotice session={session} platform={notices.platform} onStop={() => void leaving.disconnect()} />
+          <LinkNotice session={session} platform={platform} onStop={() => void leaving.disconnect()} />
           <JobProgress runner={session.runner} />
         </>
       )}
-      <NoticeBar session={session} {...notices} />
+      <NoticeBar {...props} />
     </header>
   );
 }

@@ -1,3 +1,4 @@
+import { Icon } from '../ui/icon.js';
 import type { VIEWS } from './views.js';
 
 type Linked = (typeof VIEWS)[number] | 'help';
@@ -16,9 +17,5 @@ const PATHS: Readonly<Record<Linked, string>> = {
 };
 
 export function ViewIcon({ view }: { readonly view: Linked }) {
-  return (
-    <svg class="icon" viewBox="0 0 24 24" width="22" height="22" aria-hidden="true">
-      <path d={PATHS[view]} />
-    </svg>
-  );
+  return <Icon path={PATHS[view]} width={24} height={24} />;
 }

@@ -36,8 +36,8 @@ export interface NoticeBarProps {
 }
 
 /** What the pilot should know now. The styles show the first, and behind a calm one also the first that is bad. */
-export function NoticeBar({ session, keeping, aside, update, platform, ...rest }: NoticeBarProps) {
-  const { fileNotice, onExport } = rest;
+export function NoticeBar(props: NoticeBarProps) {
+  const { session, keeping, aside, update, platform, fileNotice, onExport } = props;
   const { alike, dismiss, link } = messages.value;
   const notice = session.notices.current.value;
   const part = notice?.kind === 'timer' && notice.details ? partText(notice.details) : null;

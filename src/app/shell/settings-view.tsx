@@ -37,7 +37,7 @@ export function SettingsView(props: SettingsViewProps) {
       <h1>{viewWords.names.settings}</h1>
       {areLinksBelow && (
         <p>
-          <a class="to-help-page" href="#help">
+          <a class="alone" href="#help">
             {viewWords.names.help}
           </a>
         </p>

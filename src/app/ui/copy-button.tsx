@@ -1,8 +1,7 @@
 import { useSignal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
 import { copyText } from '../browser/clipboard.js';
 import { messages } from '../messages/index.js';
-import './modal.css';
+import { Modal } from './modal.js';
 import './copy-button.css';
 
 interface CopyButtonProps {
@@ -38,23 +37,23 @@ export function CopyButton({ label, text }: CopyButtonProps) {
 }
 
 function ByHand({ text, onClose }: { text: string; onClose: () => void }) {
-  const { line } = messages.value;
-  const dialog = useRef<HTMLDialogElement>(null);
-  const area = useRef<HTMLTextAreaElement>(null);
-  useEffect(() => {
-    dialog.current?.showModal();
-    area.current?.select();
-    area.current?.scrollTo(0, 0);
-  }, []);
+  const { line, close } = messages.value;
   return (
-    <dialog ref={dialog} class="dialog by-hand" aria-label={line.copyByHand} onClose={onClose}>
-      <p>{line.copyByHand}</p>
-      <textarea ref={area} readOnly aria-label={line.copyByHand} rows={12} value={text} />
+    <Modal open title={line.copyByHand} onEscape={onClose}>
+      <textarea
+        autofocus
+        readOnly
+        class="by-hand"
+        aria-label={line.copyByHand}
+        rows={12}
+        value={text}
+        onFocus={({ currentTarget }) => currentTarget.select()}
+      />
       <div class="buttons">
-        <button type="button" class="primary" onClick={() => dialog.current?.close()}>
-          {messages.value.close}
+        <button type="button" class="primary" onClick={onClose}>
+          {close}
         </button>
       </div>
-    </dialog>
+    </Modal>
   );
 }

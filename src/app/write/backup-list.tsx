@@ -45,7 +45,7 @@ export function BackupList(props: BackupListProps) {
       {all.length === 0 ? (
         <p class="hint">{words.empty}</p>
       ) : (
-        <ul class="panel">
+        <ul class="panel ruled">
           {shown.map((backup, at) => (
             <Row key={backup.key} {...props} backup={backup} isFirst={!isOfOneJob(backup, all[at - 1])} />
           ))}
