@@ -1,3 +1,4 @@
+import { computed } from '@preact/signals';
 import { Bench } from './bench/bench.js';
 import { Follow } from './bench/follow.js';
 import type { Lack } from './browser/doors.js';
@@ -5,7 +6,7 @@ import type { Platform } from './browser/platform.js';
 import { ComparedPair } from './compare/choice.js';
 import { Installation } from './connect/installation.js';
 import { FlightLog } from './flights/flight-log.js';
-import { Help } from './help/help.js';
+import { Checklist } from './help/checklist.js';
 import { Browse } from './library/browse.js';
 import { SaveSetting } from './library/save-setting.js';
 import { Sharing } from './library/share/sharing.js';
@@ -57,7 +58,8 @@ export interface AppModels {
   readonly preferences: Preferences;
   readonly update: UpdateOffer;
   readonly installation: Installation;
-  readonly help: Help;
+  /** What a pilot checks before a flight. Outlasts its page. */
+  readonly checklist: Checklist;
   /** The pilot's system and browser. They only choose sentences. */
   readonly platform: Platform;
 }
@@ -123,7 +125,7 @@ export function createModels({
     preferences: new Preferences(session.editor),
     update: new UpdateOffer(session),
     installation: new Installation(),
-    help: new Help(session),
+    checklist: new Checklist(computed(() => session.editor.identity.value?.timerClass ?? null)),
     platform,
   };
 }

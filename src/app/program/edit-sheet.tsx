@@ -8,8 +8,7 @@ import { plainSeconds } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
 import type { Standing } from '../timer/standing.js';
 import { Icon } from '../ui/icon.js';
-import { pressListeners } from '../ui/press-listeners.js';
-import { useRelease } from '../ui/use-release.js';
+import { usePress } from '../ui/use-press.js';
 import { type EditedValue, Hand, type HeldField } from './hand.js';
 import { RepeatPress } from './repeat-press.js';
 import { type Goal, goalsFrom } from './sheet-moves.js';
@@ -193,16 +192,12 @@ interface StepKeyProps {
 /** A step key. It repeats while it is held. */
 function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
   const repeat = useMemo(() => new RepeatPress(), []);
-  useRelease(repeat);
   const step = (): void => act(() => value.step(direction, { tenfold }));
   return (
     <button
       type="button"
       tabIndex={-1}
-      {...pressListeners(
-        () => repeat.press(step),
-        () => repeat.release(),
-      )}
+      {...usePress(repeat, () => repeat.press(step))}
       onClick={() => repeat.click(step)}
     >
       {`${direction > 0 ? '+' : '−'}${amountOf(value, tenfold)}`}

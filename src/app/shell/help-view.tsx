@@ -1,41 +1,53 @@
 import type { Platform } from '../browser/platform.js';
 import type { HelpCode } from '../connect/connection-help.js';
 import { connectionSaid, HelpSteps } from '../connect/connection-help-view.js';
+import type { Checklist } from '../help/checklist.js';
 import { ChecklistPage } from '../help/checklist-page.js';
-import { FirstStepsPage } from '../help/first-steps-page.js';
-import { type Help, type HelpPage, helpPageAt } from '../help/help.js';
-import { HelpNav } from '../help/help-nav.js';
+import { HELP_PAGES, type HelpPage, helpPageAt } from '../help/help.js';
 import { type Symptom, TroublePage } from '../help/trouble-page.js';
 import { WordsPage } from '../help/words-page.js';
-import { guide } from '../messages/en-guide.js';
+import { firstSteps, guide } from '../messages/en-guide.js';
 import { messages } from '../messages/index.js';
 import { isRateSet } from '../timer/link.js';
 import { NoticeText } from '../ui/notice-text.js';
 import type { Session } from '../work/session.js';
+import './help-view.css';
 
 export interface HelpViewProps {
   readonly session: Session;
-  readonly help: Help;
+  readonly checklist: Checklist;
   readonly platform: Platform;
   /** The page of the help, as in the address. */
   readonly path: string;
 }
 
 /** What a pilot can look up, also on the field. */
-export function HelpView({ session, help, platform, path }: HelpViewProps) {
+export function HelpView({ session, checklist, platform, path }: HelpViewProps) {
   const shown = helpPageAt(path);
   const pages: Record<HelpPage, () => preact.JSX.Element> = {
-    checklist: () => <ChecklistPage checklist={help.checklist} session={session} />,
+    checklist: () => <ChecklistPage checklist={checklist} session={session} />,
     trouble: () => (
       <TroublePage connection={(symptom) => <Connection session={session} platform={platform} symptom={symptom} />} />
     ),
     words: () => <WordsPage />,
-    steps: () => <FirstStepsPage />,
+    steps: () => (
+      <ol class="stack gap-4">
+        {firstSteps.map((step) => (
+          <li key={step}>{step}</li>
+        ))}
+      </ol>
+    ),
   };
   return (
     <>
       <h1>{messages.value.views.names.help}</h1>
-      <HelpNav shown={shown} />
+      <nav class="row gap-4 help-nav" aria-label={guide.nav}>
+        {HELP_PAGES.map((page) => (
+          <a key={page} class="alone" href={`#help/${page}`} aria-current={page === shown ? 'page' : undefined}>
+            {guide.pages[page]}
+          </a>
+        ))}
+      </nav>
       <section class="stack help-page" aria-labelledby="help-page-title">
         <h2 id="help-page-title">{guide.pages[shown]}</h2>
         {pages[shown]()}

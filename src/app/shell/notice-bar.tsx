@@ -9,8 +9,7 @@ import { isRateSet } from '../timer/link.js';
 import type { Notice } from '../timer/notices.js';
 import { NoticeText } from '../ui/notice-text.js';
 import type { Session } from '../work/session.js';
-import { AsideNotice, KeepingNotice, RemovedNotice } from './keeping-notice.js';
-import { UpdateNotice } from './update-notice.js';
+import { AsideNotice, KeepingNotice, RemovedNotice, UpdateNotice } from './keeping-notice.js';
 import type { UpdateOffer } from './update-offer.js';
 
 const CALM: ReadonlySet<Notice['code']> = new Set([

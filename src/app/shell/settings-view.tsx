@@ -5,9 +5,9 @@ import { messages } from '../messages/index.js';
 import { DtTimes } from '../program/dt-times.js';
 import type { Preferences } from '../records/preferences.js';
 import type { Erase } from '../settings/erase.js';
-import type { Theme } from '../settings/theme.js';
-import { ThemeChoice } from '../settings/theme-choice.js';
+import { THEMES, type Theme } from '../settings/theme.js';
 import { Check } from '../ui/check.js';
+import { SegmentChoice } from '../ui/segment-choice.js';
 import { SHAPES } from '../ui/shapes.js';
 import { useQuery } from '../ui/use-query.js';
 import type { Session } from '../work/session.js';
@@ -29,7 +29,7 @@ export interface SettingsViewProps {
 /** What is set once: the look of the page, the adapters, what this device keeps. */
 export function SettingsView(props: SettingsViewProps) {
   const { session, preferences, theme, erase, views, installation, update } = props;
-  const { settings: words, erase: eraseWords, program, views: viewWords } = messages.value;
+  const { settings: words, erase: eraseWords, program, theme: themeWords, views: viewWords } = messages.value;
   // A rail leads to the help, too.
   const areLinksBelow = useQuery(SHAPES.phone).value;
   return (
@@ -44,7 +44,14 @@ export function SettingsView(props: SettingsViewProps) {
       )}
       <section class="stack setting">
         <h2>{words.look}</h2>
-        <ThemeChoice theme={theme} />
+        <SegmentChoice
+          name="theme"
+          title={themeWords.title}
+          choices={THEMES}
+          names={themeWords.names}
+          chosen={theme.chosen.value}
+          onChoose={(name) => theme.choose(name)}
+        />
       </section>
       <section class="stack setting">
         <h2>{program.dt}</h2>

@@ -1,7 +1,6 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { PressAndHold } from './press-and-hold.js';
-import { pressListeners } from './press-listeners.js';
-import { useRelease } from './use-release.js';
+import { usePress } from './use-press.js';
 import './hold-button.css';
 
 interface HoldButtonProps {
@@ -23,7 +22,6 @@ export function HoldButton({ label, holding, disabled, onHeld, describedBy }: Ho
   latest.current = onHeld;
   const hold = useMemo(() => new PressAndHold(() => latest.current()), []);
   const release = hold.release.bind(hold);
-  useRelease(hold);
   useEffect(() => {
     if (disabled) release();
   }, [disabled]);
@@ -34,7 +32,7 @@ export function HoldButton({ label, holding, disabled, onHeld, describedBy }: Ho
       class={`hold ${isHolding ? 'holding' : ''}`}
       disabled={disabled}
       aria-describedby={describedBy}
-      {...pressListeners(() => hold.press(), release)}
+      {...usePress(hold, () => hold.press())}
       onKeyDown={(event) => {
         if (event.key !== ' ' && event.key !== 'Enter') return;
         event.preventDefault();
