@@ -83,20 +83,16 @@ function ByteOrderChoice({ session }: { readonly session: Session }) {
     <div class="notice bad">
       <NoticeText said={byteOrder} />
       <div class="buttons">
-        <button
-          type="button"
-          disabled={session.runner.busy.value}
-          onClick={() => void session.timer.assume({ bigEndianTimes: false })}
-        >
-          {byteOrder.keep}
-        </button>
-        <button
-          type="button"
-          disabled={session.runner.busy.value}
-          onClick={() => void session.timer.assume({ bigEndianTimes: true })}
-        >
-          {byteOrder.exchange}
-        </button>
+        {[false, true].map((bigEndianTimes) => (
+          <button
+            type="button"
+            key={bigEndianTimes}
+            disabled={session.runner.busy.value}
+            onClick={() => void session.timer.assume({ bigEndianTimes })}
+          >
+            {bigEndianTimes ? byteOrder.exchange : byteOrder.keep}
+          </button>
+        ))}
       </div>
     </div>
   );
