@@ -18,51 +18,16 @@ import { PrintOrder } from './print/print-order.js';
 import { ProgramPicture } from './program/program-picture.js';
 import { Keeping } from './records/keeping.js';
 import { Preferences } from './records/preferences.js';
-import type { SetAside } from './records/set-aside.js';
 import { Erase, type Erasers } from './settings/erase.js';
 import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
 import { Views } from './shell/views.js';
 import { limited } from './storage/index.js';
-import { createSession, type Session, type SessionOptions } from './work/session.js';
+import { createSession, type SessionOptions } from './work/session.js';
 import { WriteJob } from './write/write-job.js';
 
 /** The models that the views read and call. */
-export interface AppModels {
-  readonly session: Session;
-  readonly views: Views;
-  readonly keeping: Keeping;
-  readonly aside: SetAside;
-  readonly erase: Erase;
-  readonly write: WriteJob;
-  readonly memories: Memories;
-  readonly leaving: Leaving;
-  readonly bench: Bench;
-  readonly follow: Follow;
-  /** The view of the line, and the frame by hand. They outlast their view. */
-  readonly line: { readonly view: LineView; readonly form: FrameForm };
-  /** How the pilot looks at the program. Outlasts its view. */
-  readonly programPicture: ProgramPicture;
-  /** What to print. Outlasts the view. */
-  readonly printOrder: PrintOrder;
-  /** How the pilot looks at the library. */
-  readonly browse: Browse;
-  readonly saveSetting: SaveSetting;
-  /** The log of flights, and how the pilot looks at it. Outlasts its view. */
-  readonly flights: FlightLog;
-  /** Settings that go to another device, or come from one, by link or QR code. */
-  readonly sharing: Sharing;
-  /** The two programs that are compared. */
-  readonly comparedPair: ComparedPair;
-  readonly theme: Theme;
-  readonly preferences: Preferences;
-  readonly update: UpdateOffer;
-  readonly installation: Installation;
-  /** What a pilot checks before a flight. Outlasts its page. */
-  readonly checklist: Checklist;
-  /** The pilot's system and browser. They only choose sentences. */
-  readonly platform: Platform;
-}
+export type AppModels = Readonly<ReturnType<typeof createModels>>;
 
 export interface ModelOptions extends SessionOptions {
   readonly platform: Platform;
@@ -86,7 +51,7 @@ export function createModels({
   reload = () => {},
   theme = new Theme(),
   ...options
-}: ModelOptions): AppModels {
+}: ModelOptions) {
   const keeping = new Keeping(lacks);
   const storage = limited(options.storage, keeping);
   const session = createSession({ ...options, storage });
@@ -113,19 +78,27 @@ export function createModels({
     leaving: new Leaving(session, memories, write),
     bench,
     follow,
+    /** The view of the line, and the frame by hand. They outlast their view, as what follows does. */
     line: { view: new LineView(session.log), form: new FrameForm(session) },
+    /** How the pilot looks at the program. */
     programPicture: new ProgramPicture(),
+    /** What to print. */
     printOrder: new PrintOrder(),
+    /** How the pilot looks at the library. */
     browse: new Browse(session.library),
     saveSetting: new SaveSetting(session),
+    /** The two programs that are compared. */
     comparedPair: new ComparedPair(),
     theme,
+    /** The log of flights, and how the pilot looks at it. */
     flights: new FlightLog(session, write),
+    /** Settings that go to another device, or come from one, by link or QR code. */
     sharing: new Sharing(),
     preferences: new Preferences(session.editor),
     update: new UpdateOffer(session),
     installation: new Installation(),
     checklist: new Checklist(computed(() => session.editor.identity.value?.timerClass ?? null)),
+    /** The pilot's system and browser. They only choose sentences. */
     platform,
   };
 }
