@@ -2,6 +2,7 @@ import { useEffect } from 'preact/hooks';
 import { checklist as words } from '../messages/en-guide.js';
 import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
+import { Check } from '../ui/check.js';
 import { useUnsaved } from '../ui/unsaved.js';
 import type { Session } from '../work/session.js';
 import { graveText } from '../write/unfinished-text.js';
@@ -26,14 +27,9 @@ export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
       <ul class="panel ruled">
         {checklist.items.value.map((id) => (
           <li key={id}>
-            <label class={ticked.has(id) ? 'check ticked' : 'check'}>
-              <input
-                type="checkbox"
-                checked={ticked.has(id)}
-                onChange={({ currentTarget }) => checklist.tick(id, currentTarget.checked)}
-              />
-              <span>{words.items[id]}</span>
-            </label>
+            <Check checked={ticked.has(id)} onChange={(on) => checklist.tick(id, on)}>
+              {words.items[id]}
+            </Check>
             {id === 'memory' && <Known session={session} />}
           </li>
         ))}

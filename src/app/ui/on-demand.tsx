@@ -3,30 +3,15 @@ import type { ComponentType, FunctionComponent } from 'preact';
 import { useLayoutEffect } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 
-/** A file with parts of the page that is loaded after the first picture. */
-export interface OnDemand<File> {
-  /**
-   * A part in it. Draws it, or says that it is coming.
-   * @param options `silent`: nothing is shown while it is missing, and drawing does not load it, as for a closed
-   * dialog: visible parts come first.
-   */
-  part<Props extends object>(
-    pick: (file: File) => ComponentType<Props>,
-    options?: { readonly silent: boolean },
-  ): FunctionComponent<Props>;
-  /** Whether it was asked for: it is being loaded, or is here. */
-  readonly isAskedFor: boolean;
-  /** Whether it could not be loaded when it was last tried. */
-  readonly hasFailed: boolean;
-  /** Loads it. Asked again, it loads nothing twice. */
-  fetch(): Promise<void>;
-}
-
-/** @param load imports the file. */
-export function onDemand<File extends object>(load: () => Promise<File>): OnDemand<File> {
+/**
+ * A file with parts of the page that is loaded after the first picture.
+ * @param load imports the file.
+ */
+export function onDemand<File extends object>(load: () => Promise<File>) {
   const loaded = signal<File | null>(null);
   const failed = signal(false);
   let coming: Promise<void> | null = null;
+  /** Loads it. Asked again, it loads nothing twice. */
   const fetch = (): Promise<void> => {
     coming ??= load().then(
       (file) => {
@@ -42,7 +27,15 @@ export function onDemand<File extends object>(load: () => Promise<File>): OnDema
     return coming;
   };
   return {
-    part: (pick, { silent } = { silent: false }) =>
+    /**
+     * A part in it. Draws it, or says that it is coming.
+     * @param options `silent`: nothing is shown while it is missing, and drawing does not load it, as for a closed
+     * dialog: visible parts come first.
+     */
+    part: <Props extends object>(
+      pick: (file: File) => ComponentType<Props>,
+      { silent }: { readonly silent: boolean } = { silent: false },
+    ): FunctionComponent<Props> =>
       function Part(props) {
         const file = loaded.value;
         // At once: an effect would wait for the next frame.
@@ -65,9 +58,11 @@ export function onDemand<File extends object>(load: () => Promise<File>): OnDema
         );
       },
     fetch,
+    /** Whether it was asked for: it is being loaded, or is here. */
     get isAskedFor() {
       return coming !== null;
     },
+    /** Whether it could not be loaded when it was last tried. */
     get hasFailed() {
       return failed.value;
     },
