@@ -4,7 +4,6 @@ import { parseTime } from '../editing/units.js';
 import { dtText, messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../records/preferences.js';
 import { Problem } from '../ui/problem.js';
-import './dt-times.css';
 
 /** The times of the presets for DT, and below which time a DT counts as short. */
 export function DtTimes({ preferences }: { readonly preferences: Preferences }) {
@@ -52,7 +51,7 @@ function TimesField({ label, text, describedBy, onTake }: TimesFieldProps) {
   };
   return (
     <>
-      <label class="stack dt-times">
+      <label class="stack">
         {label}
         <textarea
           rows={1}
