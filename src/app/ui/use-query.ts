@@ -1,18 +1,11 @@
-import { type ReadonlySignal, useSignal } from '@preact/signals';
+import type { ReadonlySignal } from '@preact/signals';
 import { useLayoutEffect, useMemo } from 'preact/hooks';
 import { media } from '../browser/doors.js';
+import { querySignal } from '../browser/query-signal.js';
 
 /** Whether a media query matches. False where the browser does not tell. */
 export function useQuery(query: string): ReadonlySignal<boolean> {
-  const list = useMemo(() => media(query), [query]);
-  const matches = useSignal(list?.matches ?? false);
-  useLayoutEffect(() => {
-    const note = (): void => {
-      matches.value = list?.matches ?? false;
-    };
-    note();
-    list?.addEventListener?.('change', note);
-    return () => list?.removeEventListener?.('change', note);
-  }, [list, matches]);
+  const { matches, stop } = useMemo(() => querySignal(media(query)), [query]);
+  useLayoutEffect(() => stop, [stop]);
   return matches;
 }
