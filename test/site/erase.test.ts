@@ -64,8 +64,7 @@ test('everything that the page keeps is deleted, and nothing of another program 
   expect(settings.filter((name) => name !== 'workbench')).toEqual(['another program']);
 });
 
-/** A page with a library, and what empties the storage of its browser. */
-async function withLibrary(): Promise<{ app: AppPage; empty: (what: string) => Promise<void> }> {
+test('when the browser deletes everything that it kept, the page stays, says so, and offers the export', async () => {
   const app = await AppPage.open();
   const { page } = app;
   await page.evaluate(() => location.assign('#library'));
@@ -78,42 +77,15 @@ async function withLibrary(): Promise<{ app: AppPage; empty: (what: string) => P
     await app.button(make).click();
     await page.getByRole('dialog').waitFor({ state: 'hidden' });
   }
-  return {
-    app,
-    async empty(storageTypes) {
-      const devTools = await page.context().newCDPSession(page);
-      await devTools.send('Storage.clearDataForOrigin', { origin: new URL(page.url()).origin, storageTypes });
-      await devTools.detach();
-    },
-  };
-}
-
-test('when the browser deletes everything that it kept, the page stays, says so, and offers the export', async () => {
-  const { app, empty } = await withLibrary();
-  await app.page.evaluate(() => void Object.assign(window, { stays: true }));
-  await empty('all');
+  await page.evaluate(() => void Object.assign(window, { stays: true }));
+  const devTools = await page.context().newCDPSession(page);
+  const { origin } = new URL(page.url());
+  await devTools.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
   await app.says(en.keeping.emptied);
-  const downloading = app.page.waitForEvent('download');
+  const downloading = page.waitForEvent('download');
   await app.button(en.keeping.export).click();
   const { library } = parseLibraryFile(await readFile(await (await downloading).path(), 'utf8'));
   expect([library.models[0]?.name, library.settings[0]?.name]).toEqual(['Lancer 07', 'calm']);
-  expect(await app.page.evaluate(() => navigator.serviceWorker.controller)).toBeNull();
-  expect(await app.page.evaluate(() => 'stays' in window), 'it was not loaded again').toBe(true);
-});
-
-test('when the browser deletes what it kept, the page says so, and keeps what is changed from then on', async () => {
-  const { app, empty } = await withLibrary();
-  const { page } = app;
-  await empty('indexeddb');
-  const note = page.getByRole('article', { name: 'calm' }).getByRole('textbox', { name: 'Note' });
-  await note.fill('after that');
-  await note.blur();
-  await app.says(en.keeping.emptied);
-  await app.button(en.keeping.export).waitFor();
-  const { hash } = new URL(page.url());
-  await app.reload();
-  await page.evaluate((at) => location.assign(at), hash);
-  await expect.poll(() => note.inputValue()).toBe('after that');
-  await page.evaluate(() => location.assign('#library'));
-  await page.getByRole('link', { name: /^No model/ }).waitFor();
+  expect(await page.evaluate(() => navigator.serviceWorker.controller)).toBeNull();
+  expect(await page.evaluate(() => 'stays' in window), 'it was not loaded again').toBe(true);
 });

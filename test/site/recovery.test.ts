@@ -7,11 +7,16 @@ describe('a write that the page did not survive', () => {
   /** The page is reloaded after the times and before the position is written. */
   async function interrupted(): Promise<AppPage> {
     const app = await edited();
-    app.page.on('dialog', (dialog) => void dialog.accept());
+    const asked: string[] = [];
+    app.page.on('dialog', (dialog) => {
+      asked.push(dialog.type());
+      void dialog.accept();
+    });
     await app.bench((bench) => bench.sleepAt('SETTIMERS'));
     await app.write();
     await expect.poll(() => held(app)).toEqual([24000, 35]);
     await app.reload();
+    expect(asked).toEqual(['beforeunload']);
     await app.says(en.notes.back.title);
     return app;
   }

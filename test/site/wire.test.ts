@@ -91,24 +91,6 @@ describe('an impatient pilot', () => {
     await app.close();
     await app.review();
   });
-
-  test('reloads the page during a write: is asked first, and finds the edits after it', async () => {
-    const app = await edited();
-    let asked = 0;
-    app.page.on('dialog', (dialog) => {
-      asked++;
-      void dialog.accept();
-    });
-    await app.bench((bench) => bench.sleepAt('SETTIMERS'));
-    await app.write();
-    await app.dialog.getByRole('button', { name: 'Stop' }).waitFor();
-    await app.reload();
-    expect(asked).toBe(1);
-    await app.says(en.notes.back.title);
-    await expect
-      .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
-      .toEqual(['4:00', '7']);
-  });
 });
 
 describe('without Web Serial', () => {
