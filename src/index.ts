@@ -3,6 +3,6 @@
  * @module
  */
 
-export * from './client/index.js';
-export * from './program/index.js';
-export * from './protocol/index.js';
+export * from './client/public.js';
+export * from './program/public.js';
+export * from './protocol/public.js';

@@ -17,10 +17,12 @@ import { Duplex } from 'node:stream';
 import { parseArgs } from 'node:util';
 import { SerialPort } from 'serialport';
 import { TimerClient, TimerError } from 'sidus-timer/client';
-import { checkProgram, formatLibraryFile, parseLibraryFile, seconds, withValue } from 'sidus-timer/program';
+import { formatLibraryFile, parseLibraryFile } from 'sidus-timer/library';
+import { checkProgram, seconds, withValue } from 'sidus-timer/program';
 
 /** @import { JobOptions, Progress, WriteReport } from 'sidus-timer/client' */
-/** @import { Setting, TimerProgram } from 'sidus-timer/program' */
+/** @import { Setting } from 'sidus-timer/library' */
+/** @import { TimerProgram } from 'sidus-timer/program' */
 
 const BAUD_RATE = 9600;
 const USAGE = 'node timer.js [PORT [dt SECONDS | backup FILE [--all] | restore FILE]]';

@@ -1,7 +1,5 @@
-/**
- * A clock that can be turned by hand, and a byte line with speed, delay, chunks and faults.
- * @module
- */
+// The door of this room for the others: what the package gives, and what only they need.
 
-export { BITS_PER_BYTE, ByteLine, type ByteLineOptions, type Bytes, wireTime } from './byte-line.js';
-export { type Clock, realClock, VirtualClock } from './clock.js';
+export { BITS_PER_BYTE, ByteLine, wireTime } from './byte-line.js';
+export { realClock } from './clock.js';
+export * from './public.js';

@@ -1,4 +1,4 @@
-import { type Identity, MAX_POSITION, MAX_TIME } from '../protocol/index.js';
+import { type Hundredths, type Identity, MAX_POSITION, MAX_TIME } from '../protocol/index.js';
 import { fieldsOf, type ProgramField, requireShape, slotKind, type TimerProgram, valueAt } from './program.js';
 
 /**
@@ -67,8 +67,8 @@ export interface Finding {
 export interface CheckOptions {
   /** What the timer held. A position past the last step is no error while it equals the one that was read. */
   readonly baseline?: TimerProgram | undefined;
-  /** A DT below this counts as short. Hundredths of a second, default 6000 (one minute). */
-  readonly shortDt?: number | undefined;
+  /** A DT below this counts as short. Default 6000 (one minute). */
+  readonly shortDt?: Hundredths | undefined;
 }
 
 /** F1Q: the motor may run for 40 s at most. */

@@ -67,7 +67,8 @@ const MOST_VERIFIED = 255;
 /**
  * Writes a library, or a part of one, as JSON that a person can read, too. docs/file-format.md describes it.
  * @param head when it is written, in milliseconds since 1970, and which program writes it, up to 200 characters.
- * @throws CodecError as {@link requireLibrary} when it is no library; `too-large` past {@link MAX_FILE}.
+ * @throws CodecError `wrong-type`, `out-of-range`, `not-an-integer`, `wrong-count`, `unknown-word`, `bad-identity` or
+ * `duplicate` when it is no library; `too-large` past 20 million characters.
  */
 export function formatLibraryFile(
   library: Library,
@@ -123,7 +124,7 @@ function toFile({ library, facts, writtenAt, writtenBy }: Omit<LibraryFile, 'ign
  * Everything else is checked as strictly as a reply of a timer.
  * @throws CodecError with the path as field, and line and column in its details: `bad-file` for another kind of file
  * (field `format`), a broken text (`text`), a text that ends too early (`end`) or UTF-16 that was read as another
- * encoding (`encoding`); `newer-version`, `too-large`, `duplicate`; and as {@link requireLibrary}.
+ * encoding (`encoding`); `newer-version`; and as {@link formatLibraryFile}.
  */
 export function parseLibraryFile(source: string): LibraryFile {
   requireSize(source);

@@ -252,7 +252,7 @@ export function entries<T extends { readonly id: string }>(
 /**
  * Makes sure that a value is a program that a timer can hold. Positions and idle throttle go up to 255: a timer may
  * hold what nobody should set.
- * @throws CodecError as {@link requireModel}; also `bad-identity`.
+ * @throws CodecError `wrong-type`, `out-of-range`, `not-an-integer`, `wrong-count`, `bad-identity`.
  */
 export function requireProgram(value: unknown, path = 'program'): TimerProgram {
   const of = record<TimerProgram>(value, path);

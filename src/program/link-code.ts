@@ -31,7 +31,7 @@ const CUT = ' …';
  * An address that opens it in the page is that of the page, {@link LINK_MARK} and this code.
  * @param options.longest the most characters that the code may have. A longer note is cut at its end, because a QR
  * code has little room. Nothing else is ever cut, so a code without a note may still be longer.
- * @throws CodecError as {@link requireSetting} when it is no setting.
+ * @throws CodecError as {@link formatLibraryFile} when it is no setting.
  */
 export function encodeLink(shared: SharedSetting, options: { readonly longest?: number } = {}): string {
   const setting = requireShared(shared);
@@ -58,7 +58,7 @@ export function encodeLink(shared: SharedSetting, options: { readonly longest?: 
  * Reads a setting from a code, a fragment or a whole address with `#s=`. White space inside, which mail programs add,
  * does no harm; nor do other words or signs after it, nor signs of the link in percent coding.
  * @throws CodecError `bad-link`: no setting, or a cut or damaged one; `newer-version`; `too-large`. A whole code whose
- * values no setting can hold gives an error as {@link requireSetting}.
+ * values no setting can hold gives an error as {@link formatLibraryFile}.
  */
 export function decodeLink(link: string): SharedSetting {
   const text = link.replaceAll(/%[0-7][\da-f]/gi, decodeURIComponent);

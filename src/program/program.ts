@@ -1,4 +1,4 @@
-import { CodecError, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
+import { CodecError, type Hundredths, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
 import { requireCount, whole } from './require.js';
 
 /**
@@ -10,10 +10,9 @@ export interface TimerProgram {
   /** The memory that it was read from, counted from 0; null when the timer does not say. */
   readonly memory: number | null;
   /**
-   * The time of each slot in hundredths of a second, 0..65535, absolute from launch. Slot 0 is the motor stop on class
-   * Q and reserved on B and E.
+   * The time of each slot, absolute from launch. Slot 0 is the motor stop on class Q and reserved on B and E.
    */
-  readonly times: readonly number[];
+  readonly times: readonly Hundredths[];
   /** `[servo][slot]`, steps 0..130. A timer may hold 131..255; such a value stays as it was read. */
   readonly positions: readonly (readonly number[])[];
   /** 0..255, unit unknown; null when nobody asked for it (any class but Q) or the timer did not answer. */
@@ -92,7 +91,7 @@ export function withValue(program: TimerProgram, field: ProgramField, value: num
  * @param value 0..655.35, in whole hundredths of a second.
  * @throws CodecError `not-an-integer` when it is finer than a hundredth or no number, `out-of-range`.
  */
-export function seconds(value: number): number {
+export function seconds(value: number): Hundredths {
   const hundredths = typeof value === 'number' ? Math.round(value * 100) : Number.NaN;
   // 0.29 * 100 is 28.999999999999996.
   return whole(Math.abs(hundredths - value * 100) < 1e-6 ? hundredths : Number.NaN, 'seconds', 0, MAX_TIME);

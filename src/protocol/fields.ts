@@ -124,8 +124,8 @@ function firstMemory(quirks: LayoutQuirks | undefined): number {
   return quirks?.memoriesFromOne ? 1 : 0;
 }
 
-/** The time of every slot in hundredths of a second, 16 bits each, low byte first. */
-export const timesField: Field<'times', readonly number[]> = {
+/** The time of every slot, 16 bits each, low byte first. */
+export const timesField: Field<'times', readonly Hundredths[]> = {
   name: 'times',
   size: (identity) => 2 * slotCount(identity),
   encode(times, { identity, quirks }) {
@@ -148,7 +148,7 @@ export const timesField: Field<'times', readonly number[]> = {
 };
 
 /** The times that the timer holds now; null when the acknowledgement carries none. */
-export const acknowledgedTimesField: Field<'times', readonly number[] | null> = {
+export const acknowledgedTimesField: Field<'times', readonly Hundredths[] | null> = {
   name: 'times',
   size: (identity) => timesField.size(identity),
   encode: (times, layout) => (times === null ? [] : timesField.encode(times, layout)),
@@ -188,6 +188,9 @@ export const identityField: Field<'identity', Identity> = {
   encode: encodeIdentity,
   decode: decodeIdentity,
 };
+
+/** A time in hundredths of a second, a whole number 0..65535: 180 is 1.80 s, and three minutes are 18000. */
+export type Hundredths = number;
 
 /** The longest time that 16 bits of hundredths carry: 65535, which is 655.35 s. */
 export const MAX_TIME = 0xffff;

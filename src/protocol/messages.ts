@@ -57,7 +57,7 @@ export function encodeReply(reply: Reply, options: CodecOptions = {}): Bytes {
 
 /**
  * Reads a reply, as the client does. With a pending GETTIMERS it takes the letter 66 for 62, with a pending UNLOCK 6A
- * for 6E: the source prints them so in one place. The caller decides whether that is safe (see {@link answers}).
+ * for 6E: the source prints them so in one place. Take such a reply only when no earlier request can still be answered.
  * @throws CodecError `unexpected-reply` when the frame does not answer the pending request, `unknown-command` when no
  * reply has this letter, `wrong-length`, `out-of-range`, `bad-identity`, `identity-needed`.
  * @returns the reply. With a pending request of a known name, its values are typed.

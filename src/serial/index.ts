@@ -1,14 +1,7 @@
-/**
- * From `navigator.serial` to a client: choose a port, find the rate, wait for the timer, come back after a loss.
- * @module
- */
+// The door of this room for the others: what the package gives, and what only they need.
 
-export { availability, choosePort, rememberedPorts, type Surroundings } from './choose.js';
-export { ConnectionError, type ConnectionErrorCode } from './errors.js';
-export { type RememberedPort, TimerLink, type TimerLinkOptions } from './link.js';
-export type { LinkState, TimerConnection } from './link-state.js';
-export { LINK_TABLE, type LinkEvent, type LinkStatus } from './link-table.js';
-export { type KnownPort, type PortKind, portKey, portKind } from './ports.js';
-export type { Heard } from './rate-listener.js';
-export { DEFAULT_SETTINGS, type OpenedSettings, RATES, type Rates, type SerialSettings } from './settings.js';
-export type { PortInfo, SerialLike, SerialPortLike } from './types.js';
+export { choosePort, rememberedPorts } from './choose.js';
+export type { LinkEvent } from './link-table.js';
+export { portKey, portKind } from './ports.js';
+export * from './public.js';
+export { RATES, type Rates } from './settings.js';

@@ -16,9 +16,9 @@ export interface TimerConnection {
   readonly settings: OpenedSettings;
   /** What the port says about itself. */
   readonly info: PortInfo;
-  /** The kind of adapter, see `portKind`. */
+  /** The kind of adapter. */
   readonly kind: PortKind;
-  /** The name by which settings of this port are remembered, see `portKey`. */
+  /** The name by which settings of this port are remembered, see `KnownPort`. */
   readonly portKey: string;
 }
 

@@ -10,7 +10,7 @@ import { Reconnector } from './reconnector.js';
 import { DEFAULT_SETTINGS, type SerialSettings } from './settings.js';
 import type { SerialLike, SerialPortLike } from './types.js';
 
-/** What an application remembers of a port, by its `portKey`. */
+/** What an application remembers of a port, by its key, see `KnownPort`. */
 export interface RememberedPort {
   /** How the pilot wants the port to be opened. Default: `DEFAULT_SETTINGS`. */
   readonly settings?: SerialSettings | undefined;

@@ -1,15 +1,23 @@
 import type { PortInfo, SerialPortLike } from './types.js';
 
-/** What a pilot would call the adapter of a port: the maker of its chip, or how it is connected. */
+/**
+ * What a pilot would call the adapter of a port, by the vendor of its USB chip: FTDI, Silicon Labs CP210x, WCH CH340,
+ * Prolific PL2303. `usb`: another vendor. `bluetooth`: a Bluetooth serial port. `other`: a port that says nothing about
+ * itself, such as one built into a computer.
+ */
 export type PortKind = 'ftdi' | 'cp210x' | 'ch340' | 'pl2303' | 'bluetooth' | 'usb' | 'other';
 
 /** A port that the pilot has allowed, with its name. */
 export interface KnownPort {
   /** The port itself, for `TimerLink.connect()`. */
   readonly port: SerialPortLike;
-  /** See {@link portKind}. */
+  /** By the vendor of its USB chip. */
   readonly kind: PortKind;
-  /** See {@link portKey}. */
+  /**
+   * The name under which settings of a port are remembered: `usb:0403:6001` (vendor and product, four hexadecimal
+   * digits each), `bluetooth:` and the service class, or `other`. Nothing in Web Serial tells two adapters of one kind
+   * apart, so they share a name.
+   */
   readonly key: string;
   /** What the port says about itself. */
   readonly info: PortInfo;
@@ -22,24 +30,14 @@ const VENDORS: ReadonlyMap<number, PortKind> = new Map([
   [0x067b, 'pl2303'],
 ]);
 
-/**
- * The kind of adapter, by the vendor of its USB chip: FTDI, Silicon Labs CP210x, WCH CH340, Prolific PL2303. `usb`:
- * another vendor. `bluetooth`: a Bluetooth serial port. `other`: a port that says nothing about itself, such as one
- * built into a computer.
- * @param info what the port's `getInfo()` gives.
- */
+/** @param info what the port's `getInfo()` gives. */
 export function portKind({ usbVendorId, bluetoothServiceClassId }: PortInfo): PortKind {
   if (bluetoothServiceClassId !== undefined) return 'bluetooth';
   if (usbVendorId === undefined) return 'other';
   return VENDORS.get(usbVendorId) ?? 'usb';
 }
 
-/**
- * The name under which settings of a port are remembered: `usb:0403:6001` (vendor and product, four hexadecimal digits
- * each), `bluetooth:` and the service class, or `other`. Nothing in Web Serial tells two adapters of one kind apart, so
- * they share a name.
- * @param info what `getInfo()` of the port gives.
- */
+/** See {@link KnownPort}. @param info what `getInfo()` of the port gives. */
 export function portKey({ usbVendorId, usbProductId, bluetoothServiceClassId }: PortInfo): string {
   if (bluetoothServiceClassId !== undefined) return `bluetooth:${fullUuid(bluetoothServiceClassId)}`;
   if (usbVendorId === undefined) return 'other';

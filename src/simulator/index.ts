@@ -1,11 +1,5 @@
-/**
- * The other end of the wire: a virtual timer with quirks, and a timer that replays a recording.
- * @module
- */
+// The door of this room for the others: what the package gives, and what only they need.
 
-export { exampleMemories } from './example-memories.js';
-export { firstContent, type MemoryContent } from './memory.js';
-export type { TimerQuirks } from './quirks.js';
-export { ReplayTimer, type ReplayTimerOptions } from './replay.js';
-export { TimerCore, type TimerCoreOptions, type TimerPhase } from './timer-core.js';
-export { type LineFaults, VirtualTimer, type VirtualTimerOptions } from './virtual-timer.js';
+export { firstContent } from './memory.js';
+export * from './public.js';
+export { TimerCore } from './timer-core.js';

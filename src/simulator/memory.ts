@@ -1,9 +1,9 @@
-import { encodeReply, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
+import { encodeReply, type Hundredths, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
 
 /** What one memory of the virtual timer holds. */
 export interface MemoryContent {
-  /** The time of each slot in hundredths of a second, 0..65535. Slot 0 is the motor stop on class Q. */
-  times: number[];
+  /** The time of each slot. Slot 0 is the motor stop on class Q. */
+  times: Hundredths[];
   /** `[servo][slot]`, steps 0..130. A timer may hold 131..255, too. */
   positions: number[][];
 }

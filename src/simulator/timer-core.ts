@@ -34,7 +34,7 @@ export interface TimerCoreOptions {
   readonly clock: Clock;
   /** Milliseconds without a request after which it falls asleep. Default: never. */
   readonly sleepAfter?: number | undefined;
-  /** What its memories hold, from M1 on. Missing ones hold {@link firstContent}. */
+  /** What its memories hold, from M1 on. Missing ones hold rising times. */
   readonly memories?: readonly MemoryContent[] | undefined;
 }
 

@@ -16,7 +16,7 @@ export interface VirtualTimerOptions {
    * functions, 4 memories, 3 servos.
    */
   readonly identity?: Partial<Identity>;
-  /** What its memories hold, from M1 on, in the layout of its identity. Missing ones hold {@link firstContent}. */
+  /** What its memories hold, from M1 on, in the layout of its identity. Missing ones hold rising times. */
   readonly memories?: readonly MemoryContent[];
   /** How it differs from the usual reading of the protocol. Default: not at all. */
   readonly quirks?: TimerQuirks;

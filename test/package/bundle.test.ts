@@ -66,13 +66,14 @@ describe('a bundle takes what it uses', () => {
 });
 
 describe('the vectors', () => {
-  it('are loaded from the installed package, by import and by require', () => {
+  it('are loaded from the installed package, by import and by require, and so is package.json', () => {
     const script = `import { createRequire } from 'node:module';
       import imported from 'sidus-timer/vectors.json' with { type: 'json' };
-      const required = createRequire(import.meta.url)('sidus-timer/vectors.json');
-      console.log(imported.version, JSON.stringify(imported) === JSON.stringify(required));`;
+      const require = createRequire(import.meta.url);
+      const same = JSON.stringify(imported) === JSON.stringify(require('sidus-timer/vectors.json'));
+      console.log(imported.version, same, require('sidus-timer/package.json').name);`;
     const said = consumer.run(process.execPath, '--no-warnings', '--input-type=module', '--eval', script);
-    expect(said.trim()).toBe('1 true');
+    expect(said.trim()).toBe('1 true sidus-timer');
   });
 
   it('are those that the codecs are tested with', () => {

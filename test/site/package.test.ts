@@ -64,7 +64,7 @@ describe('the package in a browser', () => {
     await page.route(`${ORIGIN}/worker.js`, (route) =>
       route.fulfill({
         contentType: 'text/javascript',
-        body: `import { TimerClient } from '/dist/lib/client/index.js';
+        body: `import { TimerClient } from '/dist/lib/client/public.js';
           onmessage = async ({ data: port }) => {
             const timer = new TimerClient(port);
             const program = await timer.readProgram();
@@ -75,7 +75,7 @@ describe('the package in a browser', () => {
     );
     // A string: what Vitest makes of import() would not be known in the page.
     const program = await page.evaluate(`(async () => {
-      const { VirtualTimer } = await import('/dist/lib/simulator/index.js');
+      const { VirtualTimer } = await import('/dist/lib/simulator/public.js');
       const { readable, writable } = new VirtualTimer();
       const worker = new Worker('/worker.js', { type: 'module' });
       const answer = new Promise((resolve, reject) => {
@@ -143,7 +143,7 @@ describe('the example of one plain page', () => {
     const page = await pageOf('/examples/plain-html/index.html');
     // A string: what Vitest makes of import() would not be known in the page.
     await page.evaluate(`(async () => {
-      const { VirtualTimer } = await import('/dist/lib/simulator/index.js');
+      const { VirtualTimer } = await import('/dist/lib/simulator/public.js');
       const timer = new VirtualTimer();
       const port = serial.plug();
       serial.choose(port);
