@@ -1,4 +1,4 @@
-import { CodecError, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
+import { type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
 import { identityOf, requireProgram } from './library.js';
 import { slotKind, type TimerProgram } from './program.js';
 import { LAST_DATE, list, record, refuse, requireCount, whole, word } from './require.js';
@@ -93,16 +93,8 @@ function timeFromFile(value: unknown, path: string): number {
     refuse('wrong-type', path, 'seconds with two decimals, such as "0.30"', value);
   }
   const hundredths = Number(value.replace('.', ''));
-  if (hundredths > MAX_TIME) {
-    const max = MAX_TIME / 100;
-    const wanted = `0.00 to ${max}`;
-    throw new CodecError('out-of-range', path, `${path} must be ${wanted}`, {
-      value: Number(value),
-      min: 0,
-      max,
-      wanted,
-    });
-  }
+  const max = MAX_TIME / 100;
+  if (hundredths > MAX_TIME) refuse('out-of-range', path, `0.00 to ${max}`, Number(value), { min: 0, max });
   return hundredths;
 }
 

@@ -59,6 +59,11 @@ export interface LibraryFile {
   readonly ignored: readonly string[];
 }
 
+const KINDS = ['models', 'settings', 'flights'] as const;
+type Kind = (typeof KINDS)[number];
+type Entry = Model | Setting | Flight;
+type Content = Omit<LibraryFile, 'ignored' | 'facts'> & { readonly facts: ReadonlyMap<Entry, EntryFacts | undefined> };
+
 /** In characters. */
 const LONGEST_NAME = 200;
 const MOST_IGNORED = 20;
@@ -78,27 +83,25 @@ export function formatLibraryFile(
   const checked = requireLibrary(library);
   whole(head.writtenAt, 'writtenAt', 0, LAST_DATE);
   text(head.writtenBy, 'writtenBy', LONGEST_NAME);
-  const facts = new Map<Model | Setting | Flight, EntryFacts>();
-  for (const list of ['models', 'settings', 'flights'] as const) {
-    for (const [at, entry] of checked[list].entries()) {
-      const known = head.facts?.get(library[list][at] as Model | Setting | Flight);
-      if (known) facts.set(entry, known);
-    }
-  }
+  const facts = new Map(
+    KINDS.flatMap((kind) => checked[kind].map((entry, at) => [entry, head.facts?.get(library[kind][at] as Entry)])),
+  );
   const written = writeJson(toFile({ ...head, library: checked, facts }));
   requireSize(written);
   return `${written}\n`;
 }
 
 /** What stands in the file. */
-function toFile({ library, facts, writtenAt, writtenBy }: Omit<LibraryFile, 'ignored'>): object {
+function toFile({ library, facts, writtenAt, writtenBy }: Content): object {
   const held = ({ at, program }: Pick<VerifiedMemory, 'at' | 'program'>): object => ({
     at: dateToFile(at),
     program: programToFile(program),
   });
-  const factsOf = (entry: Model | Setting | Flight): object => {
+  const written = (entry: Entry): object => {
     const { changedAt, verified } = facts.get(entry) ?? {};
     return {
+      ...entry,
+      ...('program' in entry && held(entry)),
       ...(changedAt !== undefined && { changedAt: dateToFile(changedAt) }),
       ...(verified && {
         verified: verified.map((each) => ({
@@ -113,9 +116,9 @@ function toFile({ library, facts, writtenAt, writtenBy }: Omit<LibraryFile, 'ign
     version: FILE_VERSION,
     writtenAt: dateToFile(writtenAt),
     writtenBy,
-    models: library.models.map((model) => ({ ...model, ...factsOf(model) })),
-    settings: library.settings.map((setting) => ({ ...setting, ...held(setting), ...factsOf(setting) })),
-    flights: library.flights.map((flight) => ({ ...flight, ...held(flight), ...factsOf(flight) })),
+    models: library.models.map(written),
+    settings: library.settings.map(written),
+    flights: library.flights.map(written),
   };
 }
 
@@ -151,7 +154,7 @@ function requireSize({ length }: string): void {
   throw new CodecError('too-large', 'file', `a file has at most ${MAX_FILE} characters, not ${length}`, details);
 }
 
-function fromFile(value: unknown): Omit<LibraryFile, 'ignored'> {
+function fromFile(value: unknown): Content & Pick<LibraryFile, 'facts'> {
   const of = Object(value) as Raw<Library & Record<'format' | 'version' | 'writtenAt' | 'writtenBy', unknown>>;
   if (of.format !== FILE_FORMAT) throw new CodecError('bad-file', 'format', `format must be “${FILE_FORMAT}”`);
   const version = whole(of.version, 'version', 1, Number.MAX_SAFE_INTEGER);
@@ -159,54 +162,43 @@ function fromFile(value: unknown): Omit<LibraryFile, 'ignored'> {
     const details = { value: version, max: FILE_VERSION };
     throw new CodecError('newer-version', 'version', `version ${version} is newer than ${FILE_VERSION}`, details);
   }
-  const facts = new Map<Model | Setting | Flight, EntryFacts>();
-  const noted = <T extends Model | Setting | Flight>(
-    entry: T,
-    raw: unknown,
-    path: string,
-    more: EntryFacts = {},
-  ): T => {
-    const { changedAt } = raw as Raw<EntryFacts>;
-    const known = changedAt === undefined ? more : { ...more, changedAt: dateFromFile(changedAt, `${path}.changedAt`) };
-    if (Object.keys(known).length > 0) facts.set(entry, known);
-    return entry;
-  };
+  const facts = new Map<Entry, EntryFacts>();
+  const read = <T extends Entry>(kind: Kind, entryOf: (raw: unknown, path: string) => T): readonly T[] =>
+    entries(of[kind], kind, (raw, path) => {
+      const entry = entryOf(raw, path);
+      const known = factsOf(raw as Raw<EntryFacts>, path, kind);
+      if (Object.keys(known).length > 0) facts.set(entry, known);
+      return entry;
+    });
   return {
     writtenAt: dateFromFile(of.writtenAt, 'writtenAt'),
     writtenBy: text(of.writtenBy, 'writtenBy', LONGEST_NAME),
     library: {
-      models: entries(of.models, 'models', (raw, path) =>
-        noted(requireModel(raw, path), raw, path, verified(raw, path)),
-      ),
-      settings: entries(of.settings, 'settings', (raw, path) =>
-        noted(requireSetting(withHeld(raw, path), path), raw, path),
-      ),
-      flights: entries(of.flights, 'flights', (raw, path) =>
-        noted(requireFlight(withHeld(raw, path), path), raw, path),
-      ),
+      models: read('models', requireModel),
+      settings: read('settings', (raw, path) => requireSetting(withHeld(raw, path), path)),
+      flights: read('flights', (raw, path) => requireFlight(withHeld(raw, path), path)),
     },
     facts,
   };
 }
 
-function withHeld(raw: unknown, path: string): Pick<VerifiedMemory, 'at' | 'program'> {
+function withHeld(raw: unknown, path: string): Raw<VerifiedMemory> & Pick<VerifiedMemory, 'at' | 'program'> {
   const of = record<VerifiedMemory>(raw, path);
   const at = dateFromFile(of.at, `${path}.at`);
   return { ...of, at, program: programFromFile(of.program, `${path}.program`) };
 }
 
-function verified(raw: unknown, path: string): EntryFacts {
-  const { verified } = raw as Raw<EntryFacts>;
-  if (verified === undefined) return {};
-  const memories = list(verified, `${path}.verified`, MOST_VERIFIED).map((each, index): VerifiedMemory => {
+function factsOf({ verified, changedAt }: Raw<EntryFacts>, path: string, kind: Kind): EntryFacts {
+  const memory = (raw: unknown, index: number): VerifiedMemory => {
     const place = `${path}.verified[${index}]`;
-    const { at, program, simulated }: Raw<VerifiedMemory> & Pick<VerifiedMemory, 'at' | 'program'> = withHeld(
-      each,
-      place,
-    );
+    const { at, program, simulated } = withHeld(raw, place);
     return { at, program, ...(simulated !== undefined && { simulated: flag(simulated, `${place}.simulated`) }) };
-  });
-  return { verified: memories };
+  };
+  return {
+    ...(kind === 'models' &&
+      verified !== undefined && { verified: list(verified, `${path}.verified`, MOST_VERIFIED).map(memory) }),
+    ...(changedAt !== undefined && { changedAt: dateFromFile(changedAt, `${path}.changedAt`) }),
+  };
 }
 
 /** Names that say nothing: where the schema is; the picture of a model, in files of an earlier version. */

@@ -1,4 +1,4 @@
-import { CodecError } from '../protocol/index.js';
+import { CodecError, type CodecErrorCode } from '../protocol/index.js';
 
 /*
  * Checks of values from outside. Each makes sure that a value is of its kind. `path` is the place that an error names:
@@ -21,8 +21,15 @@ export function within(path: string, check: () => void): void {
   }
 }
 
-export function refuse(code: 'wrong-type' | 'unknown-word', field: string, wanted: string, value: unknown): never {
-  throw new CodecError(code, field, `${field} must be ${wanted}`, { value, wanted });
+/** @param limits also `verb`, where it must not be, but have, what is wanted. */
+export function refuse(
+  code: CodecErrorCode,
+  field: string,
+  wanted: string,
+  value: unknown,
+  { verb = 'be', ...limits }: { min?: number; max?: number; verb?: 'be' | 'have' } = {},
+): never {
+  throw new CodecError(code, field, `${field} must ${verb} ${wanted}`, { value, ...limits, wanted });
 }
 
 export function record<T>(value: unknown, path: string): Raw<T> {
@@ -34,12 +41,7 @@ export function record<T>(value: unknown, path: string): Raw<T> {
 export function list(value: unknown, path: string, most: number): readonly unknown[] {
   if (!Array.isArray(value)) refuse('wrong-type', path, 'a list', value);
   if (value.length > most) {
-    const wanted = `at most ${most} entries`;
-    throw new CodecError('wrong-count', path, `${path} must have ${wanted}`, {
-      value: value.length,
-      max: most,
-      wanted,
-    });
+    refuse('wrong-count', path, `at most ${most} entries`, value.length, { max: most, verb: 'have' });
   }
   return value;
 }
@@ -56,9 +58,8 @@ export function text(value: unknown, path: string, longest: number, shortest = 0
   if (typeof value !== 'string') refuse('wrong-type', path, 'a text', value);
   const length = characters(value, longest);
   if (length < shortest || length > longest) {
-    const wanted = `${shortest} to ${longest} characters`;
-    const details = { value: length, min: shortest, max: longest, wanted };
-    throw new CodecError('out-of-range', path, `${path} must have ${wanted}`, details);
+    const limits = { min: shortest, max: longest, verb: 'have' } as const;
+    refuse('out-of-range', path, `${shortest} to ${longest} characters`, length, limits);
   }
   return value;
 }
@@ -90,9 +91,7 @@ export function date(value: unknown, path: string): number {
 }
 
 export function whole(value: unknown, path: string, min: number, max: number): number {
-  if (!Number.isInteger(value)) {
-    throw new CodecError('not-an-integer', path, `${path} must be a whole number`, { value, wanted: 'a whole number' });
-  }
+  if (!Number.isInteger(value)) refuse('not-an-integer', path, 'a whole number', value);
   return measured(value, path, min, max) as number;
 }
 
@@ -108,10 +107,7 @@ export function wholes(value: unknown, path: string, most: number, max: number):
 export function measured(value: unknown, path: string, min: number, max: number): number | null {
   if (value === null || value === undefined) return null;
   if (typeof value !== 'number' || Number.isNaN(value)) refuse('wrong-type', path, 'a number, or null', value);
-  if (value < min || value > max) {
-    const wanted = `${min} to ${max}`;
-    throw new CodecError('out-of-range', path, `${path} must be ${wanted}`, { value, min, max, wanted });
-  }
+  if (value < min || value > max) refuse('out-of-range', path, `${min} to ${max}`, value, { min, max });
   // Turns -0 into 0: a negative zero would not come back from a file.
   return value + 0;
 }

@@ -3,7 +3,6 @@ import type { BaseIssue, BaseSchema } from 'valibot';
 import * as v from 'valibot';
 import { on } from '../browser/lifecycle.js';
 import { service } from '../browser/services.js';
-import { whenIdle } from '../browser/when-idle.js';
 import { withPresentNames } from './former-names.js';
 import type { AsideRecord } from './records.js';
 
@@ -124,15 +123,19 @@ export async function deleteStorage(opened: Opened, name: string): Promise<void>
   await deleteDB(name);
 }
 
-/** Changes several shelves in one step: all of it is on the disk, or nothing. */
+/**
+ * Changes one or several shelves in one step: all of it is done, or nothing.
+ * @param durability `strict`: once it is done it is on the disk, which costs some milliseconds.
+ */
 export async function changeShelves(
   opened: Opened,
   changes: Readonly<Partial<Record<StoreName, Change<{ readonly key: string }> | undefined>>>,
+  durability: IDBTransactionDurability = 'strict',
 ): Promise<void> {
   const each = Object.entries(changes) as [StoreName, Change<{ readonly key: string }> | undefined][];
   const names = each.filter(([, change]) => change?.put?.length || change?.gone?.length).map(([name]) => name);
   if (names.length === 0) return;
-  const changing = (await opened()).transaction(names, 'readwrite', { durability: 'strict' });
+  const changing = (await opened()).transaction(names, 'readwrite', { durability });
   const asked: Promise<unknown>[] = [changing.done];
   try {
     for (const name of names) {
@@ -166,7 +169,9 @@ function drawn(): Promise<void> {
       resolve();
     };
     const end = on('hide', settle);
-    whenIdle(settle, IDLE_WITHIN);
+    // Safari does not have it.
+    if (typeof requestIdleCallback === 'function') requestIdleCallback(settle, { timeout: IDLE_WITHIN });
+    else setTimeout(settle, IDLE_WITHIN);
   });
 }
 
@@ -181,7 +186,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   readonly #waiting = new Map<string, T>();
 
   /**
-   * @param durability `strict`: a saved record is on the disk, which costs some milliseconds.
+   * @param durability see {@link changeShelves}.
    * @param onLeft called with records that can neither be read nor be set aside.
    */
   constructor(
@@ -204,21 +209,12 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     // A newer record has taken its place.
     if (this.#waiting.get(record.key) !== record) return;
     this.#waiting.delete(record.key);
-    const options = { durability: this.#durability };
-    const writing = (await this.#opened()).transaction(this.#name, 'readwrite', options);
-    const put = writing.store.put(record);
-    // Commits at once: the page may be gone by the time that the record is stored.
-    writing.commit?.();
-    await Promise.all([put, writing.done]);
+    await changeShelves(this.#opened, { [this.#name]: { put: [record] } }, this.#durability);
   }
 
   async remove(key: string): Promise<void> {
     this.#waiting.delete(key);
-    const removing = (await this.#opened()).transaction(this.#name, 'readwrite', { durability: this.#durability });
-    const gone = removing.store.delete(key);
-    // As for a record that is saved.
-    removing.commit?.();
-    await Promise.all([gone, removing.done]);
+    await changeShelves(this.#opened, { [this.#name]: { gone: [key] } }, this.#durability);
   }
 
   async load(key: string): Promise<T | undefined> {

@@ -54,17 +54,14 @@ export function browserStorage(name = 'sidus-timer', onEmptied?: () => void): St
     for (const record of found) left.set(`${record.shelf}/${String((record.stored as { key: unknown }).key)}`, record);
   };
   const aside = new Shelf(opened, 'aside', records.asideSchema);
+  const moved = aside.all.bind(aside);
+  aside.all = async () => [...(await moved()), ...left.values()];
   return {
     drafts: new Shelf(opened, 'drafts', records.draftSchema, 'relaxed', note),
     unfinished: new Shelf(opened, 'unfinished', records.unfinishedSchema, 'strict', note),
     backups: new Shelf(opened, 'backups', records.backupSchema, 'strict', note),
     ports: new Shelf(opened, 'ports', records.portSchema, 'relaxed', note),
-    aside: {
-      save: (record) => aside.save(record),
-      remove: (key) => aside.remove(key),
-      load: (key) => aside.load(key),
-      all: async () => [...(await aside.all()), ...left.values()],
-    },
+    aside,
     models: new Shelf(opened, 'models', records.modelSchema, 'strict', note),
     settings: new Shelf(opened, 'settings', records.settingSchema, 'strict', note),
     flights: new Shelf(opened, 'flights', records.flightSchema, 'strict', note),
