@@ -4,7 +4,7 @@ import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { dtText, messages } from '../messages/index.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
-import { Select } from '../ui/choice.js';
+import { Choice } from '../ui/choice.js';
 import { Modal } from '../ui/modal.js';
 import { Problem } from '../ui/problem.js';
 import { TimeQuestion } from '../ui/time-question.js';
@@ -80,8 +80,8 @@ function Form({ id, session, log }: FormProps) {
         <Stepper form={form} measure="wind" label={words.wind} unit={words.windUnit} />
         <Stepper form={form} measure="temperature" label={words.temperature} unit={words.temperatureUnit} />
       </div>
-      <label class="stack gap-1 flight-field">
-        {label.note}
+      <label class="field">
+        <span>{label.note}</span>
         <textarea
           rows={2}
           maxLength={LIMITS.note}
@@ -170,9 +170,9 @@ function Round({ form }: { readonly form: FlightForm }) {
   const { form: words } = flightMessages;
   const { round } = form.flight.value;
   return (
-    <fieldset class="stack gap-1 flight-field">
-      <legend>{words.round}</legend>
-      <span class="row">
+    <fieldset class="stack gap-1">
+      <legend class="hint">{words.round}</legend>
+      <span class="row flight-rounds">
         {ROUNDS.map((value) => (
           <button
             type="button"
@@ -240,8 +240,8 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
     <details>
       <summary>{words.when}</summary>
       <div class="stack gap-3">
-        <label class="stack gap-1 flight-field">
-          {words.date}
+        <label class="field">
+          <span>{words.date}</span>
           <input
             type="datetime-local"
             aria-invalid={form.problems.value.has('at')}
@@ -251,8 +251,8 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
         </label>
         <Problem text={form.problems.value.has('at') && words.unreadable['not-a-date']} />
         {flight.utcOffset === undefined && <p class="hint">{words.noOffset}</p>}
-        <label class="stack gap-1 flight-field">
-          {words.place}
+        <label class="field">
+          <span>{words.place}</span>
           <input
             type="text"
             list={places}
@@ -267,19 +267,13 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
             <option key={place} value={place} />
           ))}
         </datalist>
-        <label class="stack gap-1 flight-field">
-          {label.model}
-          <Select
-            choices={[
-              null,
-              ...(flight.model !== null && !known ? [flight.model] : []),
-              ...listed.map(({ key }) => key),
-            ]}
-            nameOf={(key) => (key === null ? noModel : (models.get(key)?.model.name ?? flight.modelName))}
-            chosen={flight.model}
-            onChoose={(model) => form.set({ model, modelName: models.get(model)?.model.name ?? '' })}
-          />
-        </label>
+        <Choice
+          label={label.model}
+          choices={[null, ...(flight.model !== null && !known ? [flight.model] : []), ...listed.map(({ key }) => key)]}
+          nameOf={(key) => (key === null ? noModel : (models.get(key)?.model.name ?? flight.modelName))}
+          chosen={flight.model}
+          onChoose={(model) => form.set({ model, modelName: models.get(model)?.model.name ?? '' })}
+        />
       </div>
     </details>
   );

@@ -59,8 +59,7 @@ export class FlightForm {
 
   /** Notes what was proposed. */
   takeProposed(): void {
-    const { proposed } = this;
-    if (proposed.peek()) this.#change(proposed.peek() ?? {});
+    this.#change(this.proposed.peek() ?? {});
   }
 
   /** Says what the text of the result means, in hundredths of a second; null takes the text back. */

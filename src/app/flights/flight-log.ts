@@ -95,9 +95,7 @@ export class FlightLog {
   /** Removes the flight that was logged last. */
   undo(): void {
     const key = this.#logged.peek();
-    if (key === null) return;
-    this.remove(key);
-    this.#logged.value = null;
+    if (key !== null) this.remove(key);
   }
 
   /** The result of a write was left: its logged flight is no longer shown there. */
@@ -126,17 +124,13 @@ export class FlightLog {
     this.#filling.value = null;
   }
 
-  /**
-   * Changes a flight in the log.
-   * @returns whether the browser keeps it; true also when there is no such flight.
-   */
-  async change(key: string, changes: Partial<Flight>): Promise<boolean> {
+  /** Changes a flight, if it is in the log. */
+  async change(key: string, changes: Partial<Flight>): Promise<void> {
     const { library } = this.#session;
-    const record = library.flights.get(key);
-    if (!record) return true;
+    const flight = library.flights.get(key)?.flight;
+    if (!flight) return;
     if (changes.place !== undefined) saveSetting(PLACE, changes.place);
-    const kept = await library.keepFlight({ ...record.flight, ...changes });
-    return !library.flights.unsaved.peek().has(kept.key);
+    await library.keepFlight({ ...flight, ...changes });
   }
 
   /** Removes a flight from the log. Can be undone for some seconds. */

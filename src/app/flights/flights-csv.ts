@@ -1,4 +1,4 @@
-import { type Flight, valueAt } from '../../program/index.js';
+import type { Flight } from '../../program/index.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { dayOf, offsetText, timeOfDay } from './flight-list.js';
 
@@ -30,42 +30,35 @@ const FORMULA = /^(?:'|\s*[=+\-@＝＋－＠]|[\t\r\n])/;
 export function flightsCsv(flights: readonly Flight[], marks: Marks): string {
   const rows = [
     CSV_COLUMNS.map((column) => quoted(HEADS[column])),
-    ...flights.map((flight) => CSV_COLUMNS.map((column) => cell(flight, column, marks))),
+    ...flights.map((flight) => {
+      const cells = cellsOf(flight, marks);
+      return CSV_COLUMNS.map((column) => cells[column]);
+    }),
   ];
   return `\uFEFF${rows.map((row) => `${row.join(marks.separator)}\r\n`).join('')}`;
 }
 
-function cell(flight: Flight, column: CsvColumn, { decimal }: Marks): string {
+function cellsOf(flight: Flight, { decimal }: Marks): Readonly<Record<CsvColumn, string>> {
   const number = (value: number | null): string => (value === null ? '' : String(value).replace('.', decimal));
-  const seconds = (hundredths: number | null): string => number(hundredths === null ? null : hundredths / 100);
-  const { identity, memory } = flight.program;
-  switch (column) {
-    case 'date':
-      return dayOf(flight);
-    case 'time':
-      return timeOfDay(flight);
-    case 'zone':
-      return text(offsetText(flight));
-    case 'place':
-      return text(flight.place);
-    case 'model':
-      return text(flight.modelName);
-    case 'setting':
-      return text(flight.settingName);
-    case 'timerClass':
-      return text(identity.timerClass);
-    case 'memory':
-      return memory === null ? '' : String(memory + 1);
-    case 'dt':
-      return seconds(valueAt(flight.program, { kind: 'time', slot: identity.functions }));
-    case 'motorStop':
-      return identity.timerClass === 'Q' ? seconds(valueAt(flight.program, { kind: 'time', slot: 0 })) : '';
-    case 'round':
-    case 'note':
-      return text(flight[column]);
-    default:
-      return number(flight[column]);
-  }
+  const { identity, memory, times } = flight.program;
+  const seconds = (slot: number): string => number((times[slot] as number) / 100);
+  return {
+    date: dayOf(flight),
+    time: timeOfDay(flight),
+    zone: text(offsetText(flight)),
+    place: text(flight.place),
+    model: text(flight.modelName),
+    setting: text(flight.settingName),
+    timerClass: text(identity.timerClass),
+    memory: memory === null ? '' : String(memory + 1),
+    dt: seconds(identity.functions),
+    motorStop: identity.timerClass === 'Q' ? seconds(0) : '',
+    wind: number(flight.wind),
+    temperature: number(flight.temperature),
+    round: text(flight.round),
+    result: number(flight.result),
+    note: text(flight.note),
+  };
 }
 
 /** A text is always in quotes: otherwise the other separator would begin a new cell. */

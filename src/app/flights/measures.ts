@@ -9,12 +9,12 @@ import { type Ambiguous, parseTime, plainDigits, readTime } from '../editing/uni
 export const MEASURES = ['wind', 'temperature', 'result'] as const;
 export type Measure = (typeof MEASURES)[number];
 
-/** The range of each, as in `Flight`, and the size of a step. */
+/** The range of each, as in `Flight`, and the first value where none was noted before. */
 export const RANGES = {
-  wind: { min: 0, max: 50, step: 1, first: 2 },
-  temperature: { min: -50, max: 60, step: 1, first: 15 },
-  result: { min: 0, max: 36_000, step: 1, first: 180 },
-} as const satisfies Record<Measure, { min: number; max: number; step: number; first: number }>;
+  wind: { min: 0, max: 50, first: 2 },
+  temperature: { min: -50, max: 60, first: 15 },
+  result: { min: 0, max: 36_000, first: 180 },
+} as const satisfies Record<Measure, { min: number; max: number; first: number }>;
 
 /** A number; null for an empty text; the two or more that a text may mean; or why it is no number. */
 export type ReadMeasure =
@@ -23,7 +23,7 @@ export type ReadMeasure =
   | { readonly unreadable: 'ambiguous'; readonly either: Ambiguous['either'] }
   | { readonly unreadable: 'not-a-number' | 'not-a-time' | 'too-fine' | 'out-of-range' };
 
-const NUMBER = /^([+-])?(\d{0,6})(?:[.,](\d{0,6}))?$/;
+const NUMBER = /^[+-]?(?:\d{1,6}(?:[.,]\d{0,6})?|[.,]\d{1,6})$/;
 const UNITS: Readonly<Record<Exclude<Measure, 'result'>, RegExp>> = {
   wind: /\s*m\/s$/i,
   temperature: /\s*(?:°\s*c?|c)$/i,
@@ -47,11 +47,10 @@ export function measureText(value: number | null): string {
   return value === null ? '' : String(value);
 }
 
-/** The next value up or down, on a whole step and within the range. */
+/** The next whole number up or down, within the range. */
 export function steppedMeasure(measure: Measure, value: number, direction: 1 | -1): number {
-  const { min, max, step } = RANGES[measure];
-  const next = direction > 0 ? Math.floor(value / step) + 1 : Math.ceil(value / step) - 1;
-  return Math.min(max, Math.max(min, next * step));
+  const { min, max } = RANGES[measure];
+  return Math.min(max, Math.max(min, direction > 0 ? Math.floor(value) + 1 : Math.ceil(value) - 1));
 }
 
 /** Minutes and seconds as on a score card: `2'58`, `2′58″`, `2 58`, `2m58s`. */
@@ -68,8 +67,7 @@ function readResult(text: string): ReadMeasure {
 }
 
 function readNumber(text: string): ReadMeasure {
-  const [, sign, whole = '', fraction = ''] = NUMBER.exec(text) ?? [];
-  if (whole === '' && fraction === '') return { unreadable: 'not-a-number' };
-  const value = Number(`${whole || '0'}.${fraction || '0'}`);
-  return { value: sign === '-' && value !== 0 ? -value : value };
+  if (!NUMBER.test(text)) return { unreadable: 'not-a-number' };
+  // No -0: it would not come back from a file.
+  return { value: Number(text.replace(',', '.')) + 0 };
 }

@@ -3,7 +3,7 @@ import type { ComponentChildren } from 'preact';
 import { libraryMessages } from '../messages/en-library.js';
 import { messages, timerName } from '../messages/index.js';
 import type { ModelRecord } from '../storage/index.js';
-import { BackSign } from '../ui/back-sign.js';
+import { BackHead } from '../ui/back-head.js';
 import type { Session } from '../work/session.js';
 import type { Browse } from './browse.js';
 import { NewSetting } from './new-setting.js';
@@ -33,10 +33,7 @@ export function ModelColumn(props: ModelColumnProps) {
   const name = model?.model.name ?? messages.value.noModel;
   return (
     <section class="stack gap-3" aria-label={name}>
-      <a class="library-back" href="#library">
-        <BackSign />
-        {words.models.all}
-      </a>
+      <BackHead back={words.models.all} to="#library" />
       {!model && !isLoose ? (
         !session.library.unread.value && <p class="hint">{words.setting.gone}</p>
       ) : (

@@ -31,6 +31,6 @@ export function addressPath(model: string | null, setting: string | null = null)
 }
 
 /** The address of a model, or of one of the settings. */
-export function addressOf(model: string | null, setting: string | null = null): string {
+export function addressOf(model: string | null, setting: string | null = null): `#${string}` {
   return `#library/${addressPath(model, setting)}`;
 }

@@ -4,7 +4,7 @@ import { libraryMessages } from '../messages/en-library.js';
 import { clockText, dutyName, messages } from '../messages/index.js';
 import { plainName } from '../records/plain-names.js';
 import type { SettingRecord } from '../storage/index.js';
-import { BackSign } from '../ui/back-sign.js';
+import { BackHead } from '../ui/back-head.js';
 import { Choice } from '../ui/choice.js';
 import type { Session } from '../work/session.js';
 import { obstacleText } from './obstacle-text.js';
@@ -35,10 +35,10 @@ export function SettingPage(props: SettingPageProps) {
   const { servoName, label, noModel, notKept } = messages.value;
   const { library } = session;
   const way = back !== null && (
-    <a class="library-back" href={addressOf(back)}>
-      <BackSign />
-      {back === NO_MODEL ? noModel : (library.models.get(back)?.model.name ?? words.models.all)}
-    </a>
+    <BackHead
+      back={back === NO_MODEL ? noModel : (library.models.get(back)?.model.name ?? words.models.all)}
+      to={addressOf(back)}
+    />
   );
   if (!record) {
     return (

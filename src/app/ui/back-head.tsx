@@ -1,5 +1,5 @@
 import type { ComponentChildren, RefObject } from 'preact';
-import { BackSign } from './back-sign.js';
+import { Icon } from './icon.js';
 import './back-head.css';
 
 interface BackHeadProps {
@@ -10,14 +10,15 @@ interface BackHeadProps {
   readonly titleId?: string;
   /** The heading, if it can have the focus. */
   readonly heading?: RefObject<HTMLHeadingElement | null> | null;
-  readonly children: ComponentChildren;
+  /** The title, unless it stands elsewhere. */
+  readonly children?: ComponentChildren;
 }
 
 /** The head of a page that replaced another, with a way back to that. */
 export function BackHead({ back, to, titleId, heading = null, children }: BackHeadProps) {
   const way = (
     <>
-      <BackSign />
+      <Icon path="M8 4L2 10L8 16" width={10} />
       {back}
     </>
   );
@@ -30,9 +31,11 @@ export function BackHead({ back, to, titleId, heading = null, children }: BackHe
           {way}
         </button>
       )}
-      <h1 id={titleId} ref={heading} tabIndex={heading ? -1 : undefined}>
-        {children}
-      </h1>
+      {children && (
+        <h1 id={titleId} ref={heading} tabIndex={heading ? -1 : undefined}>
+          {children}
+        </h1>
+      )}
     </div>
   );
 }
