@@ -200,7 +200,7 @@ describe('every place that names a model or says what a timer holds', () => {
     // The connected timer has its own name, whatever lies over it.
     expect(places.strip).toBe(isConnected ? own || messages.value.recognition.which : '');
     expect(saidIn(places.known)).toEqual(sentence);
-    const state = libraryMessages.save.state(setting, isSaved ? 0 : 1, 0).slice(setting.length);
+    const state = libraryMessages.save.state(setting, isSaved ? 0 : 1).slice(setting.length);
     if (isConnected && setting !== '') {
       expect(places.setting.startsWith(words.ofModel(setting, model))).toBe(true);
       expect(places.setting.endsWith(isSaved ? state : 'not saved')).toBe(true);

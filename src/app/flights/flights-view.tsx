@@ -40,7 +40,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
   const filter = log.filter.value;
   const shown = filtered(list.value, filter, Date.now());
   return (
-    <div class="flights">
+    <div class="stack gap-3 flights">
       <BackHead back={views.names.library} to="#library">
         {words.title}
       </BackHead>

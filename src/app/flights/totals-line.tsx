@@ -8,7 +8,7 @@ export function TotalsLine({ records }: { readonly records: readonly FlightRecor
   const { totals: words } = flightMessages;
   const { flights, best, average } = totalsOf(records);
   return (
-    <p class="flight-totals">
+    <p class="row flight-totals">
       <strong>{words.flights(flights)}</strong>
       {best !== null && <span>{words.best(resultText(best))}</span>}
       {average !== null && <span>{words.average(resultText(tenthsDown(average)))}</span>}

@@ -8,7 +8,6 @@ import { ClassChoice } from './class-choice.js';
 import { ModelServos } from './model-servos.js';
 import type { Places } from './places.js';
 import { TextField } from './text-field.js';
-import './model-page.css';
 
 interface ModelPageProps {
   readonly session: Session;
@@ -27,10 +26,9 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
   const { library } = session;
   const { model } = record;
   const change = (changed: Partial<Model>): void => {
-    if (library.models.removed.peek().some(({ key }) => key === record.key)) return;
-    // Changes go onto the present record: another tab may have changed another part of it.
-    const now = library.models.get(record.key)?.model ?? model;
-    void library.keepModel({ ...now, ...changed });
+    // As it is now: a field saves its text late, perhaps when the model was deleted.
+    const now = library.models.get(record.key)?.model;
+    if (now) void library.keepModel({ ...now, ...changed });
   };
   const settings = library.settings.list.value.filter(({ setting }) => setting.model === record.key);
   return (

@@ -6,7 +6,6 @@ import type { ModelRecord } from '../storage/index.js';
 import { ServoDialog } from '../timeline/preview/servo-dialog.js';
 import { guessedUses } from '../timeline/preview/surfaces.js';
 import type { Session } from '../work/session.js';
-import './model-servos.css';
 
 interface ModelServosProps {
   readonly session: Session;
@@ -23,7 +22,7 @@ export function ModelServos({ session, record, onChange }: ModelServosProps) {
   const program = programOf(session, record);
   const isSaid = servos.length > 0;
   return (
-    <section class="stack model-servos">
+    <section class="stack">
       <h3>{words.servos}</h3>
       {isSaid ? (
         <ul>

@@ -25,7 +25,7 @@ export function SaveButtons({ session, saveSetting, brief = false }: SaveButtons
         <button
           type="button"
           class="save-over"
-          title={words.state(setting.name, unsaved?.changes ?? 0, unsaved?.unreadable ?? 0)}
+          title={words.state(setting.name, count)}
           onClick={() => void saveSetting.save()}
         >
           {words.over(setting.name, origin.model.value?.name ?? '')}

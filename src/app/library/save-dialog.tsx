@@ -83,9 +83,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
           rows={2}
           maxLength={LIMITS.note}
           value={note.value}
-          onInput={(event) => {
-            note.value = event.currentTarget.value;
-          }}
+          onInput={({ currentTarget }) => (note.value = currentTarget.value)}
         />
       </label>
       {isOther && (

@@ -1,13 +1,12 @@
 import { useSignal } from '@preact/signals';
 import { LIMITS, type Setting } from '../../program/index.js';
-import { libraryMessages } from '../messages/en-library.js';
+import { libraryMessages, obstacles } from '../messages/en-library.js';
 import { clockText, dutyName, messages } from '../messages/index.js';
 import { plainName } from '../records/plain-names.js';
 import type { SettingRecord } from '../storage/index.js';
 import { BackHead } from '../ui/back-head.js';
 import { Choice } from '../ui/choice.js';
 import type { Session } from '../work/session.js';
-import { obstacleText } from './obstacle-text.js';
 import { addressOf, addressPath, NO_MODEL } from './place.js';
 import type { Places } from './places.js';
 import { ProgramFacts } from './program-facts.js';
@@ -57,10 +56,9 @@ export function SettingPage(props: SettingPageProps) {
     return use ? `${servoName(servo)} ${dutyName(use)}` : servoName(servo);
   });
   const change = (changed: Partial<Setting>): void => {
-    if (library.settings.removed.peek().some(({ key }) => key === record.key)) return;
-    // Changes go onto the present record: another tab may have changed another part of it.
-    const now = library.settings.get(record.key)?.setting ?? setting;
-    void library.keepSetting({ ...now, ...changed });
+    // As it is now: a field saves its text late, perhaps when the setting was deleted.
+    const now = library.settings.get(record.key)?.setting;
+    if (now) void library.keepSetting({ ...now, ...changed });
   };
   return (
     <article class="stack gap-3 setting-page" aria-label={setting.name}>
@@ -158,11 +156,7 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
             {words.setting.loadAgain(count)}
           </button>
         )}
-        {count > 0 && (
-          <p class="hint setting-unsaved">
-            {words.save.state(record.setting.name, unsaved?.changes ?? 0, unsaved?.unreadable ?? 0)}
-          </p>
-        )}
+        {count > 0 && <p class="hint setting-unsaved">{words.save.state(record.setting.name, count)}</p>}
       </>
     );
   }
@@ -171,7 +165,7 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
       <button type="button" class="primary" disabled={obstacle !== null} onClick={() => void show()}>
         {messages.value.open}
       </button>
-      {obstacle !== null && <p class="hint setting-unsaved">{obstacleText(obstacle)}</p>}
+      {obstacle !== null && <p class="hint setting-unsaved">{obstacles[obstacle]}</p>}
       {obstacle === null && failed.value && (
         <p class="bad-text setting-unsaved" role="alert">
           {words.setting.notShown}

@@ -1,6 +1,7 @@
 import type { SettingSource } from '../../program/index.js';
 import { apart } from './apart.js';
 import { whole } from './dotted.js';
+import { en } from './en.js';
 import { knowledge } from './en-knowledge.js';
 import { plural } from './plural.js';
 
@@ -8,6 +9,7 @@ import { plural } from './plural.js';
 export const obstacles = {
   busy: 'This page is reading, writing or looking for a timer. Wait until it has finished.',
   following: 'The servos follow. Stop that first.',
+  'not-fitting': en.notFitting,
 };
 
 /** Models and their saved programs. The parts of the page that show them load these sentences. */
@@ -91,10 +93,8 @@ export const libraryMessages = {
     name: (of: 'program' | 'model') => `Name of the ${of}`,
     namePlace: 'For example: fly-off, calm',
     notSavable: 'A field has no value. Correct it first.',
-    state: (name: string, changes: number, unreadable: number) =>
-      changes + unreadable === 0
-        ? `${apart(name)}: saved`
-        : `${apart(name)}: ${plural(changes + unreadable, 'change', 'changes')} not saved`,
+    state: (name: string, changes: number) =>
+      `${apart(name)}: ${changes === 0 ? 'saved' : `${plural(changes, 'change', 'changes')} not saved`}`,
   },
   unkept: {
     mark: 'not kept',

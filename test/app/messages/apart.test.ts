@@ -14,7 +14,7 @@ const SENTENCES: Readonly<Record<string, (name: string) => string>> = {
   facts: (name) => dotted([name, '3:00 min', null]),
   memory: (name) => `${memoryNames.named('M2', name)} 14:32`,
   setting: (name) => knowledge.ofSetting(name, 2),
-  'saved setting': (name) => libraryMessages.save.state(name, 2, 0),
+  'saved setting': (name) => libraryMessages.save.state(name, 2),
   model: (name) => recognition.same(name, '14:32'),
   models: (name) => recognition.several([name, '07', name]),
   import: (name) => filesMessages.import.done('2', name),

@@ -12,7 +12,7 @@ import { CodecError } from '../../../protocol/index.js';
 import { apart } from '../../messages/apart.js';
 import { dotted } from '../../messages/dotted.js';
 import { filesMessages } from '../../messages/en-files.js';
-import { libraryMessages } from '../../messages/en-library.js';
+import { libraryMessages, obstacles } from '../../messages/en-library.js';
 import { share } from '../../messages/en-share.js';
 import { dateText, messages } from '../../messages/index.js';
 import { emptyModel, newId } from '../../records/library.js';
@@ -21,7 +21,6 @@ import type { ModelRecord } from '../../storage/index.js';
 import { Choice } from '../../ui/choice.js';
 import { Problem } from '../../ui/problem.js';
 import type { Session } from '../../work/session.js';
-import { obstacleText } from '../obstacle-text.js';
 import { ProgramFacts } from '../program-facts.js';
 import { timerText } from '../timer-text.js';
 import type { Sharing } from './sharing.js';
@@ -114,7 +113,7 @@ function Shown(props: ReceivedSettingProps & { readonly shared: SharedSetting })
       <ProgramFacts program={program} names={program.positions.map((_, servo) => servoName(servo))} />
       {note !== '' && <p class="facts-note">{note}</p>}
       {tags.length > 0 && <p class="hint">{tags.join(', ')}</p>}
-      {obstacle !== null && <p class="hint">{obstacleText(obstacle)}</p>}
+      {obstacle !== null && <p class="hint">{obstacles[obstacle]}</p>}
       {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten}</p>}
       <Problem text={failed.value && libraryMessages.setting.notShown} />
       <div class="buttons">
