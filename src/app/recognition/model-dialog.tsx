@@ -67,7 +67,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
       {inOrder.length === 0 ? (
         <p>{dialog.none}</p>
       ) : (
-        <ul class="model-choices" aria-label={libraryMessages.models.title}>
+        <ul class="stack gap-1 model-choices" aria-label={libraryMessages.models.title}>
           {shown.map((model) => (
             <Row
               key={model.id}
@@ -96,7 +96,7 @@ function Row({ model, near, chosen, onChoose }: RowProps) {
   const { modelBackups: held } = comparingMessages;
   return (
     <li>
-      <button type="button" aria-pressed={chosen} onClick={onChoose}>
+      <button type="button" class="row" aria-pressed={chosen} onClick={onChoose}>
         <strong>{model.name}</strong>
         {near && (
           <small>
@@ -116,7 +116,7 @@ function NewModel({ recognition }: { readonly recognition: Recognition }) {
   const isTaken = recognition.choices.value.some((model) => model.name === wanted);
   return (
     <form
-      class="model-new"
+      class="row model-new"
       onSubmit={(event) => {
         event.preventDefault();
         if (wanted !== '') void recognition.sayNew(wanted);
