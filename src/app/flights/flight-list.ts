@@ -63,9 +63,9 @@ export function totalsOf(records: readonly FlightRecord[]): Totals {
   return { flights: records.length, best, average: sum / results.length };
 }
 
-/** Whether it was a numbered round. A fly-off goes on past the maximum. */
-export function isRound({ round }: Pick<Flight, 'round'>): boolean {
-  return /^\d/.test(round.trim());
+/** Whether it reached the maximum of a numbered round. A fly-off goes on past it. */
+export function isFull({ round, result }: Pick<Flight, 'round' | 'result'>): boolean {
+  return /^\d/.test(round.trim()) && result !== null && result >= ROUND_MAXIMUM;
 }
 
 /** The round after one: “4” after “3”, “fly-off 2” after “fly-off 1”. Empty after one without a number. */
@@ -79,16 +79,12 @@ export function placesOf(records: readonly FlightRecord[]): readonly string[] {
   return [...new Set(records.map(({ flight }) => flight.place))].filter((place) => place !== '');
 }
 
-/** The midnight at which a day begins, or that of some days before or after. */
-export function midnight(at: number, days = 0): number {
-  const date = new Date(at);
-  return new Date(date.getFullYear(), date.getMonth(), date.getDate() + days).getTime();
-}
-
 /** The first millisecond of a period. */
 export function beginOf(period: FlightFilter['period'], now: number): number {
   if (period === 'all') return Number.NEGATIVE_INFINITY;
-  return period === 'today' ? midnight(now) : new Date(new Date(now).getFullYear(), 0, 1).getTime();
+  const date = new Date(now);
+  if (period === 'year') date.setMonth(0, 1);
+  return date.setHours(0, 0, 0, 0);
 }
 
 const two = (part: number): string => String(part).padStart(2, '0');

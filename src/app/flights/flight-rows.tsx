@@ -3,8 +3,8 @@ import { flightMessages } from '../messages/en-flights.js';
 import { dtText, messages } from '../messages/index.js';
 import type { FlightRecord } from '../storage/index.js';
 import type { ShortDt } from '../work/short-dt.js';
-import { type FlightDay, isRound } from './flight-list.js';
-import { clockOf, dayHeading, isFull, resultText } from './flight-text.js';
+import { type FlightDay, isFull } from './flight-list.js';
+import { clockOf, dayHeading, resultText } from './flight-text.js';
 import { measureText } from './measures.js';
 import './flight-rows.css';
 
@@ -65,7 +65,7 @@ function Row({ record: { key, flight }, shortDt, onOpen }: RowProps) {
           {result === null ? (
             <small>{words.noResult}</small>
           ) : (
-            <b class={isRound(flight) && isFull(flight) ? 'full' : undefined}>{resultText(result)}</b>
+            <b class={isFull(flight) ? 'full' : undefined}>{resultText(result)}</b>
           )}
           {shortDt.isShort(program) && (
             <small class="bad-text">

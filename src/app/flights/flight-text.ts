@@ -1,21 +1,16 @@
-import type { Flight, TimerProgram } from '../../program/index.js';
+import type { TimerProgram } from '../../program/index.js';
 import { formatFigure } from '../editing/units.js';
 import { formatDate } from '../messages/date-format.js';
 import { dotted } from '../messages/dotted.js';
 import { messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { deviceOffset, offsetText, onClock, ROUND_MAXIMUM, timeOfDay, type When } from './flight-list.js';
+import { deviceOffset, offsetText, onClock, timeOfDay, type When } from './flight-list.js';
 
 /** A result as a large figure: “2:58 min”, “40.5 s”. */
 export function resultText(seconds: number): string {
   const { text, unit } = formatFigure(Math.round(seconds * 100), 100);
   const { figure, units } = messages.value.times;
   return figure(text, units[unit]);
-}
-
-/** Whether the flight reached the maximum of a round. */
-export function isFull({ result }: Pick<Flight, 'result'>): boolean {
-  return result !== null && result >= ROUND_MAXIMUM;
 }
 
 /** The figures by which a pilot knows a program: “DT 3:00 min”, “motor stop 10.0 s”. */

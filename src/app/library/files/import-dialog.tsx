@@ -49,32 +49,29 @@ export function ImportDialog({ files, onTaken }: ImportDialogProps) {
 /** Why a file was refused, and where in it the fault stands. */
 function Refused({ why, place }: Refusal) {
   const { refused: words } = filesMessages;
-  const reason = reasonOf(why, place);
+  const reason = reasonOf(why);
+  const { line, wanted, value } = why instanceof CodecError ? why.details : {};
+  const isTold = line !== undefined && wanted !== undefined;
+  const damage = isTold ? words.fault(line, place, wanted, shown(value)) : words.damaged;
   return (
     <>
       <p class="import-reason" role="alert">
-        {reason.text}
+        {reason ?? damage}
       </p>
       <p>
-        {words.nothing} {reason.isDamaged && words.again}
+        {words.nothing} {reason === null && words.again}
       </p>
     </>
   );
 }
 
-/** @returns also whether it is a library file that another try may bring whole. */
-function reasonOf(why: Refusal['why'], place: Refusal['place']): { text: string; isDamaged: boolean } {
+/** @returns null for a damaged library file, which another try may bring whole. */
+function reasonOf(why: Refusal['why']): string | null {
   const { refused: words } = filesMessages;
-  const found = (text: string): { text: string; isDamaged: boolean } => ({ text, isDamaged: false });
-  if (why === 'no-text') return { text: words.damaged, isDamaged: true };
-  if (!(why instanceof CodecError)) return found(words.files[why]);
-  const { code, field, details } = why;
-  if (code === 'newer-version') return found(words.newer);
-  if (code === 'too-large') return found(words.files['too-large']);
-  if (field === 'format') return found(words.format);
-  const { line, wanted, value } = details;
-  const isTold = line !== undefined && wanted !== undefined;
-  return { text: isTold ? words.fault(line, place, wanted, shown(value)) : words.damaged, isDamaged: true };
+  if (!(why instanceof CodecError)) return why === 'no-text' ? null : words.files[why];
+  if (why.code === 'newer-version') return words.newer;
+  if (why.code === 'too-large') return words.files['too-large'];
+  return why.field === 'format' ? words.format : null;
 }
 
 /** How much of a value of the file is shown. */

@@ -128,7 +128,7 @@ export class LibraryFiles {
     if (made === 'nothing')
       return missing.length > 0 ? this.#say({ text: libraryMessages.unread, isBad: true }) : undefined;
     if (made === 'too-large') return this.#say({ text: words.tooLarge, isBad: true });
-    const name = `${safeName(title)} ${dayName(new Date(now))}${ENDING}`;
+    const name = `${safeName(title)} ${dayName(now)}${ENDING}`;
     saveFile(name, made.text, 'application/json');
     const holds = messages.value.counted(made.holds);
     if (missing.length > 0) return this.#say({ text: words.partly(name, holds, missing), isBad: true });
@@ -236,8 +236,6 @@ function safeName(name: string): string {
 }
 
 /** The day on the pilot's calendar. */
-function dayName(date: Date): string {
-  return [date.getFullYear(), date.getMonth() + 1, date.getDate()]
-    .map((part) => String(part).padStart(2, '0'))
-    .join('-');
+function dayName(at: number): string {
+  return new Date(at - new Date(at).getTimezoneOffset() * 60_000).toISOString().slice(0, 10);
 }
