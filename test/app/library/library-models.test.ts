@@ -1,5 +1,6 @@
 import { signal } from '@preact/signals';
 import { describe, expect, it, vi } from 'vitest';
+import type { EntryCounts } from '../../../src/app/library/files/import-plan.js';
 import { LibraryFiles } from '../../../src/app/library/files/library-files.js';
 import { addressOf, NO_MODEL, placeOf } from '../../../src/app/library/place.js';
 import { asTags } from '../../../src/app/library/tags.js';
@@ -9,10 +10,10 @@ import type { ModelRecord } from '../../../src/app/storage/index.js';
 import { formatLibraryFile, LIMITS, type Model } from '../../../src/program/index.js';
 import { LAST_DATE } from '../../../src/program/require.js';
 import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
-import { type Counts, importNewer, manyRecords } from './many.js';
+import { importNewer, manyRecords } from './many.js';
 import { stored } from './stored.js';
 
-async function opened(counts: Counts = { models: 3, settings: 6, flights: 0 }) {
+async function opened(counts: EntryCounts = { models: 3, settings: 6, flights: 0 }) {
   const bench = await appBench({ store: stored(counts) });
   await run(bench.session.library.load());
   return bench;

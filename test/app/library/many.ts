@@ -1,21 +1,7 @@
 import { effect } from '@preact/signals';
+import type { EntryCounts, Records } from '../../../src/app/library/files/import-plan.js';
 import type { LibraryFiles } from '../../../src/app/library/files/library-files.js';
-import type { FlightRecord, ModelRecord, SettingRecord } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
-
-/** How many of each kind there shall be. */
-export interface Counts {
-  readonly models: number;
-  readonly settings: number;
-  readonly flights: number;
-}
-
-/** All records of a library, as they lie in the storage. */
-export interface Records {
-  readonly models: readonly ModelRecord[];
-  readonly settings: readonly SettingRecord[];
-  readonly flights: readonly FlightRecord[];
-}
 
 const NAMES = ['Lancer', 'Pelican', 'Old Faithful', 'Magpie', 'Swift', 'Heron', 'Kestrel', 'Müller'];
 const WORDS = ['fly-off', 'calm', 'wind', 'trimming', 'morning', 'slope', 'spare wing', 'thermal'];
@@ -24,7 +10,7 @@ const DAY = 86_400_000;
 const CLASSES = ['Q', 'B', 'E'] as const;
 
 /** A library of a pilot who has kept everything for years: the same one for the same counts. */
-export function manyRecords({ models, settings, flights }: Counts): Records {
+export function manyRecords({ models, settings, flights }: EntryCounts): Records {
   const pick = <T>(from: readonly T[], at: number): T => from[at % from.length] as T;
   return {
     models: Array.from({ length: models }, (_, at) => {

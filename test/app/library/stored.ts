@@ -1,8 +1,9 @@
+import type { EntryCounts } from '../../../src/app/library/files/import-plan.js';
 import { MemoryStore } from '../bench/bench.js';
-import { type Counts, manyRecords } from './many.js';
+import { manyRecords } from './many.js';
 
 /** A storage with a library in it. */
-export function stored(counts: Counts): MemoryStore {
+export function stored(counts: EntryCounts): MemoryStore {
   const store = new MemoryStore();
   const records = manyRecords(counts);
   for (const each of records.models) store.models.records.set(each.key, each);
