@@ -1,4 +1,4 @@
-import type { Records } from '../app/library/many.js';
+import type { Records } from '../../src/app/library/files/import-plan.js';
 import type { AppPage } from './app-page.js';
 
 /** Puts a library into the storage of the page, as if earlier visits had left it there. */

@@ -5,16 +5,16 @@ import { type Ambiguous, parseTime, plainDigits, readTime } from '../editing/uni
  * the unit.
  */
 
-/** The numbers that a flight has: wind in metres per second, temperature in degrees Celsius, result in seconds. */
-export const MEASURES = ['wind', 'temperature', 'result'] as const;
-export type Measure = (typeof MEASURES)[number];
-
-/** The range of each, as in `Flight`, and the first value where none was noted before. */
+/**
+ * The numbers that a flight has: wind in metres per second, temperature in degrees Celsius, result in seconds. With the
+ * range of each, as in `Flight`, and the first value where none was noted before.
+ */
 export const RANGES = {
   wind: { min: 0, max: 50, first: 2 },
   temperature: { min: -50, max: 60, first: 15 },
   result: { min: 0, max: 36_000, first: 180 },
-} as const satisfies Record<Measure, { min: number; max: number; first: number }>;
+} as const;
+export type Measure = keyof typeof RANGES;
 
 /** A number; null for an empty text; the two or more that a text may mean; or why it is no number. */
 export type ReadMeasure =
