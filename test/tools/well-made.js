@@ -38,7 +38,9 @@ function smallTargets() {
     element.matches('[type=checkbox], [type=radio]') ? (element.closest('label') ?? element) : element,
   );
   // The least that WCAG asks for a mouse: heads of the table and low lanes are lower than its rows.
-  const least = matchMedia('(hover: hover) and (pointer: fine) and (min-width: 35em)').matches ? 24 : 44;
+  const least = matchMedia('(hover: hover) and (pointer: fine) and (min-width: 47.5em) and (min-height: 30em)').matches
+    ? 24
+    : 44;
   return targets.flatMap((element) => {
     const { width, height } = element.getBoundingClientRect();
     const isSeen = width > 0 && height > 0;
