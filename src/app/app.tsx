@@ -1,4 +1,5 @@
 import { useCallback, useEffect, useRef } from 'preact/hooks';
+import type { ProgramField } from '../program/index.js';
 import { backupKey, COMPARE, memoryKey } from './compare/choice.js';
 import { ConnectButtons } from './connect/connect-buttons.js';
 import { hasStage } from './connect/link-stage.js';
@@ -34,6 +35,11 @@ export function App({ models }: { readonly models: AppModels }) {
     views.show('library', COMPARE);
   };
   const printProgram = useCallback(() => print(), [print]);
+  const toField = (field: ProgramField): void => {
+    memories.endLook();
+    programPicture.seek(field);
+    views.show('program');
+  };
   // The title that the page came with.
   const title = useRef(document.title);
   useEffect(() => {
@@ -100,6 +106,7 @@ export function App({ models }: { readonly models: AppModels }) {
             .catch(() => {})
         }
         staged={isStart && hasStage(session)}
+        onField={toField}
       />
       {!isStart && <ViewLinks views={views} printed={models.printOrder.home} />}
       <ViewFrame views={views} busy={session.runner.busy.value} whole={hasProgram && shown === 'program'}>

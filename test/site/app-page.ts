@@ -173,7 +173,7 @@ export class AppPage {
 
   /** Opens what has no room in the strip of a phone. */
   async showFigures(): Promise<void> {
-    const figures = this.page.locator('.strip-figures');
+    const figures = this.page.locator('.strip-more');
     if ((await figures.getAttribute('aria-expanded')) === 'false') await figures.click();
   }
 

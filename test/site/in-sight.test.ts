@@ -87,7 +87,7 @@ test('in a low window notices scroll away with the page, but what is known of th
   await app.page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
   await expect.poll(places).toEqual({ strip: 0, links: 47, notice: expect.toSatisfy((top: number) => top < -50) });
   // What has no room in it opens where the pilot is.
-  await app.page.locator('.strip-figures').click();
+  await app.page.locator('.strip-more').click();
   await app.page.getByRole('button', { name: 'Close' }).waitFor();
   await expect.poll(places).toMatchObject({ strip: 0 });
 });
@@ -113,7 +113,7 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   await app.showFigures();
   await isIn(app.page.locator('.memories label').last());
   await app.goTo('Memories');
-  await app.page.locator('.strip-figures[aria-expanded=false]').waitFor();
+  await app.page.locator('.strip-more[aria-expanded=false]').waitFor();
   await app.page.getByLabel('Copy to…: M1', { exact: true }).click();
   await isIn(app.button('Copy M1 to M5'));
   await app.expectNoSidewaysScrolling();
@@ -240,7 +240,7 @@ test.each([
     });
   await expect.poll(() => isSeen(app.field('Function 1, S1'))).toBe(true);
   await expect.poll(() => isSeen(app.button(/^Write/))).toBe(true);
-  if (device === 'a small phone') await app.page.locator('.strip-figures').click();
+  if (device === 'a small phone') await app.page.locator('.strip-more').click();
   const list = app.page.getByRole('combobox', { name: en.program.memory, exact: true });
   await expect.poll(() => isSeen(list)).toBe(true);
   await list.selectOption('254');

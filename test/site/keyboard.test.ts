@@ -92,7 +92,7 @@ test('in a narrow window the arrow keys walk through the memories; a click goes 
   const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 390, height: 844 } });
   const keys = new Keys(app.page);
   await app.connect();
-  await keys.enter(/^M1, flies next.*motor stop/);
+  await keys.enter(/^M1, flies next.*Memories and more/);
   await keys.tabTo(/^M1, flies next$/);
   for (const [key, memory] of [
     ['ArrowRight', 'M2'],

@@ -90,7 +90,7 @@ async function follow(page) {
 
 /** Opens what has no room in the strip of a phone. @param {Page} page */
 async function showFigures(page) {
-  const figures = page.locator('.strip-figures[aria-expanded=false]');
+  const figures = page.locator('.strip-more[aria-expanded=false]');
   if (await figures.isVisible()) await figures.click();
 }
 

@@ -38,6 +38,11 @@ export class Memories {
     this.#picked.value = memory;
   }
 
+  /** Shows the program again. */
+  endLook(): void {
+    this.#picked.value = null;
+  }
+
   /** Reads a memory, restores the current one, and shows what was read. */
   async look(memory: number): Promise<void> {
     this.#picked.value = memory;

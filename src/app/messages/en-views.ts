@@ -21,7 +21,7 @@ export const views = {
 
 /** The strip above every view: the timer, its memory, DT, motor stop, and what is known. */
 export const strip = {
-  panel: 'Large figures',
+  panel: 'Memories and more',
   /** Positions that were tried while the servos follow: they are in the timer. */
   tried: (count: number) => `${count} tried`,
   notCertain: 'not certain',

@@ -1,3 +1,5 @@
+import { type ReadonlySignal, signal } from '@preact/signals';
+import type { ProgramField } from '../../program/index.js';
 import { Player } from '../timeline/preview/player.js';
 import { TimelineModel } from '../timeline/view-model.js';
 
@@ -8,4 +10,24 @@ export class ProgramPicture {
   readonly timeline = new TimelineModel();
   /** It shows the time about which the pilot asks on the timeline. */
   readonly player = new Player(this.timeline.asked);
+  readonly #open = signal(false);
+  /** Whether it stands in place of the table, on a phone. */
+  readonly isOpen: ReadonlySignal<boolean> = this.#open;
+  readonly #sought = signal<ProgramField | null>(null);
+  /** The field to which the pilot goes from elsewhere. The table gives it the focus. */
+  readonly sought: ReadonlySignal<ProgramField | null> = this.#sought;
+
+  toggle(): void {
+    this.#open.value = !this.#open.value;
+  }
+
+  seek(field: ProgramField): void {
+    this.#open.value = false;
+    this.#sought.value = field;
+  }
+
+  /** The sought field has the focus. */
+  found(): void {
+    this.#sought.value = null;
+  }
 }

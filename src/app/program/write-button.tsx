@@ -1,5 +1,5 @@
 import { useComputed } from '@preact/signals';
-import { fieldKey } from '../../program/index.js';
+import { fieldKey, type ProgramField } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { fieldName, messages } from '../messages/index.js';
 import type { Session } from '../work/session.js';
@@ -13,13 +13,15 @@ interface WriteButtonProps {
   readonly write: WriteJob;
   /** For places with little room. */
   readonly brief: boolean;
+  /** Goes to a field of the table. */
+  readonly onField: (field: ProgramField) => void;
 }
 
 /**
  * Opens the difference, and from there the write; without a timer it connects first. When a field prevents the write,
  * it goes to that field.
  */
-export function WriteButton({ session, write, brief }: WriteButtonProps) {
+export function WriteButton({ session, write, brief, onField }: WriteButtonProps) {
   const { editor } = session;
   const isBlocked = useComputed(() => editor.blocked.value).value;
   const count = useComputed(() => editor.changes.value.length).value;
@@ -30,7 +32,7 @@ export function WriteButton({ session, write, brief }: WriteButtonProps) {
   const { program, header } = messages.value;
   const press = async (): Promise<void> => {
     const cause = editor.blocked.value ? firstInTheWay(editor) : null;
-    if (cause) return lookAt(fieldKey(cause.field));
+    if (cause) return onField(cause.field);
     if (!isConnected) await session.timer.comeBack();
     // The connection may take long, and by then the pilot may want something else.
     if (session.runner.ready.value) void write.open();
@@ -68,10 +70,4 @@ export function BlockedNote({ editor }: { readonly editor: Editor }) {
       {text}
     </p>
   );
-}
-
-function lookAt(key: string): void {
-  const input = document.querySelector<HTMLInputElement>(`input[data-field="${CSS.escape(key)}"]`);
-  input?.focus({ preventScroll: true });
-  input?.scrollIntoView({ block: 'center' });
 }

@@ -1,4 +1,5 @@
 import { useRef } from 'preact/hooks';
+import type { ProgramField } from '../../program/index.js';
 import type { Bench } from '../bench/bench.js';
 import type { Follow } from '../bench/follow.js';
 import { FollowNote } from '../bench/follow-panel.js';
@@ -19,6 +20,8 @@ export interface CommandBarProps {
   readonly bench: Bench;
   readonly follow: Follow;
   readonly saveSetting: SaveSetting;
+  /** Goes to a field of the table. */
+  readonly onField: (field: ProgramField) => void;
   /** Opens the tools that shift the present row and all later ones; null when there is no room for them. */
   readonly onShift: (() => void) | null;
   /** When the picture has no room beside the table: whether it is shown in place of the table. */
@@ -26,7 +29,7 @@ export interface CommandBarProps {
 }
 
 /** How the program differs from the timer, and the commands to write, read and undo. */
-export function CommandBar({ session, write, bench, follow, saveSetting, onShift, picture }: CommandBarProps) {
+export function CommandBar({ session, write, bench, follow, saveSetting, onField, onShift, picture }: CommandBarProps) {
   const { program, edits } = messages.value;
   const { editor } = session;
   const bar = useRef<HTMLElement>(null);
@@ -51,7 +54,7 @@ export function CommandBar({ session, write, bench, follow, saveSetting, onShift
       <div class="buttons">
         {/* On a phone they stand below the large figures. */}
         {!picture && <ReadButtons session={session} />}
-        <WriteButton session={session} write={write} brief={picture !== null} />
+        <WriteButton {...{ session, write, onField }} brief={picture !== null} />
       </div>
     </section>
   );

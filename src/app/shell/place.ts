@@ -29,6 +29,8 @@ export function placeIn(view: HTMLElement, last: Element | null): ViewPlace {
  */
 export function putBackPlace(view: HTMLElement, place: ViewPlace | undefined, byTouch: boolean): void {
   const { ownerDocument: page } = view;
+  // A field that was sought from another view is there already.
+  if (page.activeElement !== view && view.contains(page.activeElement)) return;
   page.documentElement.scrollTop = place?.scroll ?? 0;
   if (place) view.querySelector(TABLE)?.scrollTo(place.inTable);
   if (page.querySelector('dialog[open]')) return;

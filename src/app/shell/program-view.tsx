@@ -1,5 +1,5 @@
 import { useComputed, useSignal } from '@preact/signals';
-import { useCallback, useEffect, useMemo } from 'preact/hooks';
+import { useCallback, useEffect, useLayoutEffect, useMemo } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { offerScreen } from '../library/share/share-screen.js';
@@ -17,10 +17,9 @@ import type { Preferences } from '../records/preferences.js';
 import { NARROW } from '../ui/shapes.js';
 import { useQuery } from '../ui/use-query.js';
 import { CommandBar, type CommandBarProps } from './command-bar.js';
-import { SettingLine } from './setting-line.js';
 import './program-view.css';
 
-export interface ProgramViewProps extends Omit<CommandBarProps, 'onShift' | 'picture'> {
+export interface ProgramViewProps extends Omit<CommandBarProps, 'onShift' | 'picture' | 'onField'> {
   readonly memories: Memories;
   readonly preferences: Preferences;
   readonly programPicture: ProgramPicture;
@@ -43,10 +42,10 @@ export function ProgramView(props: ProgramViewProps) {
   const leaving = useComputed(() => session.runner.job.value?.kind === 'select').value;
   const looking = memories.looking.value;
   const isNarrow = useQuery(NARROW).value;
-  const picture = useSignal(false);
+  const picture = programPicture.isOpen.value;
   const tools = useMemo(() => new RowTools(session.editor), [session]);
   const toggle = (): void => {
-    picture.value = !picture.value;
+    programPicture.toggle();
     // Table and picture each begin at their top.
     document.documentElement.scrollTop = 0;
   };
@@ -55,11 +54,19 @@ export function ProgramView(props: ProgramViewProps) {
   useEffect(() => {
     drawn.value = true;
   }, []);
+  const sought = programPicture.sought.value;
+  useLayoutEffect(() => {
+    if (!sought) return;
+    const input = document.querySelector<HTMLInputElement>(`input[data-field="${fieldKey(sought)}"]`);
+    input?.focus({ preventScroll: true });
+    input?.scrollIntoView({ block: 'center' });
+    programPicture.found();
+  }, [sought, programPicture]);
   // A timer that is no longer connected may hold something else by now.
   const isPast = session.link.state.value.status === 'off' && session.editor.madeAt.value === null;
   if (!identity) return null;
   const side =
-    isNarrow && !picture.value ? null : looking === null ? (
+    isNarrow && !picture ? null : looking === null ? (
       <>
         <TimelinePanel
           session={session}
@@ -77,14 +84,13 @@ export function ProgramView(props: ProgramViewProps) {
       <MemoryPicture session={session} memory={looking} />
     );
   return (
-    <div class={`program ${isNarrow && picture.value ? 'shows-picture' : ''} ${isPast ? 'of-the-past' : ''}`}>
+    <div class={`program ${isNarrow && picture ? 'shows-picture' : ''} ${isPast ? 'of-the-past' : ''}`}>
       <h1 class="visually-hidden">
         {about(words.names.program)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
       </h1>
       <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
-            <SettingLine session={session} />
             {!isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
             <ProgramTable {...{ session, bench, follow, marked, tools }} />
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
@@ -101,8 +107,9 @@ export function ProgramView(props: ProgramViewProps) {
       {looking === null && (
         <CommandBar
           {...{ session, write, bench, follow, saveSetting }}
+          onField={(field) => programPicture.seek(field)}
           onShift={isNarrow ? null : () => tools.showFor(selected.peek())}
-          picture={isNarrow ? { open: picture.value, onToggle: toggle } : null}
+          picture={isNarrow ? { open: picture, onToggle: toggle } : null}
         />
       )}
     </div>

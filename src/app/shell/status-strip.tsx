@@ -20,6 +20,7 @@ import { useQuery } from '../ui/use-query.js';
 import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import { KnownLine } from './known-line.js';
+import { SettingLine } from './setting-line.js';
 import { StripModel } from './strip-model.js';
 import './status-strip.css';
 
@@ -36,15 +37,17 @@ export interface StatusStripProps {
   readonly saveSetting: SaveSetting;
   /** Whether the connecting is shown large, in place of the program. It has its own way to stop. */
   readonly staged: boolean;
+  /** Goes to a field of the table. */
+  readonly onField: (field: ProgramField) => void;
 }
 
 /**
- * What is true now, in every view: the timer and its memory, DT and motor stop, and how certain they are. Where not all
- * has room in one line, the figures are a button that opens the rest.
+ * What is true now, in every view: the timer and its memory, DT and motor stop, and how certain they are. A figure
+ * leads to its field in the table. Where not all has room in one line, the memory is a button that opens the rest.
  */
 export function StatusStrip(props: StatusStripProps & { readonly hash: string }) {
-  const { session, memories, leaving, follow, preferences, saveSetting, staged, hash } = props;
-  const { name, header } = messages.value;
+  const { session, memories, leaving, follow, preferences, saveSetting, staged, hash, onField } = props;
+  const { name, header, strip } = messages.value;
   const { status } = session.link.state.value;
   const isNarrow = useQuery(NARROW).value;
   const isTight = useQuery(TIGHT).value;
@@ -55,7 +58,7 @@ export function StatusStrip(props: StatusStripProps & { readonly hash: string })
   const isOpen = isTight && open.value && identity !== null;
   const close = useCallback((): void => {
     open.value = false;
-    box.current?.querySelector<HTMLElement>('.strip-figures')?.focus();
+    box.current?.querySelector<HTMLElement>('.strip-more')?.focus();
   }, [open]);
   useEffect(() => {
     if (!isOpen) return;
@@ -109,27 +112,31 @@ export function StatusStrip(props: StatusStripProps & { readonly hash: string })
           />
         )}
         {!isTight && choice}
-        {identity &&
-          (isTight ? (
-            <button
-              type="button"
-              class="strip-figures"
-              aria-expanded={isOpen}
-              aria-controls={panel}
-              onClick={() => (open.value = !open.value)}
-            >
-              <MemoryNow session={session} />
-              <Figures session={session} identity={identity} />
-            </button>
-          ) : (
-            <div class="strip-figures">
-              {memories.looking.value !== null && <MemoryNow session={session} />}
-              <Figures session={session} identity={identity} />
-            </div>
-          ))}
+        {identity && (
+          <div class="strip-figures">
+            {isTight ? (
+              <button
+                type="button"
+                class="strip-more"
+                aria-expanded={isOpen}
+                aria-controls={panel}
+                onClick={() => (open.value = !open.value)}
+              >
+                <MemoryNow session={session} />
+                <span class="visually-hidden">{strip.panel}</span>
+              </button>
+            ) : (
+              memories.looking.value !== null && <MemoryNow session={session} />
+            )}
+            {keyFields(identity).map((field) => (
+              <Figure key={fieldKey(field)} {...{ session, identity, field }} onPress={() => onField(field)} />
+            ))}
+          </div>
+        )}
         {identity && <KnownLine session={session} follow={follow} />}
         {!isFolded && actions}
       </div>
+      <SettingLine session={session} />
       {isOpen && (
         <FiguresPanel
           {...{ id: panel, session, memories, preferences, saveSetting }}
@@ -179,28 +186,18 @@ function MemoryNow({ session }: { readonly session: Session }) {
   );
 }
 
-/** DT, and on a Q the motor stop, of the program on the screen. */
-function Figures({ session, identity }: { readonly session: Session; readonly identity: Identity }) {
-  return (
-    <>
-      {keyFields(identity).map((field) => (
-        <Figure key={fieldKey(field)} session={session} identity={identity} field={field} />
-      ))}
-    </>
-  );
-}
-
 interface FigureProps {
   readonly session: Session;
   readonly identity: Identity;
   readonly field: ProgramField;
+  readonly onPress: () => void;
 }
 
 /**
- * One figure. It is red for a short DT, when an interrupted write was to change it, and while what was typed is no
- * value: then the value before it is no longer meant.
+ * DT, or on a Q the motor stop, of the program on the screen. It is red for a short DT, when an interrupted write was
+ * to change it, and while what was typed is no value: then the value before it is no longer meant.
  */
-function Figure({ session, identity, field }: FigureProps) {
+function Figure({ session, identity, field, onPress }: FigureProps) {
   const { program, strip } = messages.value;
   const { editor } = session;
   const key = fieldKey(field);
@@ -226,9 +223,11 @@ function Figure({ session, identity, field }: FigureProps) {
   const [figure, unit] = isValid ? text.split(' ') : [strip.notValid, ''];
   const name = isShort && isValid ? program.shortDt : keyName(identity, field);
   return (
-    <span key={`${name} ${figure} ${unit}`} class={`strip-figure ${isShort || !isValid ? 'bad' : look}`}>
-      <small>{name}</small> <b>{figure}</b> <small class="strip-unit">{unit}</small>
-    </span>
+    <button type="button" onClick={onPress}>
+      <span key={`${name} ${figure} ${unit}`} class={`strip-figure ${isShort || !isValid ? 'bad' : look}`}>
+        <small>{name}</small> <b>{figure}</b> <small class="strip-unit">{unit}</small>
+      </span>
+    </button>
   );
 }
 

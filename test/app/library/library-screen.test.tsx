@@ -193,7 +193,7 @@ it('a phone saves a program from what the strip opens', async () => {
     screen.queryByRole('button', { name: libraryMessages.save.asNew }),
     'the bar of a phone has no room for this button',
   ).toBeNull();
-  fireEvent.click(document.querySelector('.strip-figures') as HTMLElement);
+  fireEvent.click(document.querySelector('.strip-more') as HTMLElement);
   await idle();
   expect(screen.getByRole('button', { name: libraryMessages.save.asNew })).toBeTruthy();
 });

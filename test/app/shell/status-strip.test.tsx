@@ -1,11 +1,12 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
-import { expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { SHAPES, TIGHT } from '../../../src/app/ui/shapes.js';
 import { idle } from '../bench/bench.js';
-import { connected, inWindow, lookAt, opened, press, type } from '../screen.js';
+import { connected, drawn, goTo, inWindow, lookAt, opened, press, type } from '../screen.js';
+import { CALM, lancerBench } from '../two-models.js';
 
-const figures = () => document.querySelector('.strip-figures') as HTMLButtonElement;
+const figures = () => document.querySelector('.strip-more') as HTMLButtonElement;
 const isOpen = () => figures().getAttribute('aria-expanded') === 'true';
 const panel = () => within(document.querySelector('.strip-panel') as HTMLElement);
 
@@ -128,3 +129,50 @@ it.each([
   await press(en.header.disconnect);
   expect(said()).toHaveLength(1);
 });
+
+describe.each([
+  ['a desktop', () => {}],
+  ['a phone', onPhone],
+])('on %s a figure of the strip leads to its field', (_, onDevice) => {
+  const hasFocus = () => document.activeElement?.getAttribute('aria-label');
+
+  it.each([
+    ['from the program', async () => {}],
+    ['from another view', async () => goTo('settings')],
+    [
+      'from a memory that is looked at',
+      async () => {
+        if (onDevice === onPhone) await openFigures();
+        await lookAt('M3');
+      },
+    ],
+    ['from the picture', async () => onDevice === onPhone && (await press(en.program.picture))],
+  ])('%s', async (_, before) => {
+    onDevice();
+    const app = await connected();
+    await before();
+    await press(/^DT 3:00/);
+    expect(hasFocus()).toBe('DT time');
+    await type('DT time', '2:30');
+    expect(app.session.editor.changes.value.map(({ to }) => to)).toEqual([15000]);
+    await press(/^motor stop/i);
+    expect(hasFocus()).toBe(en.program.motorStopTime);
+  });
+});
+
+it.each(['program', 'library', 'settings'] as const)(
+  'while connected, the head of the view %s names the saved program that is open, and what is not saved',
+  async (view) => {
+    onPhone();
+    const app = await drawn(await lancerBench());
+    await press('Connect');
+    await act(async () => {
+      await app.session.opened.show(CALM);
+    });
+    await type('DT time', '2:00');
+    await goTo(view);
+    const { ofModel, ofSetting } = en.knowledge;
+    const head = document.querySelector('.top') as HTMLElement;
+    expect(within(head).getByText(ofSetting(ofModel('calm', 'Lancer'), 1))).toBeTruthy();
+  },
+);
