@@ -59,3 +59,19 @@ describe('a drag with the mouse selects, and moves no value', () => {
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   });
 });
+
+test.each([
+  ['before', 0.1],
+  ['behind', 0.95],
+])('after a second click %s a text, what is typed replaces it', async (_, share) => {
+  const app = await opened();
+  const dt = cell(app, 'DT time');
+  const box = await dt.boundingBox();
+  if (!box) throw new Error('There is no cell.');
+  for (let i = 0; i < 2; i++) await dt.click({ position: { x: box.width * share, y: box.height / 2 } });
+  await expect
+    .poll(() => dt.evaluate(({ selectionStart: from, selectionEnd: to }: HTMLInputElement) => [from, to]))
+    .toEqual([0, 4]);
+  await app.page.keyboard.type('2.30');
+  expect(await app.valueOf('DT time')).toBe('2.30');
+});

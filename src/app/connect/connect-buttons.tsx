@@ -10,7 +10,7 @@ interface ConnectButtonsProps {
 
 /**
  * Connect, or Read after a failed first reading. Choose another adapter, for when the last one is wrong. With a program
- * on the screen, also the way back to the start.
+ * on the screen, also the way back to the start. To a simulated timer Connect comes back: it holds what was written.
  */
 export function ConnectButtons({ session, large = false, part }: ConnectButtonsProps) {
   const { header, program } = messages.value;
@@ -18,14 +18,15 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
   // A changed program has its own way to the timer.
   const leads = large || session.editor.changes.value.length === 0;
-  const choice = failed || session.link.ports.value.length > 0;
+  const isSimulated = session.simulated.value;
+  const choice = failed || isSimulated || session.link.ports.value.length > 0;
   const connect = part !== 'rest' && !session.link.unavailable && (
     <button
       type="button"
       class={large ? 'primary large' : leads ? 'primary' : ''}
       data-lead="connect"
       disabled={session.engaged.value}
-      onClick={() => void session.timer.connect()}
+      onClick={() => void (isSimulated && !large ? session.timer.comeBack() : session.timer.connect())}
     >
       {session.connection.value ? program.read : header.connect}
     </button>

@@ -3,7 +3,7 @@ import { useMemo } from 'preact/hooks';
 import type { ProgramField } from '../../program/index.js';
 import { computedList } from '../editing/computed-list.js';
 import { FIRST_SERVO_COLUMN, TIME_COLUMN } from '../editing/grid.js';
-import { messages } from '../messages/index.js';
+import { messages, valueText } from '../messages/index.js';
 import { isSameNote, notesFor } from './field-notes.js';
 import { type ProgramRowProps, TimeUnit } from './program-row.js';
 import { RowMenu } from './row-menu.js';
@@ -49,13 +49,14 @@ function MotorRow({ session, tools, identity, servos, selection, hand, marked, r
 
 type ThrottleRowProps = Pick<ProgramRowProps, 'session' | 'identity' | 'servos' | 'hand' | 'rested'>;
 
-/** The idle throttle, if the timer has told one. It is no function, so it stands below them. */
+/** The idle throttle, if the timer has told one or should have. It is no function, so it stands below them. */
 export function ThrottleRow({ session, identity, servos, hand, rested }: ThrottleRowProps) {
   const { editor } = session;
   const { program } = messages.value;
   const isKnown = useComputed(() => typeof editor.working.value?.idleThrottle === 'number').value;
   const notes = useMemo(() => computedList(() => notesFor(editor, THROTTLE), isSameNote), [editor]);
-  if (!isKnown) return null;
+  // Only a Q is known to have one. What was made here says nothing of a timer.
+  if (!isKnown && (identity.timerClass !== 'Q' || editor.madeAt.value !== null)) return null;
   return (
     <>
       <tr class="throttle">
@@ -63,11 +64,11 @@ export function ThrottleRow({ session, identity, servos, hand, rested }: Throttl
           <span class="row-name">{program.idleThrottle}</span>
         </th>
         <td class="time">
-          <ValueField {...{ editor, hand }} standing={session.standing} field={THROTTLE} />
+          {isKnown && <ValueField {...{ editor, hand }} standing={session.standing} field={THROTTLE} />}
         </td>
         <td class="interval" />
         <td class="aside" colSpan={servos.length}>
-          {program.idleThrottleUnit}
+          {isKnown ? program.idleThrottleUnit : valueText(identity, THROTTLE, null)}
         </td>
       </tr>
       <RowNotes {...{ identity, rested, notes }} width={servos.length + FIRST_SERVO_COLUMN + 1} />

@@ -14,10 +14,12 @@ export function useWhole(input: RefObject<HTMLInputElement | null>): void {
       const { selectionStart, selectionEnd, value } = current;
       wasWhole = document.activeElement === current && selectionStart === 0 && selectionEnd === value.length;
     };
-    const click = (): void => {
+    const settle = (): void => {
       const { selectionStart: caret, selectionEnd, value } = current;
       if (wasWhole && caret === selectionEnd && (caret === 0 || caret === value.length)) current.select();
     };
+    // Chromium moves the caret out of a selection only after the event.
+    const click = (): void => void setTimeout(settle);
     current.addEventListener('mousedown', down);
     current.addEventListener('click', click);
     return () => {

@@ -506,3 +506,10 @@ describe('without Web Serial', () => {
     expect(screen.getByText(en.write.safety)).toBeTruthy();
   });
 });
+
+it('an idle throttle that could not be read is not known', async () => {
+  await connected({ quirks: { idleThrottleLength3: true } });
+  const row = screen.getByRole('rowheader', { name: en.program.idleThrottle }).closest('tr') as HTMLElement;
+  expect(row.textContent).toContain(write.status.unknown);
+  expect(within(row).queryByRole('textbox')).toBeNull();
+});

@@ -579,6 +579,7 @@ describe('what is typed next replaces the whole text', () => {
     // As the browser does.
     input.setSelectionRange(caret, caret);
     fireEvent.click(input);
+    await idle();
     expect([input.value, marked('DT time')]).toEqual(['3:00', whole]);
   });
 
@@ -590,6 +591,7 @@ describe('what is typed next replaces the whole text', () => {
     fireEvent.mouseDown(input, { button: 0 });
     input.setSelectionRange(0, 0);
     fireEvent.click(input);
+    await idle();
     expect([input.selectionStart, input.selectionEnd]).toEqual([0, 0]);
   });
 });

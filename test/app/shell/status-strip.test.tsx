@@ -176,3 +176,12 @@ it.each(['program', 'library', 'settings'] as const)(
     expect(within(head).getByText(ofSetting(ofModel('calm', 'Lancer'), 1))).toBeTruthy();
   },
 );
+
+it('Connect comes back to a simulated timer, and another adapter can be chosen', async () => {
+  const app = await opened();
+  await press('Try a simulated F1Q timer');
+  await press(en.header.disconnect);
+  expect(screen.getByRole('button', { name: en.header.choosePort })).toBeTruthy();
+  await press(en.header.connect);
+  expect([app.session.link.state.value.status, app.session.link.simulated.value]).toEqual(['on', true]);
+});
