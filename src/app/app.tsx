@@ -36,8 +36,8 @@ export function App({ models }: { readonly models: AppModels }) {
   };
   const printProgram = useCallback(() => print(), [print]);
   const toField = (field: ProgramField): void => {
-    memories.endLook();
-    programPicture.seek(field);
+    models.memories.endLook();
+    models.programPicture.seek(field);
     views.show('program');
   };
   // The title that the page came with.
