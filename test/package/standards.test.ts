@@ -95,6 +95,15 @@ const web = () => ({
   WritableStream,
 });
 
+describe('the pack', () => {
+  it('holds each module once, without a map, and the page to which its README leads', () => {
+    const files = readdirSync(home, { recursive: true }).map((path) => String(path).split(sep).join('/'));
+    expect(files.filter((path) => /^src|\.map$|\.ts$(?<!\.d\.ts)/.test(path))).toEqual([]);
+    expect(modules.filter(([, code]) => code.includes('sourceMappingURL'))).toEqual([]);
+    expect(files).toContain('docs/package.md');
+  });
+});
+
 describe('where there is nothing but the web', () => {
   it('a client reads, writes and verifies', async () => {
     const consumer = await Consumer.create();
