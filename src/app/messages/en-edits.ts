@@ -117,7 +117,7 @@ export const edits = {
   presets: {
     title: 'DT presets',
     use: (time: string) => `DT ${time}`,
-    refused: 'Type times up to 10:55 min, at most 24.',
+    refused: 'Type times such as 20 s or 2:30, up to 10:55 min, at most 24.',
   },
   fix: (value: string) => `Set to ${value}`,
   fixOf: (field: string, value: string) => `Set to ${value}: ${field}`,

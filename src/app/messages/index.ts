@@ -239,12 +239,15 @@ export function stepText(identity: Identity, { code, params }: StepName): string
 }
 
 /** What a step was done to: a field, a row, some values, or what was opened. */
-function subjectText(identity: Identity, { field, slot, count, servo, name = '' }: StepName['params']): string {
+function subjectText(
+  identity: Identity,
+  { field, slot, count, to, servo = to, name = '' }: StepName['params'],
+): string {
   const { edits, servoName } = messages.value;
   const found = fieldsOf(identity).find((each) => fieldKey(each) === field);
   if (found) return fieldInSentence(identity, found);
   if (typeof slot === 'number') return slotInSentence(identity, slot);
-  // In a draft of an earlier version.
+  // In a draft of an earlier version: one that was changed, or copied to.
   if (typeof servo === 'number') return servoName(servo);
   return typeof count === 'number' ? edits.cells(count) : edits.opened(String(name));
 }

@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
-import { parseTime } from '../editing/units.js';
+import { readTime } from '../editing/units.js';
 import { dtText, messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../records/preferences.js';
 import { Problem } from '../ui/problem.js';
@@ -42,9 +42,10 @@ interface TimesFieldProps {
 function TimesField({ label, text, describedBy, onTake }: TimesFieldProps) {
   const typed = useSignal<string | null>(null);
   const take = (said: string): void => {
-    const texts = said.split(/[,;\n]/).filter((each) => each.trim() !== '');
+    // A comma between digits is a decimal comma.
+    const texts = said.split(/[;\n]|,(?!\d)/).filter((each) => each.trim() !== '');
     const times = texts.flatMap((each): number[] => {
-      const read = parseTime(each);
+      const read = readTime(each, { isDt: true });
       return 'value' in read ? [read.value] : [];
     });
     typed.value = times.length === texts.length && onTake(times) ? null : said;

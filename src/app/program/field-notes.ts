@@ -51,11 +51,14 @@ export function firstInTheWay(editor: Editor): FieldNote | null {
   return null;
 }
 
-/** All notes, those about the program as a whole last. */
+const WORST_FIRST: readonly Severity[] = ['error', 'serious', 'warning'];
+
+/** All notes, the worst first; of one severity, those about the program as a whole last. */
 export function allNotes(editor: Editor): readonly Note[] {
   const identity = editor.identity.value;
-  return [
+  const notes: readonly Note[] = [
     ...(identity ? fieldsOf(identity).flatMap((field) => notesFor(editor, field)) : []),
     ...editor.findings.value.filter(({ field }) => !field).map(noteOf),
   ];
+  return WORST_FIRST.flatMap((worst) => notes.filter(({ severity }) => severity === worst));
 }

@@ -680,6 +680,16 @@ describe('DT', () => {
       await say(wrong);
       expect([screen.getByRole('alert').textContent, presets().value]).toEqual([en.edits.presets.refused, wrong]);
     }
+    // A decimal comma, or minutes: other fields ask, and this one does not guess.
+    for (const mark of [',', '.']) {
+      await say(`20 s, 2${mark}30`);
+      expect([screen.getByRole('alert').textContent, presets().value]).toEqual([
+        en.edits.presets.refused,
+        `20 s, 2${mark}30`,
+      ]);
+    }
+    await say('2:00,50');
+    expect([screen.queryByRole('alert'), presets().value]).toEqual([null, '2:00.5 min']);
     await say('3:00, 20; 2:30 min, 20 s');
     expect([screen.queryByRole('alert'), presets().value]).toEqual([null, '20 s, 2:30 min, 3 min']);
     const again = await appBench();
@@ -817,6 +827,17 @@ describe('the checks', () => {
     expect(field('Function 3 time').value).toBe('11.10');
     await press('Undo change of function 3 time');
     expect(field('Function 3 time').value).toBe('10.50');
+  });
+
+  it('begin with the worst', async () => {
+    await connected();
+    await enter('Function 2 time', '11.03');
+    await enter('Function 5 time', '10.50');
+    await enter('Function 9, S3', '200');
+    const { error, serious, warning } = en.program.severity;
+    const said = (): (string | null)[] =>
+      [...document.querySelectorAll('.checks strong')].map((each) => each.textContent);
+    await expect.poll(said).toEqual([error, serious, warning]);
   });
 
   it('never offer to lengthen the flight after a typing error', async () => {
