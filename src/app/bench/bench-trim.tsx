@@ -47,7 +47,7 @@ export function Trim({ session, field, name }: TrimProps) {
   const working = editor.working.value;
   if (!working) return null;
   const label = fieldLabel(working.identity, field);
-  const step = (direction: 1 | -1) => () => editor.apply(stepValue(working, field, direction));
+  const step = (by: number) => () => editor.apply(stepValue(working, field, by));
   return (
     // biome-ignore lint/a11y/useSemanticElements: a fieldset cannot be laid out as a grid everywhere
     <div class="trim" role="group" aria-label={label}>

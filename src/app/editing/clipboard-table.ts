@@ -1,5 +1,5 @@
-import { type TimerProgram, valueAt } from '../../program/index.js';
-import { columnsIn, type GridField, type GridRange, gridField, intervalAt, rowsIn } from './grid.js';
+import type { TimerProgram } from '../../program/index.js';
+import { columnsIn, type GridField, type GridRange, gridField, gridValue, rowsIn } from './grid.js';
 import { areWords, isUnit } from './paste-names.js';
 import { plainDigits } from './units.js';
 
@@ -29,16 +29,9 @@ export function formatTable(program: TimerProgram, range: GridRange): string {
 }
 
 function formatCell(program: TimerProgram, field: GridField | null): string {
-  if (!field) return '';
-  const value = field.kind === 'interval' ? intervalAt(program, field.slot) : valueAt(program, field);
+  const value = field && gridValue(program, field);
   if (value === null) return '';
-  return field.kind === 'position' ? String(value) : formatSeconds(value);
-}
-
-function formatSeconds(hundredths: number): string {
-  const size = Math.abs(hundredths);
-  const fraction = String(size % 100).padStart(2, '0');
-  return `${hundredths < 0 ? '-' : ''}${Math.floor(size / 100)}.${fraction}`;
+  return field?.kind === 'position' ? String(value) : (value / 100).toFixed(2);
 }
 
 /**

@@ -20,6 +20,7 @@ import {
   fieldsIn,
   type GridField,
   type GridRange,
+  gridValue,
   intervalAt,
   intervalKey,
   programField,
@@ -89,76 +90,54 @@ function shifted(program: TimerProgram, slot: number, by: number, options: DtOpt
   return checked(program, moved);
 }
 
-export interface StepOptions {
-  /** Whether to go ten steps at once. */
-  readonly tenfold?: boolean;
-}
-
 /**
- * Goes one step up or down. The step of a time is the one in the manual, else 0.01 s; of any other value 1. A value
- * between two steps goes to the nearest step in that direction. Stops at 0 and at the largest value that the wire
- * carries; from outside this range it can only come back. Several steps in a row are one step to undo. A text that is
- * not a value cannot be stepped.
+ * Goes steps up; with a negative number, down. The step of a time is the one in the manual, else 0.01 s; of any other
+ * value 1. A value between two steps goes to the nearest step in that direction. Stops at 0 and at the largest value that
+ * the wire carries; from outside this range it can only come back. Several steps in a row are one step to undo. A text
+ * that is not a value cannot be stepped.
  */
-export function stepValue(
-  program: TimerProgram,
-  field: ProgramField,
-  direction: 1 | -1,
-  options: StepOptions = {},
-): Edit {
+export function stepValue(program: TimerProgram, field: ProgramField, by: number): Edit {
   const key = fieldKey(field);
-  const values = nextStep(program, field, direction, options);
+  const values = nextStep(program, field, by);
   return { name: { code: 'change', params: { field: key } }, group: groupOf('step', key), values };
 }
 
 /** @returns an empty list when there is no step to take. */
-function nextStep(program: TimerProgram, field: ProgramField, direction: 1 | -1, options: StepOptions): FieldValue[] {
+function nextStep(program: TimerProgram, field: ProgramField, by: number): FieldValue[] {
   const before = valueAt(program, field);
   if (before === null) return [];
   const step = stepSize(program.identity, field);
   const last = Math.floor(MAX_VALUE[field.kind] / step) * step;
-  const value = Math.min(Math.max(onStep(program, field, before, direction, options), 0), last);
-  return (value - before) * direction > 0 ? [{ field, value }] : [];
+  const value = Math.min(Math.max(onStep(step, before, by), 0), last);
+  return (value - before) * by > 0 ? [{ field, value }] : [];
 }
 
 /** The next value on a step, also outside of what the wire carries. */
-function onStep(
-  { identity }: TimerProgram,
-  field: ProgramField,
-  before: number,
-  direction: 1 | -1,
-  { tenfold = false }: StepOptions,
-): number {
-  const step = stepSize(identity, field);
-  return ((direction > 0 ? Math.floor : Math.ceil)(before / step) + direction * (tenfold ? 10 : 1)) * step;
+function onStep(step: number, before: number, by: number): number {
+  return ((by > 0 ? Math.floor : Math.ceil)(before / step) + by) * step;
 }
 
 /**
  * Steps an interval as {@link stepValue} steps the time at its end, and moves later slots as {@link setInterval} does.
  * It never goes below 0.
  */
-export function stepInterval(
-  program: TimerProgram,
-  slot: number,
-  direction: 1 | -1,
-  options: StepOptions & TextOption = {},
-): Edit {
-  return ofInterval('step', slot, steppedInterval(program, slot, direction, options));
+export function stepInterval(program: TimerProgram, slot: number, by: number, options: TextOption = {}): Edit {
+  return ofInterval('step', slot, steppedInterval(program, slot, by, options));
 }
 
 function steppedInterval(
   program: TimerProgram,
   slot: number,
-  direction: 1 | -1,
-  { unreadable = NONE_UNREADABLE, ...options }: StepOptions & TextOption,
+  by: number,
+  { unreadable = NONE_UNREADABLE }: TextOption,
 ): EditOutcome {
   const from = countedFrom(slot);
   if (from && unreadable.has(fieldKey(from))) return { refused: { code: 'unreadable', field: from } };
   const interval = intervalAt(program, slot);
-  const [step] = nextStep(program, { kind: 'time', slot }, direction, options);
+  const [step] = nextStep(program, { kind: 'time', slot }, by);
   if (interval === null || !step) return { values: [] };
-  const by = step.value - (program.times[slot] as number);
-  return shifted(program, slot, Math.max(by, Math.min(0, -interval)), {});
+  const moved = step.value - (program.times[slot] as number);
+  return shifted(program, slot, Math.max(moved, Math.min(0, -interval)), {});
 }
 
 /**
@@ -166,39 +145,26 @@ function steppedInterval(
  * undo. All of them go one step, or none does: the positions keep their distances. The time of the start stays, which
  * has no cell in its row.
  */
-export function stepRange(
-  program: TimerProgram,
-  range: GridRange,
-  direction: 1 | -1,
-  options: StepOptions & TextOption = {},
-): Edit {
-  const outcome = steppedRange(program, range, direction, options);
-  const count = 'values' in outcome ? outcome.values.length : 0;
-  const place = [range.top, range.left, range.bottom, range.right].join();
-  return { name: { code: 'change', params: { count } }, group: groupOf('step', `range:${place}`), ...outcome };
-}
-
-function steppedRange(
-  program: TimerProgram,
-  range: GridRange,
-  direction: 1 | -1,
-  options: StepOptions & TextOption,
-): EditOutcome {
+export function stepRange(program: TimerProgram, range: GridRange, by: number, options: TextOption = {}): Edit {
   const values: CellValue[] = [];
   const intervals = new Map<number, number>();
   for (const field of fieldsIn(program.identity, range)) {
     if (field.kind !== 'position' && field.slot === 0) continue;
-    const before = valueAt(program, programField(field));
+    const target = programField(field);
+    const before = valueAt(program, target);
     if (before === null) continue;
-    const value = onStep(program, programField(field), before, direction, options);
+    const value = onStep(stepSize(program.identity, target), before, by);
     const interval = field.kind === 'interval' ? intervalAt(program, field.slot) : null;
     if (field.kind !== 'interval') values.push({ field, value });
     else if (interval !== null) {
       intervals.set(field.slot, interval + Math.max(value - before, Math.min(0, -interval)));
     }
   }
-  const spaced = retime(program, new Map(), intervals, options);
-  return 'refused' in spaced ? spaced : checked(program, [...spaced.values, ...values]);
+  const place = [range.top, range.left, range.bottom, range.right].join();
+  return {
+    ...ofCells('change', setCells(program, values, intervals, options)),
+    group: groupOf('step', `range:${place}`),
+  };
 }
 
 /**
@@ -207,29 +173,37 @@ function steppedRange(
  * cannot be copied.
  */
 export function fillDown(program: TimerProgram, range: GridRange, options: TextOption = {}): Edit {
-  const outcome = filledDown(program, range, options);
-  const count = 'values' in outcome ? outcome.values.length : 0;
-  return { name: { code: 'fill', params: { count } }, ...outcome };
+  const { top } = range;
+  const values: CellValue[] = [];
+  const intervals = new Map<number, number>();
+  for (const field of fieldsIn(program.identity, { ...range, top: top + 1 })) {
+    const takesTime = top > 0 && field.slot < program.identity.functions;
+    const from: GridField = { ...field, slot: top };
+    const value = field.kind === 'position' || takesTime ? gridValue(program, from) : null;
+    if (value === null) continue;
+    const hidden = sourcesOf(from).find((source) => options.unreadable?.has(fieldKey(source)));
+    if (hidden) return ofCells('fill', { refused: { code: 'unreadable', field: hidden } });
+    if (field.kind === 'interval') intervals.set(field.slot, value);
+    else values.push({ field, value });
+  }
+  return ofCells('fill', setCells(program, values, intervals, options));
 }
 
-function filledDown(program: TimerProgram, range: GridRange, options: TextOption): EditOutcome {
-  const { functions } = program.identity;
-  const { unreadable = NONE_UNREADABLE } = options;
-  const takesTime = (slot: number): boolean => range.top > 0 && slot < functions;
-  const copies: CellValue[] = [];
-  const intervals = new Map<number, number>();
-  for (const field of fieldsIn(program.identity, { ...range, top: range.top + 1 })) {
-    if (field.kind !== 'position' && !takesTime(field.slot)) continue;
-    const value =
-      field.kind === 'interval' ? intervalAt(program, range.top) : valueAt(program, { ...field, slot: range.top });
-    if (value === null) continue;
-    const hidden = sourcesOf({ ...field, slot: range.top }).find((source) => unreadable.has(fieldKey(source)));
-    if (hidden) return { refused: { code: 'unreadable', field: hidden } };
-    if (field.kind === 'interval') intervals.set(field.slot, value);
-    else copies.push({ field, value });
-  }
+/** An edit of many cells is named by their number. */
+function ofCells(code: 'change' | 'fill', outcome: EditOutcome): Edit {
+  const count = 'values' in outcome ? outcome.values.length : 0;
+  return { name: { code, params: { count } }, ...outcome };
+}
+
+/** Sets values and intervals of cells: all of them, or none. */
+function setCells(
+  program: TimerProgram,
+  values: readonly CellValue[],
+  intervals: ReadonlyMap<number, number>,
+  options: TextOption,
+): EditOutcome {
   const spaced = retime(program, new Map(), intervals, options);
-  return 'refused' in spaced ? spaced : checked(program, [...spaced.values, ...copies]);
+  return 'refused' in spaced ? spaced : checked(program, [...spaced.values, ...values]);
 }
 
 /** The fields that a cell's value comes from: for an interval, the time before it and the time at its end. */

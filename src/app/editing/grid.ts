@@ -1,4 +1,4 @@
-import type { ProgramField, TimerProgram } from '../../program/index.js';
+import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
 
 /**
@@ -40,11 +40,11 @@ export function gridField(identity: Identity, { row, column }: GridCell): GridFi
   return { kind: 'position', servo: column - FIRST_SERVO_COLUMN, slot: row };
 }
 
-/** The cell of a value; null for a value without one. */
-export function cellFor(field: ProgramField): GridCell | null {
+/** The cell of a field; null for a value without one. */
+export function cellFor(field: ProgramField | GridField): GridCell | null {
   if (field.kind === 'idleThrottle') return null;
-  const column = field.kind === 'time' ? TIME_COLUMN : FIRST_SERVO_COLUMN + field.servo;
-  return { row: field.slot, column };
+  if (field.kind === 'position') return { row: field.slot, column: FIRST_SERVO_COLUMN + field.servo };
+  return { row: field.slot, column: field.kind === 'time' ? TIME_COLUMN : INTERVAL_COLUMN };
 }
 
 /** The value that an entry in a cell changes: for an interval, the time at its end. */
@@ -76,6 +76,10 @@ export function rangeBetween(a: GridCell, b: GridCell): GridRange {
     bottom: Math.max(a.row, b.row),
     right: Math.max(a.column, b.column),
   };
+}
+
+export function isInRange(range: GridRange | null, { row, column }: GridCell): boolean {
+  return range !== null && row >= range.top && row <= range.bottom && column >= range.left && column <= range.right;
 }
 
 /**
@@ -115,6 +119,11 @@ export function intervalAt({ times }: TimerProgram, slot: number): number | null
 /** The field that a slot's interval counts from; null when it counts from launch. */
 export function countedFrom(slot: number): CellField | null {
   return slot > 1 ? { kind: 'time', slot: slot - 1 } : null;
+}
+
+/** What a cell holds: times and intervals in hundredths of a second, positions in steps. Null where nothing is known. */
+export function gridValue(program: TimerProgram, field: GridField): number | null {
+  return field.kind === 'interval' ? intervalAt(program, field.slot) : valueAt(program, field);
 }
 
 /** The time that a slot's interval counts from: the time of the slot before, or launch. */

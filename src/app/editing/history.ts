@@ -101,26 +101,23 @@ export function settle<T>(history: History<T>, isNow: (state: T) => boolean = ()
   return history.open === null ? history : { ...history, open: null };
 }
 
-/**
- * @param now the present state, which {@link redo} brings back.
- * @returns null when there is nothing to undo.
- */
-export function undo<T>({ past, future }: History<T>, now: T): Turned<T> | null {
-  const step = past.at(-1);
-  if (!step) return null;
-  const undone = { name: step.name, state: now };
-  return { history: { past: past.slice(0, -1), future: [...future, undone], open: null }, state: step.state };
+/** @returns null when there is nothing to undo. */
+export function undo<T>(history: History<T>, now: T): Turned<T> | null {
+  return turned(history, now, 'past', 'future');
 }
 
-/**
- * @param now the present state, which {@link undo} brings back.
- * @returns null when there is nothing to redo.
- */
-export function redo<T>({ past, future }: History<T>, now: T): Turned<T> | null {
-  const step = future.at(-1);
+/** @returns null when there is nothing to redo. */
+export function redo<T>(history: History<T>, now: T): Turned<T> | null {
+  return turned(history, now, 'future', 'past');
+}
+
+/** @param now the present state, to which the other way leads back. */
+function turned<T>(history: History<T>, now: T, from: 'past' | 'future', to: 'past' | 'future'): Turned<T> | null {
+  const step = history[from].at(-1);
   if (!step) return null;
-  const redone = { name: step.name, state: now };
-  return { history: { past: [...past, redone], future: future.slice(0, -1), open: null }, state: step.state };
+  const back = { name: step.name, state: now };
+  const steps = { [from]: history[from].slice(0, -1), [to]: [...history[to], back] };
+  return { history: { ...history, ...steps, open: null }, state: step.state };
 }
 
 /**

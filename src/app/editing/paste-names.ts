@@ -96,24 +96,22 @@ export function isInMinutes(text: string): boolean {
   return MINUTES.test(unitOf(bareName(text)).unit);
 }
 
-/** Whether a text is nothing but a unit. */
-export function isUnit(text: string): boolean {
-  const unit = bareName(text)
+/** A unit that stands alone, without its brackets and its point. */
+function unitAlone(text: string): string {
+  return bareName(text)
     .replace(/^[([](.*)[)\]]$/, '$1')
     .replace(/\.$/, '');
-  return unit !== '' && (SECONDS.test(unit) || MINUTES.test(unit) || STEPS.test(unit));
+}
+
+/** Whether a text is nothing but a unit. */
+export function isUnit(text: string): boolean {
+  const unit = unitAlone(text);
+  return unit !== '' && [SECONDS, MINUTES, STEPS].some((form) => form.test(unit));
 }
 
 /** Whether such a unit is minutes. */
 export function isMinutes(text: string): boolean {
-  return (
-    isUnit(text) &&
-    MINUTES.test(
-      bareName(text)
-        .replace(/^[([](.*)[)\]]$/, '$1')
-        .replace(/\.$/, ''),
-    )
-  );
+  return MINUTES.test(unitAlone(text));
 }
 
 const WORD = /^(?!(?:nan|inf|infinity|err\s?:\d+)$)\p{L}/iu;

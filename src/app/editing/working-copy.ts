@@ -24,26 +24,20 @@ import type { Ambiguous } from './units.js';
  * A text that is not a value stays as it was typed, beside the last value of its field.
  */
 export class WorkingCopy {
-  readonly #working = signal<TimerProgram | null>(null, { name: 'working' });
-  readonly #texts = signal<Content['texts']>({}, { name: 'texts' });
-  readonly #of = signal<SettingOf | undefined>(undefined, { name: 'of' });
-  readonly #backupOf = signal<string | undefined>(undefined, { name: 'backupOf' });
+  readonly #content = signal<Content | null>(null, { name: 'content' });
   readonly #history = signal<History<Content>>(EMPTY_HISTORY, { name: 'history' });
   /** The field in which somebody is typing. */
   readonly #typing = signal<string | null>(null, { name: 'typing' });
 
-  readonly working: ReadonlySignal<TimerProgram | null> = this.#working;
+  readonly working: ReadonlySignal<TimerProgram | null> = computed(() => this.#content.value?.working ?? null);
   /** The kind of timer that it is for; null when there is no program. */
-  readonly identity: ReadonlySignal<Identity | null> = computed(() => this.#working.value?.identity ?? null);
+  readonly identity: ReadonlySignal<Identity | null> = computed(() => this.working.value?.identity ?? null);
   /** The setting of the library that it belongs to; undefined for none. */
-  readonly of: ReadonlySignal<SettingOf | undefined> = this.#of;
+  readonly of: ReadonlySignal<SettingOf | undefined> = computed(() => this.#content.value?.of);
   /** The id of the model whose backup it is, if it is one: see `Content`. */
-  readonly backupOf: ReadonlySignal<string | undefined> = this.#backupOf;
+  readonly backupOf: ReadonlySignal<string | undefined> = computed(() => this.#content.value?.backupOf);
   /** Its present content, typed texts included. */
-  protected readonly content: ReadonlySignal<Content | null> = computed(() => {
-    const working = this.#working.value;
-    return working && { working, texts: this.#texts.value, of: this.#of.value, backupOf: this.#backupOf.value };
-  });
+  protected readonly content: ReadonlySignal<Content | null> = this.#content;
   protected readonly history: ReadonlySignal<History<Content>> = this.#history;
 
   readonly #unreadable: ReadonlySignal<readonly UnreadableField[]> = computedList(() => {
@@ -72,16 +66,16 @@ export class WorkingCopy {
 
   /** What stands in a field: the text as typed, else its value. */
   textOf(field: ProgramField): string {
-    const text = this.#texts.value[fieldKey(field)];
-    if (text !== undefined) return text;
-    const working = this.#working.value;
-    const value = working && valueAt(working, field);
-    return working === null || value === null ? '' : formatValue(working.identity, field, value);
+    const { value: content } = this.#content;
+    if (!content) return '';
+    const { working, texts } = content;
+    const value = valueAt(working, field);
+    return texts[fieldKey(field)] ?? (value === null ? '' : formatValue(working.identity, field, value));
   }
 
   /** Whether a field holds a typed text, which may be unfinished. */
   isTyped(field: ProgramField): boolean {
-    return this.#texts.value[fieldKey(field)] !== undefined;
+    return this.#content.value?.texts[fieldKey(field)] !== undefined;
   }
 
   /**
@@ -110,7 +104,7 @@ export class WorkingCopy {
    * the field is left.
    */
   type(field: ProgramField, text: string): void {
-    const now = this.#working.value;
+    const now = this.working.value;
     if (!now) return;
     const key = fieldKey(field);
     const { open, past } = this.#history.value;
@@ -130,7 +124,10 @@ export class WorkingCopy {
     const key = fieldKey(field);
     batch(() => {
       if (this.#typing.value === key) this.#typing.value = null;
-      if (!this.unreadable.value.has(key)) this.#texts.value = without(this.#texts.value, [key]);
+      const { value: content } = this.#content;
+      if (content?.texts[key] !== undefined && !this.unreadable.value.has(key)) {
+        this.#content.value = { ...content, texts: without(content.texts, [key]) };
+      }
       this.settle();
     });
   }
@@ -161,13 +158,11 @@ export class WorkingCopy {
   }
 
   undo(): void {
-    const now = this.content.value;
-    if (now) this.#turn(histories.undo(this.#history.value, now));
+    this.#turn(histories.undo);
   }
 
   redo(): void {
-    const now = this.content.value;
-    if (now) this.#turn(histories.redo(this.#history.value, now));
+    this.#turn(histories.redo);
   }
 
   /**
@@ -175,14 +170,15 @@ export class WorkingCopy {
    * @returns whether it was.
    */
   abandon(group: string | undefined): boolean {
-    const { value: history } = this.#history;
-    const growing = group !== undefined && history.open === group ? histories.abandon(history) : null;
-    this.#turn(growing);
-    return growing !== null;
+    return group !== undefined && this.#history.value.open === group && this.#turn(histories.abandon);
   }
 
-  #turn(turned: Turned<Content> | null): void {
+  /** @returns whether there was a state to go to. */
+  #turn(turn: (history: History<Content>, now: Content) => Turned<Content> | null): boolean {
+    const now = this.#content.value;
+    const turned = now && turn(this.#history.value, now);
     if (turned) this.show(turned.state, turned.history);
+    return turned !== null;
   }
 
   /**
@@ -208,10 +204,7 @@ export class WorkingCopy {
   /** Replaces the whole content; null for none. */
   protected show(content: Content | null, history: History<Content>): void {
     batch(() => {
-      this.#working.value = content?.working ?? null;
-      this.#texts.value = content?.texts ?? {};
-      this.#of.value = content?.of;
-      this.#backupOf.value = content?.backupOf;
+      this.#content.value = content;
       this.#history.value = history;
     });
   }

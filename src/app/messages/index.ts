@@ -239,10 +239,8 @@ export function stepText(identity: Identity, { code, params }: StepName): string
 }
 
 /** What a step was done to: a field, a row, some values, or what was opened. */
-function subjectText(
-  identity: Identity,
-  { field, slot, count, to, servo = to, name = '' }: StepName['params'],
-): string {
+function subjectText(identity: Identity, params: StepName['params']): string {
+  const { field, slot, count, to, servo = to, name = '' } = params;
   const { edits, servoName } = messages.value;
   const found = fieldsOf(identity).find((each) => fieldKey(each) === field);
   if (found) return fieldInSentence(identity, found);

@@ -3,52 +3,40 @@ import type { ComponentChildren } from 'preact';
 import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import type { Identity } from '../../protocol/index.js';
 import { onBackInHistory, onBackKey } from '../browser/back-key.js';
-import { media } from '../browser/doors.js';
 import { plainSeconds } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
 import type { Standing } from '../timer/standing.js';
 import { Icon } from '../ui/icon.js';
 import { usePress } from '../ui/use-press.js';
-import { type EditedValue, Hand, type HeldField } from './hand.js';
+import type { EditedValue, HeldField } from './hand.js';
 import { RepeatPress } from './repeat-press.js';
 import { type Goal, goalsFrom } from './sheet-moves.js';
 import { useSheetPlace } from './sheet-place.js';
 import { eraseLast, typeInto } from './sheet-typing.js';
+import { cellOf } from './table-cells.js';
+import type { TableModel } from './table-model.js';
 import { WasText } from './was-text.js';
 import './edit-sheet.css';
 
-/** The field that is being edited in one place of the page, and by what. */
-export function useHand(): Hand {
-  const hand = useMemo(() => new Hand(media('(pointer: coarse)')?.matches ?? false), []);
-  useEffect(() => hand.follow(document), [hand]);
-  return hand;
-}
-
 interface EditSheetProps {
+  readonly table: TableModel;
   readonly identity: Identity;
   readonly standing: ReadonlySignal<Standing>;
-  readonly hand: Hand;
 }
 
 /**
  * Replaces the screen keyboard for a field that a finger has tapped: steps, digits, the old value, and keys to other
  * fields. The focus stays in the field, which scrolls into sight.
  */
-export function EditSheet({ identity, standing, hand }: EditSheetProps) {
-  const held = hand.field.value;
-  return held && <Sheet {...{ identity, standing, held }} />;
+export function EditSheet(props: EditSheetProps) {
+  const held = props.table.hand.field.value;
+  return held && <Sheet {...props} held={held} />;
 }
 
-interface SheetProps {
-  readonly identity: Identity;
-  readonly standing: ReadonlySignal<Standing>;
-  readonly held: HeldField;
-}
-
-function Sheet({ identity, standing, held }: SheetProps) {
+function Sheet({ table, identity, standing, held }: EditSheetProps & { readonly held: HeldField }) {
   const { edits, done } = messages.value;
   const { sheet: words } = edits;
-  const { input, label, value, selection } = held;
+  const { input, label, value } = held;
   const element = useRef<HTMLDivElement>(null);
   /** Whether the next digit begins a new value. After a step, the last digit is not what was wrong. */
   const isWhole = useRef(false);
@@ -95,7 +83,7 @@ function Sheet({ identity, standing, held }: SheetProps) {
   return (
     <section
       ref={element}
-      class="stack edit-sheet"
+      class="stack low-sheet edit-sheet"
       popover="manual"
       aria-label={words.title(label)}
       // The focus stays in the field.
@@ -111,14 +99,14 @@ function Sheet({ identity, standing, held }: SheetProps) {
             </span>
           )}
         </p>
-        {selection && (
+        {cellOf(input) && (
           <button
             type="button"
             class="quiet"
             tabIndex={-1}
             aria-label={words.selectRange}
             onClick={() => {
-              selection.pick();
+              table.selection.pick();
               input.blur();
             }}
           >
@@ -152,14 +140,14 @@ function Sheet({ identity, standing, held }: SheetProps) {
         </fieldset>
       ) : (
         <div class="sheet-steps">
-          <StepKey {...{ value, act }} direction={-1} tenfold />
-          <StepKey {...{ value, act }} direction={-1} />
+          <StepKey {...{ value, act }} by={-10} />
+          <StepKey {...{ value, act }} by={-1} />
           <output>
             {text}
             {unit && <small> {messages.value.times.units[unit]}</small>}
           </output>
-          <StepKey {...{ value, act }} direction={1} />
-          <StepKey {...{ value, act }} direction={1} tenfold />
+          <StepKey {...{ value, act }} by={1} />
+          <StepKey {...{ value, act }} by={10} />
         </div>
       )}
       <div class="sheet-pad">
@@ -184,15 +172,14 @@ function Sheet({ identity, standing, held }: SheetProps) {
 
 interface StepKeyProps {
   readonly value: EditedValue;
-  readonly direction: 1 | -1;
-  readonly tenfold?: boolean;
+  readonly by: number;
   readonly act: (work: () => void) => void;
 }
 
 /** A step key. It repeats while it is held. */
-function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
+function StepKey({ value, by, act }: StepKeyProps) {
   const repeat = useMemo(() => new RepeatPress(), []);
-  const step = (): void => act(() => value.step(direction, { tenfold }));
+  const step = (): void => act(() => value.step(by));
   return (
     <button
       type="button"
@@ -200,13 +187,13 @@ function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
       {...usePress(repeat, () => repeat.press(step))}
       onClick={() => repeat.click(step)}
     >
-      {`${direction > 0 ? '+' : '−'}${amountOf(value, tenfold)}`}
+      {`${by > 0 ? '+' : '−'}${amountOf(value, Math.abs(by))}`}
     </button>
   );
 }
 
 /** “10”, “0.1 s”: positions are whole steps. */
-function amountOf({ kind, stepSize }: EditedValue, tenfold: boolean): string {
-  const amount = stepSize * (tenfold ? 10 : 1);
+function amountOf({ kind, stepSize }: EditedValue, steps: number): string {
+  const amount = stepSize * steps;
   return kind !== 'steps' ? messages.value.seconds(plainSeconds(amount)) : String(amount);
 }

@@ -3,7 +3,7 @@ import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
 import { formatValue } from '../editing/content.js';
 import { stepSize } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
-import { type StepOptions, stepValue } from '../editing/edits.js';
+import { stepValue } from '../editing/edits.js';
 import { figureOf, figureText } from '../messages/index.js';
 import { notesFor } from './field-notes.js';
 import type { EditedValue, FieldFace } from './hand.js';
@@ -61,9 +61,9 @@ export class FieldModel implements EditedValue {
     this.#editor.type(this.#field, text);
   }
 
-  step(direction: 1 | -1, options?: StepOptions): void {
+  step(by: number): void {
     const working = this.#editor.working.value;
-    if (working) this.#editor.apply(stepValue(working, this.#field, direction, options));
+    if (working) this.#editor.apply(stepValue(working, this.#field, by));
   }
 
   putBack(): void {

@@ -1,7 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import type { StepOptions } from '../editing/edits.js';
 import type { Ambiguous, Figure } from '../editing/units.js';
-import type { Selection } from './selection.js';
 
 /** What stands in a field, and its colours. */
 export interface FieldFace {
@@ -29,7 +27,8 @@ export interface EditedValue {
   /** The size of one step; for a time in hundredths of a second. */
   readonly stepSize: number;
   type(text: string): void;
-  step(direction: 1 | -1, options?: StepOptions): void;
+  /** @param by how many steps up; negative: down. */
+  step(by: number): void;
   putBack(): void;
   answer(value: number): void;
   /** The pilot does not answer what a text means. */
@@ -50,8 +49,6 @@ export interface HeldField {
   readonly input: HTMLInputElement;
   readonly label: string;
   readonly value: EditedValue;
-  /** The selection of the field's table; absent outside of a table. */
-  readonly selection?: Selection | undefined;
 }
 
 /**
@@ -67,6 +64,8 @@ export class Hand {
    */
   readonly #isArriving = signal(false);
 
+  /** The field with the focus. */
+  readonly held: ReadonlySignal<HeldField | null> = this.#held;
   /** Whether a finger or a pen was used last. */
   readonly isTouch: ReadonlySignal<boolean> = this.#isTouch;
   /** The field of the sheet; null while there is no sheet. */

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { type Edit, stepSize } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
-import { type StepOptions, setInterval, stepInterval } from '../editing/edits.js';
+import { setInterval, stepInterval } from '../editing/edits.js';
 import { intervalAt, intervalKey } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
 import { type Ambiguous, formatInterval, MINUTE, readInterval } from '../editing/units.js';
@@ -67,11 +67,11 @@ export class IntervalModel implements EditedValue {
     return identity ? stepSize(identity, { kind: 'time', slot: this.#slot }) : 1;
   }
 
-  step(direction: 1 | -1, options?: StepOptions): void {
+  step(by: number): void {
     const working = this.#editor.working.value;
     if (!working) return;
     const unreadable = this.#editor.unreadable.value;
-    this.#enter(null, this.#apply(stepInterval(working, this.#slot, direction, { ...options, unreadable })));
+    this.#enter(null, this.#apply(stepInterval(working, this.#slot, by, { unreadable })));
   }
 
   type(text: string): void {

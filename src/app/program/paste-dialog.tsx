@@ -1,9 +1,9 @@
-import { type ReadonlySignal, useSignal } from '@preact/signals';
+import { useSignal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
 import { withValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
-import { cellFor, type GridRange, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
+import { cellFor, TIME_COLUMN } from '../editing/grid.js';
 import { type PastePreview, type PasteProblem, pasted, previewPaste } from '../editing/paste.js';
 import type { PasteAnswer, PasteQuestion } from '../editing/paste-questions.js';
 import { gridLabel, messages, pasteProblemText, slotLabel, spokenTime } from '../messages/index.js';
@@ -13,29 +13,24 @@ import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import type { Session } from '../work/session.js';
 import { UncertainNote } from '../write/uncertain-note.js';
-
-/** A text to paste, and where. */
-export interface Pasting {
-  readonly range: GridRange;
-  readonly text: string;
-}
+import type { Pasting, TableModel } from './table-model.js';
 
 /** How much of a list is named. */
 const TOLD = 8;
 
 interface PasteDialogProps {
   readonly session: Session;
-  /** The text to paste; null while the dialog is closed. */
-  readonly pasting: ReadonlySignal<Pasting | null>;
-  readonly onClose: () => void;
+  readonly table: TableModel;
 }
 
 /** Shows what a paste would do, and asks. */
-export function PasteDialog({ session, pasting: { value }, onClose }: PasteDialogProps) {
-  const { pasting: words } = messages.value.edits;
+export function PasteDialog({ session, table }: PasteDialogProps) {
+  const { value: pasting } = table.pasting;
+  const { apply } = messages.value.edits.pasting;
+  const close = (): void => table.pasted();
   return (
-    <Modal open={value !== null} title={words.apply} head={<UncertainNote session={session} />} onEscape={onClose}>
-      {value && <Preview editor={session.editor} pasting={value} close={onClose} />}
+    <Modal open={pasting !== null} title={apply} head={<UncertainNote session={session} />} onEscape={close}>
+      {pasting && <Preview editor={session.editor} {...{ pasting, close }} />}
     </Modal>
   );
 }
@@ -183,11 +178,9 @@ interface PasteTableProps {
 
 /** What goes where: the rows and columns that a paste touches, with the new values over the old ones. */
 function PasteTable({ before, after, preview }: PasteTableProps) {
-  const places = [...preview.cells, ...preview.problems, ...preview.changes].flatMap(({ field }) => {
-    if (!field || field.kind === 'idleThrottle') return [];
-    return field.kind === 'interval' ? [{ row: field.slot, column: INTERVAL_COLUMN }] : [cellFor(field)];
-  });
-  const cells = places.filter((place) => place !== null);
+  const cells = [...preview.cells, ...preview.problems, ...preview.changes]
+    .map(({ field }) => field && cellFor(field))
+    .filter((cell) => cell !== null);
   if (cells.length === 0) return null;
   const isQ = before.identity.timerClass === 'Q';
   // The first time of a Q has the row of the motor stop.

@@ -1,25 +1,30 @@
+import type { TargetedEvent } from 'preact';
 import type { Identity } from '../../protocol/index.js';
 import type { GridRange } from '../editing/grid.js';
 import { messages } from '../messages/index.js';
 import { CopyButton } from '../ui/copy-button.js';
-import type { Selection } from './selection.js';
+import { cellAt } from './table-cells.js';
+import type { TableModel } from './table-model.js';
 import './range-bar.css';
 
 interface RangeBarProps {
+  readonly table: TableModel;
   readonly identity: Identity;
-  readonly selection: Selection;
-  /** The text to copy. */
-  readonly text: () => string;
-  readonly onPaste: () => void;
-  readonly onFill: () => void;
-  readonly onDone: () => void;
 }
 
 /** The selected range, and buttons for what the keys do. The focus stays in the table. */
-export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }: RangeBarProps) {
+export function RangeBar({ table, identity }: RangeBarProps) {
+  const { selection } = table;
   const { copy, done, edits } = messages.value;
   const { range: words } = edits.table;
   const range = selection.shown.value;
+  /** With the keyboard, the focus goes back to the cell. A thumb does not want the screen keyboard. */
+  const onDone = ({ currentTarget }: TargetedEvent<HTMLElement>): void => {
+    const { value: cell } = selection.active;
+    const box = currentTarget.contains(document.activeElement) && currentTarget.closest('.table-box');
+    table.done();
+    if (box && cell) cellAt(box, cell)?.querySelector('input')?.focus();
+  };
   const said = range && (selection.isWide.value ? sizeOf(identity, range) : words.pick);
   return (
     <div
@@ -30,17 +35,17 @@ export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }:
       onKeyDown={(event) => {
         if (event.key !== 'Escape') return;
         event.preventDefault();
-        onDone();
+        onDone(event);
       }}
     >
       <p role="status">{said}</p>
       {range && (
         <>
-          <CopyButton key={Object.values(range).join()} label={copy} text={text} />
-          <button type="button" onClick={onPaste}>
+          <CopyButton key={Object.values(range).join()} label={copy} text={() => table.selectedText()} />
+          <button type="button" onClick={() => void table.pasteCopied()}>
             {words.paste}
           </button>
-          <button type="button" disabled={range.bottom === 0} onClick={onFill}>
+          <button type="button" disabled={range.bottom === 0} onClick={() => table.fillDown()}>
             {words.fillDown}
           </button>
           <button type="button" class="primary" onClick={onDone}>

@@ -1,5 +1,6 @@
-import { type ReadonlySignal, useComputed } from '@preact/signals';
+import { useComputed } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
+import type { ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { onBackKey } from '../browser/back-key.js';
 import { media } from '../browser/doors.js';
@@ -19,22 +20,22 @@ interface RowMenuProps {
   readonly name: string;
   /** Whether its time, and all later ones, can be shifted. */
   readonly shifts: boolean;
-  /** Whether something in the row differs from the timer. */
-  readonly isChanged: ReadonlySignal<boolean>;
-  /** Puts the row back to what the timer holds. */
-  readonly revert: { readonly label: string; readonly act: () => void };
+  /** Its values. */
+  readonly fields: readonly ProgramField[];
 }
 
 /**
  * The menu at the name of a row: edits from that row on. For the keyboard it opens left of the time; for a finger, from
  * the whole name.
  */
-export function RowMenu({ tools, identity, slot, name, shifts, isChanged, revert }: RowMenuProps) {
+export function RowMenu(props: RowMenuProps) {
+  const { tools, slot, name, fields, shifts } = props;
   const { table } = messages.value.edits;
   const opener = useRef<HTMLButtonElement>(null);
   // The start has no time to shift, and shares its slot with the motor stop.
   const at = shifts ? slot : 'start';
-  const isWanted = shifts || isChanged.value;
+  const isChanged = useComputed(() => tools.isChanged(fields)).value;
+  const isWanted = shifts || isChanged;
   const isOpen = useComputed(() => tools.open.value === at).value && isWanted;
   if (!isWanted) return null;
   const close = (): void => {
@@ -65,17 +66,18 @@ export function RowMenu({ tools, identity, slot, name, shifts, isChanged, revert
         aria-expanded={isOpen}
         onClick={() => (isOpen ? close() : tools.show(at))}
       />
-      {isOpen && <RowPanel {...{ tools, identity, slot, name, shifts, isChanged, revert, opener }} onClose={close} />}
+      {isOpen && <RowPanel {...props} {...{ isChanged, opener }} onClose={close} />}
     </span>
   );
 }
 
 interface RowPanelProps extends RowMenuProps {
+  readonly isChanged: boolean;
   readonly opener: { readonly current: HTMLElement | null };
   readonly onClose: () => void;
 }
 
-function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onClose, opener }: RowPanelProps) {
+function RowPanel({ tools, identity, slot, name, fields, shifts, isChanged, opener, onClose }: RowPanelProps) {
   const { edits, done } = messages.value;
   const { shift } = edits;
   const panel = useRef<HTMLFormElement>(null);
@@ -85,10 +87,12 @@ function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onCl
     if (!current) return;
     // Where the table is narrow it would cover the times that it moves, so it lies at the lower edge.
     const lower = row && getComputedStyle(current).position === 'fixed' ? raise(current, row) : null;
-    // In the lower half of the window there is more room above.
-    const { top = 0 } = opener.current?.getBoundingClientRect() ?? {};
-    current.classList.toggle('above', top > innerHeight / 2);
-    if (!lower) current.scrollIntoView?.({ block: 'nearest' });
+    if (!lower) {
+      // In the lower half of the window there is more room above.
+      const { top = 0 } = opener.current?.getBoundingClientRect() ?? {};
+      current.classList.toggle('above', top > innerHeight / 2);
+      current.scrollIntoView?.({ block: 'nearest' });
+    }
     // On a touch screen a focused field would open the keyboard, which nobody has asked for.
     const byTouch = media('(pointer: coarse)')?.matches ?? false;
     const first = byTouch ? null : current.querySelector('input');
@@ -108,7 +112,7 @@ function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onCl
   return (
     <form
       ref={panel}
-      class="row-panel"
+      class="stack row-panel"
       aria-label={shifts ? shift.from(name, isDt) : name}
       onSubmit={(event) => {
         event.preventDefault();
@@ -124,15 +128,15 @@ function RowPanel({ tools, identity, slot, name, shifts, isChanged, revert, onCl
             {shift.moveDt}
           </Check>
         )}
-        {isChanged.value && (
+        {isChanged && (
           <button
             type="button"
             onClick={() => {
-              revert.act();
+              tools.putBack(slot, fields);
               onClose();
             }}
           >
-            {revert.label}
+            {edits.field.putBack(name)}
           </button>
         )}
         <button type="button" class="quiet" onClick={onClose}>

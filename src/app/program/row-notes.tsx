@@ -1,16 +1,17 @@
-import { type ReadonlySignal, useComputed } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
-import { fieldKey } from '../../program/index.js';
+import { useComputed } from '@preact/signals';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { fieldKey, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
+import { computedList } from '../editing/computed-list.js';
 import { fieldName, messages } from '../messages/index.js';
-import type { FieldNote } from './field-notes.js';
+import { isSameNote, notesFor } from './field-notes.js';
+import type { TableModel } from './table-model.js';
 import './row-notes.css';
 
 interface RowNotesProps {
+  readonly table: TableModel;
   readonly identity: Identity;
-  readonly notes: ReadonlySignal<readonly FieldNote[]>;
-  /** Changes when the pilot's hands rest. */
-  readonly rested: ReadonlySignal<unknown>;
+  readonly fields: readonly ProgramField[];
   /** How many columns the table has. */
   readonly width: number;
 }
@@ -21,10 +22,14 @@ interface RowNotesProps {
  * They get and lose their room when the hands rest. On the way to `12.3` stands `1`, which is too early: rows that jump
  * at each digit are hard to read. What stands there is true at each moment: a note that no longer holds is hidden.
  */
-export function RowNotes({ identity, notes, rested, width }: RowNotesProps) {
+export function RowNotes({ table, identity, fields, width }: RowNotesProps) {
+  const notes = useMemo(
+    () => computedList(() => fields.flatMap((field) => notesFor(table.editor, field)), isSameNote),
+    [table, identity],
+  );
   const room = useComputed(() => {
     // Only its change matters.
-    void rested.value;
+    void table.rested.value;
     return notes.peek();
   }).value;
   useFieldInSight(room.length);

@@ -1,7 +1,8 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import type { ProgramField, TimerProgram } from '../../program/index.js';
+import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { shiftFrom, slotsThatShift } from '../editing/edits.js';
+import type { StepName } from '../editing/history.js';
 import { parseInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
 
@@ -70,6 +71,19 @@ export class RowTools {
 
   setMoveDt(on: boolean): void {
     this.#moveDt.value = on;
+  }
+
+  /** Whether one of these values differs from the timer. */
+  isChanged(fields: readonly ProgramField[]): boolean {
+    const { changed, unreadable } = this.#editor;
+    return fields.map(fieldKey).some((key) => changed.value.has(key) || unreadable.value.has(key));
+  }
+
+  /** Puts the values of a row back to what the timer holds. */
+  putBack(slot: number, fields: readonly ProgramField[]): void {
+    const [field, ...others] = fields;
+    const params: StepName['params'] = field && others.length === 0 ? { field: fieldKey(field) } : { slot };
+    this.#editor.revertFields({ code: 'change', params }, fields);
   }
 
   /** Moves the open slot and all later ones by the typed amount, to later or to earlier. */

@@ -1,6 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { type GridCell, type GridRange, rangeBetween } from '../editing/grid.js';
-import type { OnStep } from './step-field.js';
 
 /** The selected cells of the table: from the one that is being edited to another corner. */
 export class Selection {
@@ -28,9 +27,6 @@ export class Selection {
   );
   /** The corner that moves when the range grows or shrinks. */
   readonly corner: ReadonlySignal<GridCell | null> = computed(() => this.#corner.value ?? this.active.value);
-
-  /** Steps all selected cells. The table sets it, which says why when it cannot be done. */
-  stepAll: OnStep = () => {};
 
   /** Selects only this cell. */
   enter(cell: GridCell): void {

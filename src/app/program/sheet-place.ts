@@ -16,6 +16,7 @@ export function useSheetPlace(sheet: RefObject<HTMLElement | null>, input: HTMLI
 /** The same for the tools of a row: as much as possible of the rows from this one on stays in sight. */
 export function raise(sheet: HTMLElement, row: Element): () => void {
   sheet.popover = 'manual';
+  sheet.classList.add('low-sheet');
   const lower = lift(sheet);
   const leave = makeRoom(sheet, row, 'start');
   return () => {

@@ -1,17 +1,7 @@
 import { shortcutLetter } from '../browser/shortcut-letter.js';
-import type { Editor } from '../editing/editor.js';
 import { gridColumns } from '../editing/grid.js';
-import type { Selection } from './selection.js';
 import { cellAt, cellOf } from './table-cells.js';
-
-/** What the keys of the table act on. */
-export interface TableKeys {
-  readonly editor: Editor;
-  readonly selection: Selection;
-  readonly fillDown: () => void;
-  /** Moves the focus to the buttons of a range. */
-  readonly toBar: () => void;
-}
+import type { TableModel } from './table-model.js';
 
 /** The column with the tools of the rows, left of the times. */
 const OPENERS = -1;
@@ -25,39 +15,55 @@ const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]
 
 /**
  * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Tab goes to the buttons of
- * the range, Ctrl+D fills down. Left and right first move inside a text to its end.
+ * the range, Ctrl+D fills down, Alt with an arrow steps, with Shift ten steps at once. Left and right first move inside a
+ * text to its end.
  */
-export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
-  const { target } = event;
-  if (event.defaultPrevented || event.altKey) return;
-  const direction = DIRECTIONS[event.key];
-  if (target instanceof Element && target.matches('.row-opener')) {
+export function onTableKey(event: KeyboardEvent, table: TableModel): void {
+  const { target, key } = event;
+  if (event.defaultPrevented) return;
+  const direction = DIRECTIONS[key];
+  if (!event.altKey && target instanceof Element && target.matches('.row-opener')) {
     if (direction) moveFocus(event, target, direction);
     return;
   }
-  if (!cellOf(target) || !(target instanceof HTMLInputElement)) return;
+  const value = table.valueIn(target);
+  if (!value || !(target instanceof HTMLInputElement)) return;
+  if (event.altKey && direction?.[0] && !event.ctrlKey && !event.metaKey) {
+    event.preventDefault();
+    table.step(-direction[0] * (event.shiftKey ? 10 : 1));
+    return;
+  }
+  if (key === 'Escape') value.escape();
+  // First asks what was meant. Tab leads to the answers.
+  const isDone = key === 'Enter' || (key === 'Tab' && !event.shiftKey && !value.face.value.either);
+  if (isDone && !value.finish()) {
+    event.preventDefault();
+    return;
+  }
+  if (event.altKey || !cellOf(target)) return;
   if (event.ctrlKey || event.metaKey) {
     if (shortcutLetter(event) !== 'd' || event.shiftKey) return;
     event.preventDefault();
-    keys.fillDown();
+    table.fillDown();
     return;
   }
-  if (event.key === 'Escape' && keys.selection.isWide.value) {
+  const isWide = table.selection.isWide.value;
+  if (isWide && key === 'Escape') {
     event.preventDefault();
-    keys.selection.collapse();
+    table.selection.collapse();
     return;
   }
-  if (event.key === 'Tab' && !event.shiftKey && keys.selection.isWide.value) {
+  if (isWide && key === 'Tab' && !event.shiftKey) {
     event.preventDefault();
-    keys.toBar();
+    target.closest('.table-box')?.querySelector<HTMLElement>('.range-bar button')?.focus();
     return;
   }
-  if (event.key === 'Enter') {
+  if (key === 'Enter') {
     moveFocus(event, target, [event.shiftKey ? -1 : 1, 0]);
     return;
   }
   if (!direction || (direction[1] !== 0 && !leavesText(target, direction[1]))) return;
-  if (event.shiftKey) extend(event, target, keys, direction);
+  if (event.shiftKey) extend(event, target, table, direction);
   else moveFocus(event, target, direction);
 }
 
@@ -72,7 +78,7 @@ function leavesText({ selectionStart, selectionEnd, value }: HTMLInputElement, r
 function extend(
   event: KeyboardEvent,
   from: HTMLInputElement,
-  { editor, selection }: TableKeys,
+  { editor, selection }: TableModel,
   [down, right]: readonly [number, number],
 ): void {
   const identity = editor.working.value?.identity;
@@ -85,8 +91,8 @@ function extend(
     column: within(corner.column + right, gridColumns(identity) - 1),
   };
   selection.extendTo(next);
-  const table = from.closest('table');
-  const cell = table && cellAt(table, next);
+  const element = from.closest('table');
+  const cell = element && cellAt(element, next);
   const toSight = (): void => cell?.scrollIntoView({ block: 'nearest' });
   toSight();
   // The bar of the range has its final height only a frame later.

@@ -35,9 +35,9 @@ function type(editor: Editor, field: ProgramField, ...texts: readonly string[]):
   editor.leave(field);
 }
 
-function step(editor: Editor, field: ProgramField, direction: 1 | -1 = 1): void {
+function step(editor: Editor, field: ProgramField, by = 1): void {
   const { value } = editor.working;
-  if (value) editor.apply(stepValue(value, field, direction));
+  if (value) editor.apply(stepValue(value, field, by));
 }
 
 describe('undo and redo', () => {
