@@ -125,6 +125,14 @@ test.each([
   await name.getByText('min').waitFor();
   await app.type('DT time', '20 s');
   await name.getByText('min').waitFor({ state: 'detached' });
+  await app.type('Function 9 time', '1:05');
+  const covered = app.table.locator('.row-unit').evaluate((unit) => {
+    const opener = unit.closest('th')?.querySelector('.row-opener') as Element;
+    const { right, width } = getComputedStyle(opener, '::after');
+    const from = opener.getBoundingClientRect().right - Number.parseFloat(right) - Number.parseFloat(width);
+    return Math.max(0, unit.getBoundingClientRect().right - from);
+  });
+  expect(await covered, 'the sign of the tools stands beside it').toBe(0);
 });
 
 test.each([
