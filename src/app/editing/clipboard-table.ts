@@ -15,6 +15,14 @@ export interface Table {
   readonly cut: boolean;
 }
 
+/** A filled cell of a text. */
+export interface TextCell {
+  /** Its place in the text, counted from 0, headings and names of rows included. */
+  readonly row: number;
+  readonly column: number;
+  readonly text: string;
+}
+
 /**
  * Writes a range for a spreadsheet: tabs between cells, line breaks between rows. Times and intervals are seconds with
  * two decimals, positions are steps. Intervals are left out where the range also has the times.

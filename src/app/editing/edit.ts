@@ -100,8 +100,6 @@ export interface TextOption {
   readonly unreadable?: Pick<ReadonlySet<string>, 'has'> | undefined;
 }
 
-export const NONE_UNREADABLE: ReadonlySet<string> = new Set();
-
 const MAX_THROTTLE = 255;
 /** The largest value of each kind that the wire carries. */
 export const MAX_VALUE = { time: MAX_TIME, position: MAX_POSITION, idleThrottle: MAX_THROTTLE };

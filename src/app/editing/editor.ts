@@ -14,6 +14,7 @@ import {
 import { computedList } from './computed-list.js';
 import { type Content, conflictsWith, followed, isJust, ontoReading, ownerOf, textsFor } from './content.js';
 import { type Edit, type Owner, putBack, replaceAll, withValues } from './edit.js';
+import { cellKey, type GridField } from './grid.js';
 import { EMPTY_HISTORY, groupOf, type History, mapStates, type StepName, settle } from './history.js';
 import { MINUTE } from './units.js';
 import { WorkingCopy } from './working-copy.js';
@@ -147,8 +148,8 @@ export class Editor extends WorkingCopy {
   }
 
   /** Takes back what was typed or stepped in a field since it was entered. @returns whether anything was. */
-  abandonAt(field: ProgramField): boolean {
-    const key = fieldKey(field);
+  abandonAt(field: ProgramField | GridField): boolean {
+    const key = cellKey(field);
     return this.abandon(groupOf('type', key)) || this.abandon(groupOf('step', key));
   }
 

@@ -6,7 +6,6 @@ import {
   type EditOutcome,
   type FieldValue,
   MAX_VALUE,
-  NONE_UNREADABLE,
   type Refusal,
   refusal,
   refusalOf,
@@ -16,13 +15,13 @@ import {
 } from './edit.js';
 import {
   type CellField,
+  cellKey,
   countedFrom,
   fieldsIn,
   type GridField,
   type GridRange,
   gridValue,
   intervalAt,
-  intervalKey,
   programField,
   timeBefore,
 } from './grid.js';
@@ -50,7 +49,7 @@ export function setInterval(program: TimerProgram, slot: number, interval: numbe
 }
 
 function ofInterval(how: 'type' | 'step', slot: number, outcome: EditOutcome): Edit {
-  const group = groupOf(how, intervalKey(slot));
+  const group = groupOf(how, cellKey({ kind: 'interval', slot }));
   return { name: { code: 'change', params: { slot } }, group, ...outcome };
 }
 
@@ -92,9 +91,9 @@ function shifted(program: TimerProgram, slot: number, by: number, options: DtOpt
 
 /**
  * Goes steps up; with a negative number, down. The step of a time is the one in the manual, else 0.01 s; of any other
- * value 1. A value between two steps goes to the nearest step in that direction. Stops at 0 and at the largest value that
- * the wire carries; from outside this range it can only come back. Several steps in a row are one step to undo. A text
- * that is not a value cannot be stepped.
+ * value 1. A value between two steps goes to the nearest step in that direction. Stops at 0 and at the largest value
+ * that the wire carries; from outside this range it can only come back. Several steps in a row are one step to undo. A
+ * text that is not a value cannot be stepped.
  */
 export function stepValue(program: TimerProgram, field: ProgramField, by: number): Edit {
   const key = fieldKey(field);
@@ -125,14 +124,9 @@ export function stepInterval(program: TimerProgram, slot: number, by: number, op
   return ofInterval('step', slot, steppedInterval(program, slot, by, options));
 }
 
-function steppedInterval(
-  program: TimerProgram,
-  slot: number,
-  by: number,
-  { unreadable = NONE_UNREADABLE }: TextOption,
-): EditOutcome {
+function steppedInterval(program: TimerProgram, slot: number, by: number, { unreadable }: TextOption): EditOutcome {
   const from = countedFrom(slot);
-  if (from && unreadable.has(fieldKey(from))) return { refused: { code: 'unreadable', field: from } };
+  if (from && unreadable?.has(fieldKey(from))) return { refused: { code: 'unreadable', field: from } };
   const interval = intervalAt(program, slot);
   const [step] = nextStep(program, { kind: 'time', slot }, by);
   if (interval === null || !step) return { values: [] };
@@ -225,7 +219,7 @@ export function retime(
   program: TimerProgram,
   given: ReadonlyMap<number, number>,
   intervals: ReadonlyMap<number, number>,
-  { unreadable = NONE_UNREADABLE }: TextOption,
+  { unreadable }: TextOption,
 ):
   | { readonly values: readonly CellValue[] }
   | { readonly refused: Refusal | Unread<CellField>; readonly cause: number } {
@@ -250,7 +244,7 @@ export function retime(
       if (by !== 0) hidden = field;
     }
     times[slot] = value;
-    if (hidden && unreadable.has(fieldKey(hidden))) return { refused: { code: 'unreadable', field: hidden }, cause };
+    if (hidden && unreadable?.has(fieldKey(hidden))) return { refused: { code: 'unreadable', field: hidden }, cause };
     const refused = time === undefined && value !== before ? refusalOf(field, value) : null;
     if (refused) return { refused, cause };
     if (value !== before || time !== undefined || interval !== undefined) values.push({ field, value });

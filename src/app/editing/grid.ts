@@ -1,4 +1,4 @@
-import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
 
 /**
@@ -52,9 +52,9 @@ export function programField(field: GridField): CellField {
   return field.kind === 'interval' ? { kind: 'time', slot: field.slot } : field;
 }
 
-/** A short name of the interval before a slot, as `fieldKey` gives one of a value. */
-export function intervalKey(slot: number): string {
-  return `interval:${slot}`;
+/** A short name of what stands in a cell, as {@link fieldKey} gives one of a value. */
+export function cellKey(field: ProgramField | GridField): string {
+  return field.kind === 'interval' ? `interval:${field.slot}` : fieldKey(field);
 }
 
 /**
@@ -121,7 +121,7 @@ export function countedFrom(slot: number): CellField | null {
   return slot > 1 ? { kind: 'time', slot: slot - 1 } : null;
 }
 
-/** What a cell holds: times and intervals in hundredths of a second, positions in steps. Null where nothing is known. */
+/** What a cell holds: times and intervals in hundredths of a second, positions in steps. Null where it is not known. */
 export function gridValue(program: TimerProgram, field: GridField): number | null {
   return field.kind === 'interval' ? intervalAt(program, field.slot) : valueAt(program, field);
 }

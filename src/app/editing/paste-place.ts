@@ -1,5 +1,7 @@
 import type { Identity } from '../../protocol/index.js';
+import type { TextCell } from './clipboard-table.js';
 import {
+  cellKey,
   columnsIn,
   type GridField,
   type GridRange,
@@ -19,15 +21,11 @@ import {
   rowNamed,
 } from './paste-names.js';
 import { isSideways, lengthOf, type Part, partsOf, type Rows, turned } from './paste-parts.js';
-import { type Asked, type PasteAnswers, type PasteQuestion, PasteQuestions } from './paste-questions.js';
+import { type PasteAnswers, type PasteQuestion, PasteQuestions } from './paste-questions.js';
 import { parseTime } from './units.js';
 
 /** A filled cell, and where it goes. */
-export interface Pasted {
-  /** Its place in the text. */
-  readonly row: number;
-  readonly column: number;
-  readonly text: string;
+export interface Pasted extends TextCell {
   readonly field: GridField;
 }
 
@@ -39,11 +37,8 @@ export interface Pasted {
  */
 export type MisplacedCode = 'no-place' | 'twice' | 'start';
 
-export interface Misplaced {
+export interface Misplaced extends TextCell {
   readonly code: MisplacedCode;
-  readonly row: number;
-  readonly column: number;
-  readonly text: string;
   readonly field: GridField | null;
 }
 
@@ -100,7 +95,7 @@ class Placing {
   result(): Placed {
     const byPlace = new Map<string, Pasted[]>();
     for (const cell of this.#cells) {
-      const key = placeKey(cell.field);
+      const key = cellKey(cell.field);
       byPlace.set(key, [...(byPlace.get(key) ?? []), cell]);
     }
     const cells: Pasted[] = [];
@@ -119,7 +114,7 @@ class Placing {
   #nameColumn({ heading, from, to }: Part, width: number): number | null {
     const headings = heading === null ? [] : (this.rows[heading] ?? []);
     const textsIn = (column: number): string[] => this.rows.slice(from, to).map((texts) => texts[column] ?? '');
-    const said = headings.findIndex((_, column) => this.#isNames(headings, heading ?? 0, column));
+    const said = headings.findIndex((_, column) => this.#isNames(this.#asked(heading ?? 0, column)));
     if (said >= 0) return textsIn(said).some((text) => text !== '') ? said : null;
     const [first = ''] = headings;
     if (width < 2 || isColumnName(first)) return null;
@@ -134,36 +129,34 @@ class Placing {
       : null;
   }
 
-  #isNames(headings: readonly string[], row: number, column: number): boolean {
-    const text = headings[column] ?? '';
-    return columnNamed(text) === 'names' || this.questions.answered('column', this.#asked(row, column)) === 'names';
+  #isNames(asked: TextCell): boolean {
+    return columnNamed(asked.text) === 'names' || this.questions.answered('column', asked) === 'names';
   }
 
   /** Where the columns go, by their headings or by the range. */
   #columns({ heading, units, from, to }: Part, width: number, names: number | null): ColumnPlace[] {
-    const headings = heading === null ? null : (this.rows[heading] ?? []);
-    if (!headings) {
+    if (heading === null) {
       const first = names === 0 ? 1 : 0;
       const across = acrossFrom(this.identity, this.range.left, width - first);
       return Array.from({ length: width }, (_, column) => ({ column: across[column - first] ?? -1, inMinutes: false }));
     }
     return Array.from({ length: width }, (_, column): ColumnPlace => {
+      const asked = this.#asked(heading, column);
       const isUsed = this.rows.slice(from, to).some((texts) => (texts[column] ?? '') !== '');
-      const known = columnNamed(headings[column] ?? '');
-      if (column === names && known !== 'names' && this.#isNames(headings, heading ?? 0, column)) {
-        // The answer can be changed.
-        return this.questions.column(this.#asked(heading ?? 0, column));
-      }
+      const known = columnNamed(asked.text);
+      // The answer can be changed.
+      if (column === names && known !== 'names' && this.#isNames(asked)) return this.questions.column(asked);
       if (column === names || !isUsed) return 'none';
-      const place = typeof known === 'object' ? known : this.questions.column(this.#asked(heading ?? 0, column));
+      const place = typeof known === 'object' ? known : this.questions.column(asked);
       const unit = units === null ? '' : (this.rows[units]?.[column] ?? '');
       return typeof place === 'object' && isMinutes(unit) ? { ...place, inMinutes: true } : place;
     });
   }
 
   #row(row: number, names: number): RowPlace {
-    const known = rowNamed(this.identity, this.rows[row]?.[names] ?? '', true);
-    return known === 'unknown' ? this.questions.row(this.#asked(row, names)) : known;
+    const asked = this.#asked(row, names);
+    const known = rowNamed(this.identity, asked.text, true);
+    return known === 'unknown' ? this.questions.row(asked) : known;
   }
 
   #addRow(
@@ -179,18 +172,15 @@ class Placing {
       if (raw === '' || at === names || typeof column !== 'object') continue;
       const isTime = column.column <= INTERVAL_COLUMN;
       const text = isTime && (column.inMinutes || isInMinutes(name)) ? `${raw} min` : raw;
-      const isNamed = names !== null;
       const slot = place === 'motor' ? 0 : place.slot;
       const field = gridField(this.identity, { row: slot, column: column.column });
+      const isOurs = place !== 'motor' || (column.column === TIME_COLUMN && this.identity.timerClass === 'Q');
       if (part.heading !== null && column.column >= gridColumns(this.identity)) {
         this.#refuse('no-place', part.heading, at);
-      } else if (place === 'motor') {
-        const isOurs = column.column === TIME_COLUMN && this.identity.timerClass === 'Q';
-        if (isOurs && field) this.#put(row, at, text, field);
-        else this.#refuse('no-place', row, at);
-      } else if (isNamed && slot === 0 && isTime) this.#startTime(row, at, text, column.column);
-      else if (field) this.#put(row, at, text, field);
-      else this.#misplaced.push({ code: 'no-place', ...this.#inText(row, at), text: raw, field: null });
+      } else if (place !== 'motor' && names !== null && slot === 0 && isTime) {
+        this.#startTime(row, at, text, column.column);
+      } else if (field && isOurs) this.#put(row, at, text, field);
+      else this.#refuse('no-place', row, at);
     }
   }
 
@@ -213,17 +203,13 @@ class Placing {
     this.#misplaced.push({ code, ...at, text: this.rows[row]?.[column] ?? '', field: null });
   }
 
-  #asked(row: number, column: number): Asked {
+  #asked(row: number, column: number): TextCell {
     return { text: this.rows[row]?.[column] ?? '', ...this.#inText(row, column) };
   }
 
   #inText(row: number, column: number): { row: number; column: number } {
     return this.isTurned ? { row: column, column: row } : { row, column };
   }
-}
-
-function placeKey(field: GridField): string {
-  return `${field.kind} ${field.slot} ${field.kind === 'position' ? field.servo : ''}`;
 }
 
 /** The columns of the grid for a table of this width without headings. */

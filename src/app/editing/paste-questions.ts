@@ -1,3 +1,4 @@
+import type { TextCell } from './clipboard-table.js';
 import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from './grid.js';
 import { bareName, type ColumnPlace, type RowPlace } from './paste-names.js';
 
@@ -15,15 +16,8 @@ export type PasteAnswer =
 /** The answers by the keys of the questions. */
 export type PasteAnswers = ReadonlyMap<string, PasteAnswer>;
 
-/** A name in a text, and where it stands there. */
-export interface Asked {
-  readonly text: string;
-  readonly row: number;
-  readonly column: number;
-}
-
 /** The name of a row or column that is not known. */
-export interface PasteQuestion extends Asked {
+export interface PasteQuestion extends TextCell {
   readonly key: string;
   readonly of: 'row' | 'column';
   /** Null until the pilot has said it. */
@@ -53,18 +47,18 @@ export class PasteQuestions {
     return [...this.#asked.values()];
   }
 
-  answered(of: PasteQuestion['of'], asked: Asked): PasteAnswer | null {
+  answered(of: PasteQuestion['of'], asked: TextCell): PasteAnswer | null {
     return this.answers.get(keyOf(of, asked)) ?? null;
   }
 
-  row(asked: Asked): RowPlace {
+  row(asked: TextCell): RowPlace {
     const answer = this.#ask('row', asked);
     if (answer === 'motor' || answer === 'none') return answer;
     const slot = numberIn(answer, 'slot');
     return slot === null ? 'unknown' : { slot };
   }
 
-  column(asked: Asked): ColumnPlace {
+  column(asked: TextCell): ColumnPlace {
     const answer = this.#ask('column', asked);
     if (answer === 'none' || answer === 'names') return answer;
     if (answer === 'interval') return { column: INTERVAL_COLUMN, inMinutes: false };
@@ -73,7 +67,7 @@ export class PasteQuestions {
     return servo === null ? 'unknown' : { column: FIRST_SERVO_COLUMN + servo, inMinutes: false };
   }
 
-  #ask(of: PasteQuestion['of'], asked: Asked): PasteAnswer | null {
+  #ask(of: PasteQuestion['of'], asked: TextCell): PasteAnswer | null {
     const key = keyOf(of, asked);
     const alike = this.#alike(of, asked);
     if (alike !== undefined) return alike;
@@ -83,7 +77,7 @@ export class PasteQuestions {
   }
 
   /** What follows from the answer about a name with another number; undefined where nothing does. */
-  #alike(of: PasteQuestion['of'], { text }: Asked): PasteAnswer | null | undefined {
+  #alike(of: PasteQuestion['of'], { text }: TextCell): PasteAnswer | null | undefined {
     const [, stem, number] = NUMBERED.exec(bareName(text)) ?? [];
     if (stem === undefined || stem === '') return undefined;
     for (const question of this.#asked.values()) {
@@ -103,7 +97,7 @@ export class PasteQuestions {
   }
 }
 
-function keyOf(of: PasteQuestion['of'], { text, row, column }: Asked): string {
+function keyOf(of: PasteQuestion['of'], { text, row, column }: TextCell): string {
   return `${of} ${bareName(text) || `${row} ${column}`}`;
 }
 

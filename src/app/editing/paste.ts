@@ -7,7 +7,7 @@ import {
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { MAX_CELLS, MAX_CHARACTERS, readTable } from './clipboard-table.js';
+import { MAX_CELLS, MAX_CHARACTERS, readTable, type TextCell } from './clipboard-table.js';
 import { type Edit, type FieldValue, MAX_VALUE, refusalOf, setValues, type TextOption, withValues } from './edit.js';
 import { retime, startOf } from './edits.js';
 import { fieldsIn, type GridField, type GridRange, intervalAt } from './grid.js';
@@ -44,14 +44,9 @@ export type PasteProblemCode =
   | MisplacedCode
   | 'too-large';
 
-export interface PasteProblem {
+export interface PasteProblem extends TextCell {
   readonly code: PasteProblemCode;
   readonly params: Readonly<Record<string, number>>;
-  /** Its place in the pasted text, counted from 0, headings and row names included. */
-  readonly row: number;
-  readonly column: number;
-  /** Its text, shortened if it is long. */
-  readonly text: string;
   /** The field for which it was meant. For a cell that fills several fields: the first that refused it. */
   readonly field: GridField | null;
 }

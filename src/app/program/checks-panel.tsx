@@ -25,7 +25,7 @@ export function ChecksPanel({ editor }: { readonly editor: Editor }) {
       {notes.length === 0 ? (
         <p class="hint">{program.noFindings}</p>
       ) : (
-        <ul>
+        <ul class="stack gap-3">
           {notes.map(({ field, severity, text, finding }) => (
             // The figures in its text change with each digit, but the element stays the same.
             <li key={`${field ? fieldKey(field) : ''} ${finding?.code}`} class={severity}>

@@ -2,7 +2,7 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { type Edit, stepSize } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { setInterval, stepInterval } from '../editing/edits.js';
-import { intervalAt, intervalKey } from '../editing/grid.js';
+import { cellKey, type GridField, intervalAt } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
 import { type Ambiguous, formatInterval, MINUTE, readInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
@@ -29,9 +29,7 @@ interface Entry {
  */
 export class IntervalModel implements EditedValue {
   readonly #editor: Editor;
-  readonly #slot: number;
-  readonly #typing: string | undefined;
-  readonly #stepping: string | undefined;
+  readonly #field: GridField;
   readonly #entered = signal<Entry | null>(null);
   readonly #interval = computed(() => this.#find());
   readonly #entry = computed(() => {
@@ -55,32 +53,29 @@ export class IntervalModel implements EditedValue {
   });
 
   constructor(editor: Editor, slot: number) {
-    const key = intervalKey(slot);
     this.#editor = editor;
-    this.#slot = slot;
-    this.#typing = groupOf('type', key);
-    this.#stepping = groupOf('step', key);
+    this.#field = { kind: 'interval', slot };
   }
 
   get stepSize(): number {
     const { value: identity } = this.#editor.identity;
-    return identity ? stepSize(identity, { kind: 'time', slot: this.#slot }) : 1;
+    return identity ? stepSize(identity, { kind: 'time', slot: this.#field.slot }) : 1;
   }
 
   step(by: number): void {
     const working = this.#editor.working.value;
     if (!working) return;
     const unreadable = this.#editor.unreadable.value;
-    this.#enter(null, this.#apply(stepInterval(working, this.#slot, by, { unreadable })));
+    this.#enter(null, this.#apply(stepInterval(working, this.#field.slot, by, { unreadable })));
   }
 
   type(text: string): void {
     const working = this.#editor.working.value;
     if (!working) return;
-    const parsed = readInterval(text, { isDt: this.#slot === working.identity.functions });
+    const parsed = readInterval(text, { isDt: this.#field.slot === working.identity.functions });
     const problem = 'unreadable' in parsed ? messages.value.unreadable[parsed.unreadable] : this.#set(parsed.value);
     // The beginning of the text may have been an interval.
-    if (problem) this.#editor.abandon(this.#typing);
+    if (problem) this.#editor.abandon(groupOf('type', cellKey(this.#field)));
     const either = 'either' in parsed ? parsed.either : undefined;
     this.#enter(text, either ? null : problem, either);
   }
@@ -100,7 +95,7 @@ export class IntervalModel implements EditedValue {
   escape(): void {
     const hadProblem = this.face.value.isWrong;
     this.takeBack();
-    if (!hadProblem && !this.#editor.abandon(this.#typing)) this.#editor.abandon(this.#stepping);
+    if (!hadProblem) this.#editor.abandonAt(this.#field);
   }
 
   leave(): void {
@@ -116,7 +111,7 @@ export class IntervalModel implements EditedValue {
 
   #find(): number | null {
     const { value: working } = this.#editor.working;
-    return working && intervalAt(working, this.#slot);
+    return working && intervalAt(working, this.#field.slot);
   }
 
   #enter(text: string | null, problem: string | null, either?: Ambiguous['either']): void {
@@ -126,7 +121,8 @@ export class IntervalModel implements EditedValue {
   #set(value: number): string | null {
     const { working, unreadable } = this.#editor;
     return (
-      working.value && this.#apply(setInterval(working.value, this.#slot, value, { unreadable: unreadable.value }))
+      working.value &&
+      this.#apply(setInterval(working.value, this.#field.slot, value, { unreadable: unreadable.value }))
     );
   }
 

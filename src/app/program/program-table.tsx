@@ -45,7 +45,7 @@ export function ProgramTable({ session, bench, follow, marked, tools }: ProgramT
   return (
     <>
       <div
-        class={`table-box ${isLarge ? 'large' : ''}`}
+        class={`stack table-box ${isLarge ? 'large' : ''}`}
         style={{ '--rows': slots.length + (hasMotor ? 1 : 0), '--servos': servos.length }}
       >
         <div class="table-scroller">
@@ -79,7 +79,7 @@ export function ProgramTable({ session, bench, follow, marked, tools }: ProgramT
         <div class="stack range-foot" ref={foot}>
           <RangeBar {...{ table, identity }} />
           {table.obstacle.value && (
-            <p class="notes bad-text" role="alert">
+            <p class="panel notes bad-text" role="alert">
               {edits.nothingDone} {table.obstacle.value}
             </p>
           )}

@@ -28,7 +28,7 @@ export function RangeBar({ table, identity }: RangeBarProps) {
   const said = range && (selection.isWide.value ? sizeOf(identity, range) : words.pick);
   return (
     <div
-      class={range ? 'row gap-1 range-bar' : ''}
+      class={range ? 'row gap-1 panel range-bar' : ''}
       role="toolbar"
       aria-label={words.title}
       onPointerDown={(event) => event.target instanceof HTMLButtonElement && event.preventDefault()}

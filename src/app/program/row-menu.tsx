@@ -1,4 +1,4 @@
-import { useComputed } from '@preact/signals';
+import { type ReadonlySignal, useComputed } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
@@ -34,8 +34,8 @@ export function RowMenu(props: RowMenuProps) {
   const opener = useRef<HTMLButtonElement>(null);
   // The start has no time to shift, and shares its slot with the motor stop.
   const at = shifts ? slot : 'start';
-  const isChanged = useComputed(() => tools.isChanged(fields)).value;
-  const isWanted = shifts || isChanged;
+  const isChanged = useComputed(() => tools.isChanged(fields));
+  const isWanted = shifts || isChanged.value;
   const isOpen = useComputed(() => tools.open.value === at).value && isWanted;
   if (!isWanted) return null;
   const close = (): void => {
@@ -72,7 +72,7 @@ export function RowMenu(props: RowMenuProps) {
 }
 
 interface RowPanelProps extends RowMenuProps {
-  readonly isChanged: boolean;
+  readonly isChanged: ReadonlySignal<boolean>;
   readonly opener: { readonly current: HTMLElement | null };
   readonly onClose: () => void;
 }
@@ -128,7 +128,7 @@ function RowPanel({ tools, identity, slot, name, fields, shifts, isChanged, open
             {shift.moveDt}
           </Check>
         )}
-        {isChanged && (
+        {isChanged.value && (
           <button
             type="button"
             onClick={() => {

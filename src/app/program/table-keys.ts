@@ -15,8 +15,8 @@ const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]
 
 /**
  * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Tab goes to the buttons of
- * the range, Ctrl+D fills down, Alt with an arrow steps, with Shift ten steps at once. Left and right first move inside a
- * text to its end.
+ * the range, Ctrl+D fills down, Alt with an arrow steps, with Shift ten steps at once. Left and right first move inside
+ * a text to its end.
  */
 export function onTableKey(event: KeyboardEvent, table: TableModel): void {
   const { target, key } = event;

@@ -11,6 +11,7 @@ import { type GridCell, type GridRange, motorRow } from '../editing/grid.js';
 import { messages, obstacleText } from '../messages/index.js';
 import { type EditedValue, Hand } from './hand.js';
 import { Selection } from './selection.js';
+import { cellOf } from './table-cells.js';
 
 /** A text to paste, and where. */
 export interface Pasting {
@@ -31,7 +32,7 @@ export class TableModel {
 
   readonly #motorDue = computed(() => this.editor.working.value && motorRow(this.editor.working.value));
   readonly #motorHeld = signal<number | null>(null);
-  /** The slot before whose row the motor stop of a Q stands: see {@link motorRow}. Held while the table has the focus. */
+  /** The slot before whose row the motor stop of a Q stands: see {@link motorRow}. Held while the table is in use. */
   readonly motorBefore: ReadonlySignal<number | null> = computed(() => {
     const due = this.#motorDue.value;
     return due === null ? null : (this.#motorHeld.value ?? due);
@@ -94,8 +95,10 @@ export class TableModel {
 
   /** Steps the field in hand, or all selected cells. @param by steps up; negative: down. */
   step(by: number): void {
-    if (this.selection.isWide.value) this.#edit((working, range, texts) => stepRange(working, range, by, texts));
-    else this.hand.held.value?.value.step(by);
+    const { value: held } = this.hand.held;
+    const isInRange = this.selection.isWide.value && cellOf(held?.input ?? null) !== null;
+    if (isInRange) this.#edit((working, range, texts) => stepRange(working, range, by, texts));
+    else held?.value.step(by);
   }
 
   /** Copies the first row of the range into its others. A single cell takes the value of the cell above it. */

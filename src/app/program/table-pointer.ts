@@ -6,9 +6,9 @@ import type { TableModel } from './table-model.js';
 const NOTCH = 50;
 
 /**
- * The listeners of a table for mouse, finger and focus. Cells are selected as in a spreadsheet: from the pressed cell to
- * the one under the mouse, or to the next one with Shift or after “Select range”. A finger scrolls, so it selects with
- * two taps.
+ * The listeners of a table for mouse, finger and focus. Cells are selected as in a spreadsheet: from the pressed cell
+ * to the one under the mouse, or to the next one with Shift or after “Select range”. A finger scrolls, so it selects
+ * with two taps.
  */
 export function pointerListeners(table: TableModel) {
   const { selection } = table;

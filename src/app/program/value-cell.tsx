@@ -1,8 +1,8 @@
-import { type ReadonlySignal, useComputed, useSignal } from '@preact/signals';
+import { type ReadonlySignal, useComputed } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useCallback, useMemo, useRef } from 'preact/hooks';
-import { fieldKey, type ProgramField } from '../../program/index.js';
-import { cellFor, type GridField, intervalKey, isInRange } from '../editing/grid.js';
+import type { ProgramField } from '../../program/index.js';
+import { cellFor, cellKey, type GridField, isInRange } from '../editing/grid.js';
 import { fieldLabel, gridLabel, messages } from '../messages/index.js';
 import type { Standing } from '../timer/standing.js';
 import { TimeQuestion } from '../ui/time-question.js';
@@ -26,23 +26,23 @@ interface ValueCellProps {
 export function ValueCell({ table, standing, field, children }: ValueCellProps) {
   const { editor, hand, selection, marked } = table;
   const input = useRef<HTMLInputElement>(null);
-  const focused = useSignal(false);
   const isInterval = field.kind === 'interval';
-  const key = isInterval ? intervalKey(field.slot) : fieldKey(field);
+  const key = cellKey(field);
   const model = useMemo(
     (): EditedValue => (isInterval ? new IntervalModel(editor, field.slot) : new FieldModel(editor, field)),
     [editor, key],
   );
   const cell = cellFor(field);
   const isSelected = useComputed(() => cell !== null && isInRange(selection.shown.value, cell)).value;
-  const isMarked = useComputed(() => marked.value !== null && fieldKey(marked.value) === key).value;
+  const isMarked = useComputed(() => marked.value !== null && cellKey(marked.value) === key).value;
   const column = { position: '', interval: 'interval', time: 'time', idleThrottle: 'time' }[field.kind];
   const { text, unit, isChanged, isConfirmed, isWrong, either, was, old, notes } = model.face.value;
   const state = isChanged ? 'changed' : isConfirmed ? 'confirmed' : '';
   const { value: identity } = editor.identity;
   const label = identity ? (isInterval ? gridLabel(identity, field) : fieldLabel(identity, field)) : '';
+  const isFocused = useComputed(() => hand.held.value?.value === model).value;
   // The sheet shows everything else about the field.
-  const isHeld = focused.value && hand.field.value !== null;
+  const isHeld = isFocused && hand.field.value !== null;
   const id = (what: string): string => `${what}-${key}`;
   const described = [unit && id('unit'), was !== null && id('was'), notes && id('notes')].filter(Boolean);
   // The same function from key to key, so that its reader is not drawn again.
@@ -69,15 +69,11 @@ export function ValueCell({ table, standing, field, children }: ValueCellProps) 
           aria-describedby={described.join(' ') || undefined}
           value={text}
           onFocus={({ currentTarget }) => {
-            focused.value = true;
             currentTarget.select();
             hand.hold({ input: currentTarget, label, value: model });
           }}
           onInput={(event) => model.type(event.currentTarget.value)}
-          onBlur={({ currentTarget }) => {
-            focused.value = false;
-            hand.release(currentTarget);
-          }}
+          onBlur={({ currentTarget }) => hand.release(currentTarget)}
         />
         {unit && (
           <span class="visually-hidden" id={id('unit')}>
@@ -104,7 +100,7 @@ export function ValueCell({ table, standing, field, children }: ValueCellProps) 
             value={was}
             figure={old}
             // Otherwise a click into the field would count as a click on it.
-            label={focused.value ? messages.value.edits.field.putBackTo(label, old) : null}
+            label={isFocused ? messages.value.edits.field.putBackTo(label, old) : null}
             onPutBack={putBack}
           />
         )}

@@ -115,10 +115,6 @@ describe('steps of one group', () => {
     expect(screen.undo().state).not.toBe('start');
   });
 
-  it('do not begin with a step without a group', () => {
-    expect(new Screen().do('a').do('b').names[0]).toEqual(['b', 'a']);
-  });
-
   it('are no step when they end where they began', () => {
     const screen = new Screen().do('a').do('b', 'b').do('a', 'b');
     const settled = settle(screen.history, (state) => state === screen.state);

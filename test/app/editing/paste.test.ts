@@ -36,16 +36,6 @@ describe('a pasted table', () => {
     expect(withValues(program, setBy(preview)).times).toEqual([1000, 50, 1000, 1250, 12550, 18000]);
   });
 
-  it.each([
-    ['12.5', 1250],
-    ['12,5', 1250],
-    ['2:05', 12500],
-    ['2:05.5', 12550],
-    ['\u00a09.75\u202f', 975],
-  ])('takes a time like %j', (text, time) => {
-    expect(setBy(paste(text, at(3, 0)))).toEqual([{ field: { kind: 'time', slot: 3 }, value: time }]);
-  });
-
   it('changes nothing under empty cells', () => {
     expect(changesIn(paste('\t\t66\n\t21\t\n', at(0, 0)))).toEqual({
       'position:1:0': '15 -> 66',

@@ -30,14 +30,14 @@ function drawnBy(name: string, text: string): Record<string, number> {
   return drawn;
 }
 
-const FIELD = { ValueField: 1, KnownLine: 1 };
+const FIELD = { ValueCell: 1, KnownLine: 1 };
 const OLD = { OldValue: 1, WasText: 1 };
 
 it.each([
-  ['a position', 'Function 4, S2', '7', '75', { ValueField: 1 }],
-  ['a time', 'Function 4 time', '12.3', '12.4', { ValueField: 3 }],
-  ['a time with nothing after its point', 'Function 4 time', '12', '12.', { ValueField: 1 }],
-  ['DT', 'DT time', '4:0', '4:01', { ValueField: 2, DtPresets: 1, Figure: 1 }],
+  ['a position', 'Function 4, S2', '7', '75', { ValueCell: 1 }],
+  ['a time', 'Function 4 time', '12.3', '12.4', { ValueCell: 3 }],
+  ['a time with nothing after its point', 'Function 4 time', '12', '12.', { ValueCell: 1 }],
+  ['DT', 'DT time', '4:0', '4:01', { ValueCell: 2, DtPresets: 1, Figure: 1 }],
   [
     'a value that differs for the first time',
     'Function 4, S2',
@@ -45,7 +45,7 @@ it.each([
     '56',
     { ...FIELD, ...OLD, ReadButtons: 1, WriteButton: 1 },
   ],
-  ['a text that is no value', 'Function 4, S2', '7x', '7xy', { ValueField: 1 }],
+  ['a text that is no value', 'Function 4, S2', '7x', '7xy', { ValueCell: 1 }],
   [
     'the first letter that makes it no value',
     'Function 4, S2',
@@ -53,7 +53,7 @@ it.each([
     '7x',
     { ...FIELD, BlockedNote: 1, ProgramExits: 1, WriteButton: 1 },
   ],
-  ['an interval, which moves five times', 'Function 4 interval', '1.5', '1.6', { ValueField: 8 }],
+  ['an interval, which moves five times', 'Function 4 interval', '1.5', '1.6', { ValueCell: 8 }],
 ])('a digit typed in %s draws only what changes', async (_, name, first, text, drawn) => {
   await connected();
   field(name).focus();

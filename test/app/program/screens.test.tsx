@@ -246,13 +246,6 @@ describe('moving through the table', () => {
     expect(document.activeElement).toBe(field(to));
   });
 
-  it('does not go the other way when Shift is held with an arrow', async () => {
-    await connected();
-    field('Function 2, S2').focus();
-    fireEvent.keyDown(field('Function 2, S2'), { key: 'ArrowUp', shiftKey: true });
-    expect(document.activeElement).not.toBe(field('Function 3, S2'));
-  });
-
   it('skips notes between the rows, and stops at the ends', async () => {
     await connected();
     await type('Function 2, S2', '131');

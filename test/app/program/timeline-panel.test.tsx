@@ -104,7 +104,7 @@ describe('the timeline', () => {
     await expect.poll(marked).toEqual(['Function 4, S1']);
   });
 
-  it('draws only the old and the new row of the table for that', async () => {
+  it('draws only the old and the new cell of the table for that', async () => {
     await connected();
     act(() => (handle('Function 4, S1') as SVGElement).focus());
     await idle(100);
@@ -119,7 +119,7 @@ describe('the timeline', () => {
     });
     act(() => (handle('Function 6, S1') as SVGElement).focus());
     await idle(100);
-    expect(drawn.filter((name) => name === 'ProgramRow')).toHaveLength(2);
+    expect(drawn.filter((name) => /Row|Cell/.test(name))).toEqual(['ValueCell', 'ValueCell']);
   });
 
   it.each([

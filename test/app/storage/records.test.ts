@@ -1,5 +1,6 @@
 import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
+import { stepText } from '../../../src/app/messages/index.js';
 import { backupSchema, draftSchema, modelSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
 import { MODEL } from '../../program/library-examples.js';
 import { programOf } from '../programs.js';
@@ -124,6 +125,10 @@ describe('what a pilot has typed', () => {
     expect(read({ code, params })).toEqual(read(name));
     expect(read({ code, params })?.past).toMatchObject([{ name }]);
     expect(read({ code: 'never-used', params })).toBeUndefined();
+  });
+
+  it('says of a servo that was copied to another which of them has changed', () => {
+    expect(stepText(PROGRAM.identity, { code: 'change', params: { from: 0, to: 2 } })).toBe('change of S3');
   });
 });
 
