@@ -74,31 +74,6 @@ describe('device', () => {
 });
 
 describe('timing', () => {
-  test('bytes to the device take their time at the rate of the page', async () => {
-    const { clock, port, device } = await timed();
-    const writer = writing(port);
-    void writer.write(counted(96));
-    expect(await clock.run(device.read())).toEqual(counted(96));
-    expect(clock.now()).toBeCloseTo(100);
-  });
-
-  test('bytes to the page take their time too', async () => {
-    const { clock, port, device } = await timed();
-    const reader = reading(port);
-    device.write(counted(96));
-    expect((await clock.run(reader.read())).value).toEqual(counted(96));
-    expect(clock.now()).toBeCloseTo(100);
-  });
-
-  test('the clock of the MockSerial is the default', async () => {
-    const clock = new VirtualClock();
-    const port = new MockSerial({ clock }).plug({}, { timing: true });
-    await port.open({ baudRate: 9600 });
-    port.device.write(counted(96));
-    await clock.run(reading(port).read());
-    expect(clock.now()).toBeCloseTo(100);
-  });
-
   test('a byte has as many bits as the page has asked for', async () => {
     const clock = new VirtualClock();
     const port = new MockSerial({ clock }).plug({}, { timing: true });

@@ -34,15 +34,6 @@ describe('an open port whose device is unplugged', () => {
     expect(port.writable).toBeNull();
   });
 
-  test('writable: the next write fails with NetworkError; then null', async () => {
-    const { serial, port } = await openPort();
-    const writer = writing(port);
-    await settled();
-    serial.unplug(port);
-    expect(await failure(writer.write(Uint8Array.of(1)))).toBe('NetworkError');
-    expect(port.writable).toBeNull();
-  });
-
   test('writable: closing that waits for bytes to leave fails with NetworkError; then null', async () => {
     const before = await openPort();
     const writer = writing(before.port);
@@ -111,16 +102,6 @@ describe('an open port whose device is unplugged', () => {
     expect(await port.device.read()).toEqual(Uint8Array.of(1));
     port.device.write([2]);
     expect((await reading(port).read()).value).toEqual(Uint8Array.of(2));
-  });
-
-  test('comes back as a new object when it is plugged in as one', async () => {
-    const { serial, port } = await openPort();
-    serial.unplug(port);
-    const again = serial.plug(port.getInfo(), { granted: true });
-    expect(again).not.toBe(port);
-    expect(again.getInfo()).toEqual(port.getInfo());
-    expect(await serial.getPorts()).toEqual([again]);
-    await again.open({ baudRate: 9600 });
   });
 });
 

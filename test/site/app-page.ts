@@ -41,6 +41,13 @@ function stateOf(page: Page): Promise<string> {
   return Promise.race([told, silent]).catch(String);
 }
 
+/** Whether the middle of it is in the window, and nothing covers that. */
+export const isInSight = (place: Locator): Promise<boolean> =>
+  place.evaluate((element) => {
+    const { left, top, width, height } = element.getBoundingClientRect();
+    return element.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+  });
+
 /** The page as a pilot sees it: by role and name. */
 export class AppPage {
   readonly page: Page;
@@ -343,22 +350,6 @@ export class AppPage {
         return isAtRest && now !== '[]';
       })
       .toBe(true);
-  }
-
-  /** Puts something into the storage, as if it came from an earlier visit. */
-  async store(draft: object): Promise<void> {
-    await this.page.evaluate(async (stored) => {
-      const opening = indexedDB.open('sidus-timer');
-      const database = await new Promise<IDBDatabase>((resolve) => {
-        opening.onsuccess = () => resolve(opening.result);
-      });
-      const writing = database.transaction('drafts', 'readwrite');
-      writing.objectStore('drafts').put(stored);
-      await new Promise((resolve) => {
-        writing.oncomplete = resolve;
-      });
-      database.close();
-    }, draft);
   }
 
   #stored(): Promise<string> {

@@ -9,11 +9,6 @@ export async function edited(): Promise<AppPage> {
   return app;
 }
 
-export const edits = async (app: AppPage): Promise<string[]> => [
-  await app.valueOf('DT time'),
-  await app.valueOf('Function 2, S1'),
-];
-
 /** DT and the position of S1 at function 2, as the timer holds them. */
 export const held = (app: AppPage): Promise<(number | undefined)[]> =>
   app.bench(({ content: { times, positions } }) => [times[10], positions[0]?.[2]]);

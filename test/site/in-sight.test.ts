@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { HELP_PAGES } from '../../src/app/help/help.js';
 import { en } from '../../src/app/messages/en.js';
 import { write } from '../../src/app/messages/en-write.js';
-import { AppPage } from './app-page.js';
+import { AppPage, isInSight } from './app-page.js';
 import { IN_SUN, PHONE } from './page.js';
 
 const TABLET = { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true };
@@ -233,16 +233,11 @@ test.each([
   const identity = { memories: 255, functions: 20, servos: 8 };
   const app = await AppPage.open({ bench: { granted: true, identity }, ...options });
   await app.connect();
-  const isSeen = (place: Locator) =>
-    place.evaluate((element) => {
-      const { left, top, width, height } = element.getBoundingClientRect();
-      return element.contains(document.elementFromPoint(left + width / 2, top + height / 2));
-    });
-  await expect.poll(() => isSeen(app.field('Function 1, S1'))).toBe(true);
-  await expect.poll(() => isSeen(app.button(/^Write/))).toBe(true);
+  await expect.poll(() => isInSight(app.field('Function 1, S1'))).toBe(true);
+  await expect.poll(() => isInSight(app.button(/^Write/))).toBe(true);
   if (device === 'a small phone') await app.page.locator('.strip-more').click();
   const list = app.page.getByRole('combobox', { name: en.program.memory, exact: true });
-  await expect.poll(() => isSeen(list)).toBe(true);
+  await expect.poll(() => isInSight(list)).toBe(true);
   await list.selectOption('254');
   await app.text('M255 has not been read').waitFor();
   await app.expectNoSidewaysScrolling();
@@ -250,7 +245,7 @@ test.each([
   await app.page.getByLabel('Copy to…: M1', { exact: true }).click();
   const pick = app.button('Copy M1 to M255');
   await pick.scrollIntoViewIfNeeded();
-  await expect.poll(() => isSeen(pick)).toBe(true);
+  await expect.poll(() => isInSight(pick)).toBe(true);
   await app.expectNoSidewaysScrolling();
   await app.goTo('Bench');
   await app.page.locator('.bench-table').waitFor();
@@ -274,15 +269,10 @@ test('the promise about the propeller stands beside the button that waits for it
   await app.button(/^Write( 1 change)?…$/).click();
   const dialog = app.page.getByRole('dialog');
   const tick = dialog.getByRole('checkbox', { name: /^The propeller/ });
-  const isInWindow = () =>
-    tick.evaluate((box) => {
-      const { left, top, width, height } = box.getBoundingClientRect();
-      return document.elementFromPoint(left + width / 2, top + height / 2) === box;
-    });
-  await expect.poll(isInWindow).toBe(true);
+  await expect.poll(() => isInSight(tick)).toBe(true);
   await app.page.setViewportSize({ width: 390, height: 500 });
   await expect.poll(() => dialog.evaluate((it) => it.scrollHeight > it.clientHeight)).toBe(true);
-  await expect.poll(isInWindow).toBe(true);
+  await expect.poll(() => isInSight(tick)).toBe(true);
 });
 
 test('what warns before a write is in sight with its tick, above a long difference, and why Write is grey', async () => {
@@ -293,11 +283,7 @@ test('what warns before a write is in sight with its tick, above a long differen
   await app.review();
   const words = [write.acknowledge, write.stillToTick([write.ticks.warnings, write.ticks.safety])];
   for (const sentence of words) {
-    const isInWindow = await app.dialog.getByText(sentence).evaluate((text) => {
-      const { left, top, width, height } = text.getBoundingClientRect();
-      return document.elementFromPoint(left + width / 2, top + height / 2) === text;
-    });
-    expect(isInWindow, sentence).toBe(true);
+    expect(await isInSight(app.dialog.getByText(sentence)), sentence).toBe(true);
   }
 });
 
@@ -405,16 +391,6 @@ test('on a desktop the tools of a row do not reach over the picture', async () =
   const times = await edgesOf(app.field('Function 5 time'));
   expect(panel.right).toBeLessThanOrEqual(table.right);
   expect(panel.left, 'the times that move stay in sight').toBeGreaterThan(times.right - 12);
-});
-
-test('on a small phone in the sun the buttons of the preview stand on one line', async () => {
-  const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
-  await app.button('Try a simulated F1Q timer').tap();
-  await app.button('Picture').tap();
-  const lines = await app.page
-    .locator('.preview-controls button')
-    .evaluateAll((buttons) => new Set(buttons.map((button) => button.getBoundingClientRect().top)).size);
-  expect(lines).toBe(1);
 });
 
 test('on a phone on its side nothing of a new program is below the edge', async () => {

@@ -1,12 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
-import { AppPage } from './app-page.js';
-
-/** Whether the middle of an element is visible and not covered. */
-function isInSight(element: Element): boolean {
-  const { left, top, width, height } = element.getBoundingClientRect();
-  return document.elementFromPoint(left + width / 2, top + height / 2) === element;
-}
+import { AppPage, isInSight } from './app-page.js';
 
 /** How many requests the timer got since the page was loaded. */
 const answered = (app: AppPage): Promise<number> => app.bench(({ adapter }) => adapter.timer.core.answered.length);
@@ -33,7 +27,7 @@ describe('what no timer can hold is refused at the field', () => {
       await expect
         .poll(() => cause.evaluate((input) => input === document.activeElement), { message: `Write leads to ${what}` })
         .toBe(true);
-      await expect.poll(() => cause.evaluate(isInSight), { message: `Write brings ${what} into sight` }).toBe(true);
+      await expect.poll(() => isInSight(cause), { message: `Write brings ${what} into sight` }).toBe(true);
 
       await app.kept();
       expect(await answered(app), 'nothing was sent to the timer').toBe(asked);

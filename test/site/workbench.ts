@@ -12,8 +12,6 @@ export interface WorkbenchOptions {
   readonly identity?: Partial<Identity>;
   /** The page may use the port already, as after an earlier visit. */
   readonly granted?: boolean;
-  /** The one rate at which the timer answers. Default: every rate. */
-  readonly answersAt?: number;
   readonly quirks?: TimerQuirks;
   /** Whether bytes take the time that they take on a real line: where speed is the subject. Default false. */
   readonly timing?: boolean;
@@ -28,8 +26,6 @@ const HELD = 'workbench';
 
 export class Workbench {
   readonly adapter: Adapter;
-  /** The rates at which the page has opened the port, in turn. */
-  readonly rates: number[] = [];
   readonly #serial: MockSerial;
   /**
    * The first bytes that reach the page from now on that are to be damaged: how many are let through before, and how
@@ -57,9 +53,6 @@ export class Workbench {
         },
       },
     });
-    this.adapter.port.device.onopenchange = (opened) => {
-      if (opened) this.rates.push(opened.baudRate);
-    };
     serial.choose(this.adapter.port);
     this.#outlive();
   }
@@ -116,11 +109,6 @@ export class Workbench {
   /** Puts garbage in the place of a byte on its way to the page, so many bytes from now. */
   damageAfter(bytes: number): void {
     this.#intact = bytes;
-  }
-
-  /** An error of the line, in front of the answer to this request. */
-  failLineAt(name: CommandName, kind: 'framing' | 'parity'): void {
-    this.#at(name, () => this.adapter.port.device.error(kind));
   }
 
   /** A timer does not notice that a page is loaded again. */
