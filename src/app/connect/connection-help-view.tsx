@@ -2,17 +2,17 @@ import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import { type Platform, whyUnsupported } from '../browser/platform.js';
 import { unsupported } from '../messages/en-browsers.js';
 import { messages, type Said } from '../messages/index.js';
+import { type Link, portInfoOf } from '../timer/link.js';
 import { CopyButton } from '../ui/copy-button.js';
-import { type HelpCode, type HelpStep, helpFor } from './connection-help.js';
+import { type HelpCode, helpFor } from './connection-help.js';
 import './connection-help-view.css';
 
 interface ConnectionHelpProps {
   readonly code: HelpCode;
   readonly platform: Platform;
-  /** The information of the port; null when none was chosen. */
-  readonly info: PortInfo | null;
-  /** Whether the pilot has set a rate. */
-  readonly rateSet: boolean;
+  readonly link: Pick<Link, 'state' | 'settings'>;
+  /** The information of the port; null when none was chosen. Default: of the present one. */
+  readonly info?: PortInfo | null;
 }
 
 /** The steps for every system: docs/connection.md, put there by the build. */
@@ -63,8 +63,9 @@ export function HelpSteps(props: ConnectionHelpProps) {
   );
 }
 
-function stepsFor({ code, ...situation }: ConnectionHelpProps): readonly HelpStep[] {
-  return helpFor(code, { ...situation, address: location.href });
+function stepsFor({ code, platform, link, info = portInfoOf(link.state.value) }: ConnectionHelpProps) {
+  const rateSet = typeof link.settings.value?.baudRate === 'number';
+  return helpFor(code, { platform, info, rateSet, address: location.href });
 }
 
 /** The sentence about a failed connection. Without Web Serial it is about this browser. */

@@ -1,6 +1,5 @@
 import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
-import { isRateSet, portInfoOf } from '../timer/link.js';
 import type { Session } from '../work/session.js';
 import { ConnectionHelp } from './connection-help-view.js';
 import { ChooseAnother } from './link-stage.js';
@@ -17,17 +16,17 @@ export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
   const state = session.link.state.value;
   const waiting = waitingFor(state, session.link.waited.value);
   if (!waiting || state.status === 'choosing') return null;
-  const { said, canChoose, help } = waiting;
+  const { said, now, canChoose, help } = waiting;
   return (
     <div class="notices">
       <div class="notice">
         <p>
-          {/* Not the advice, which changes with each second. */}
-          <strong role="status">{said.title}</strong> {said.advice}
+          <span role="status">
+            <strong>{said.title}</strong> {said.advice}
+          </span>{' '}
+          {now}
         </p>
-        {help && (
-          <ConnectionHelp code={help} {...{ platform, info: portInfoOf(state), rateSet: isRateSet(session.link) }} />
-        )}
+        {help && <ConnectionHelp code={help} platform={platform} link={session.link} />}
         {canChoose && <ChooseAnother session={session} />}
         {state.status !== 'closing' && (
           <button type="button" onClick={onStop}>

@@ -1,7 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
-import { isRateSet, portInfoOf } from '../timer/link.js';
 import { disturbedFor } from '../ui/progress-line.js';
 import type { Session } from '../work/session.js';
 import { ConnectionHelp } from './connection-help-view.js';
@@ -40,15 +39,17 @@ export function LinkStage({ session, platform }: LinkStageProps) {
   const progress = job?.progress ?? null;
   const share = progress && progress.total > 0 && { value: progress.done, max: progress.total };
   const left = disturbedFor(progress);
+  const now = left === null ? waiting.now : messages.value.disturbed(left);
   return (
     <section class="stack gap-4 link-stage" aria-labelledby="stage-title">
       {share ? <progress aria-label={waiting.said.title} {...share} /> : <span class="stage-ring" />}
-      <div role="status">
+      <div class="stack gap-4" role="status">
         <h1 id="stage-title" ref={title} tabIndex={-1}>
           {waiting.said.title}
         </h1>
+        {waiting.said.advice && <p class="stage-lead">{waiting.said.advice}</p>}
       </div>
-      <p class="stage-lead">{left === null ? waiting.said.advice : messages.value.disturbed(left)}</p>
+      {now && <p class="stage-lead">{now}</p>}
       {waiting.step !== null && (
         <StepList
           steps={[
@@ -65,12 +66,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
           </button>
         )}
       </div>
-      {waiting.help && (
-        <ConnectionHelp
-          code={waiting.help}
-          {...{ platform, info: portInfoOf(state), rateSet: isRateSet(session.link) }}
-        />
-      )}
+      {waiting.help && <ConnectionHelp code={waiting.help} platform={platform} link={session.link} />}
     </section>
   );
 }

@@ -36,7 +36,7 @@ export function StartScreen({ session, installation, platform }: StartScreenProp
           {unavailable ? (
             <div class="notice bad">
               <NoticeText said={connectionSaid(unavailable, platform)} />
-              <ConnectionHelp code={unavailable} platform={platform} info={null} rateSet={false} />
+              <ConnectionHelp code={unavailable} platform={platform} link={session.link} />
             </div>
           ) : (
             <>

@@ -18,6 +18,8 @@ type WaitStep = (typeof WAIT_STEPS)[number];
 /** What the page says while connecting. */
 export interface Waiting {
   readonly said: Said;
+  /** What changes with the seconds or the bytes: shown beside it, and not announced. */
+  readonly now: string;
   /** The step to take now; null for none. */
   readonly step: WaitStep | null;
   /** Whether the pilot can choose another port while the link asks at this one. */
@@ -27,7 +29,7 @@ export interface Waiting {
 }
 
 /** Nothing for the pilot to do. */
-export const NOTHING = { step: null, canChoose: false, help: null };
+export const NOTHING = { now: '', step: null, canChoose: false, help: null };
 
 /**
  * What to say while connecting; null once that has ended, well or not.
@@ -46,12 +48,13 @@ export function waitingFor(state: LinkState, seconds: number): Waiting | null {
     case 'searching':
     case 'waiting': {
       const heard = state.status === 'waiting' ? state.heard : null;
-      if (heard) return { said: heardSaid(heard), step: null, canChoose: true, help: 'waiting' };
+      if (heard) return { ...heardSaid(heard), step: null, canChoose: true, help: 'waiting' };
       if (seconds < AWAKE && state.status === 'searching')
-        return { ...NOTHING, said: { title: link.status.searching, advice: link.stages.asking(state.baudRate) } };
+        return { ...NOTHING, said: titled(link.status.searching), now: link.stages.asking(state.baudRate) };
       const step = seconds < NEAR ? 'switch' : seconds < OTHER ? 'near' : 'other';
-      const said = { title: link.stages.steps[step], advice: link.stages.noAnswer(seconds) };
-      return { said, step, canChoose: true, help: seconds < NEAR ? null : 'waiting' };
+      const said = titled(link.stages.steps[step]);
+      const now = link.stages.noAnswer(seconds);
+      return { said, now, step, canChoose: true, help: seconds < NEAR ? null : 'waiting' };
     }
     case 'away':
       return { ...NOTHING, said: link.lost, help: 'lost' };
@@ -70,10 +73,9 @@ export function titled(title: string): Said {
 /** How many of the last bytes are shown. */
 const SHOWN = 20;
 
-function heardSaid({ kind, sample, baudRate }: Heard): Said {
+function heardSaid({ kind, sample, baudRate }: Heard): Pick<Waiting, 'said' | 'now'> {
   const { heard, itSaid, slow } = messages.value.link;
-  if (kind === 'slow') return slow(baudRate);
+  if (kind === 'slow') return { said: slow(baudRate), now: '' };
   const last = sample.slice(-SHOWN);
-  if (last.length === 0) return heard;
-  return { title: heard.title, advice: `${heard.advice} ${itSaid(hexOf(last), readable(last))}` };
+  return { said: heard, now: last.length === 0 ? '' : itSaid(hexOf(last), readable(last)) };
 }

@@ -8,7 +8,6 @@ import { type Symptom, TroublePage } from '../help/trouble-page.js';
 import { WordsPage } from '../help/words-page.js';
 import { firstSteps, guide } from '../messages/en-guide.js';
 import { messages } from '../messages/index.js';
-import { isRateSet } from '../timer/link.js';
 import { NoticeText } from '../ui/notice-text.js';
 import type { Session } from '../work/session.js';
 import './help-view.css';
@@ -76,7 +75,7 @@ function Connection({ session, platform, symptom }: ConnectionProps) {
   return (
     <div class="help">
       {code === unavailable && <NoticeText said={connectionSaid(unavailable, platform)} />}
-      <HelpSteps code={code} platform={platform} info={null} rateSet={isRateSet(session.link)} />
+      <HelpSteps code={code} platform={platform} info={null} link={session.link} />
     </div>
   );
 }

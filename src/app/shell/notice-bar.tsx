@@ -5,7 +5,6 @@ import { hexOf } from '../messages/frame-text.js';
 import { messages, partText, readable, type Said, timerSaid } from '../messages/index.js';
 import type { Keeping } from '../records/keeping.js';
 import type { SetAside } from '../records/set-aside.js';
-import { isRateSet } from '../timer/link.js';
 import type { Notice } from '../timer/notices.js';
 import { NoticeText } from '../ui/notice-text.js';
 import type { Session } from '../work/session.js';
@@ -61,7 +60,7 @@ export function NoticeBar(props: NoticeBarProps) {
             </button>
           )}
           {notice.kind === 'connection' && (
-            <ConnectionHelp code={notice.code} {...{ platform, info: notice.port, rateSet: isRateSet(session.link) }} />
+            <ConnectionHelp code={notice.code} {...{ platform, info: notice.port, link: session.link }} />
           )}
           <button type="button" class="quiet" onClick={() => session.notices.dismiss()}>
             {dismiss}

@@ -246,8 +246,3 @@ export function portInfoOf(state: LinkState): PortInfo | null {
   if ('info' in state) return state.info;
   return 'port' in state ? state.port.getInfo() : null;
 }
-
-/** Whether the pilot has set the rate for the next port. */
-export function isRateSet({ settings }: Pick<Link, 'settings'>): boolean {
-  return typeof settings.value?.baudRate === 'number';
-}

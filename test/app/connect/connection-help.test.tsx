@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs';
+import { signal } from '@preact/signals';
 import { fireEvent, render, screen, waitFor } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import type { Browser, Platform, System } from '../../../src/app/browser/platform.js';
@@ -12,6 +13,8 @@ import { CONNECTION_PAGE } from '../../tools/connection-page.js';
 
 const FTDI: PortInfo = { usbVendorId: 0x0403, usbProductId: 0x6001 };
 const SPP: PortInfo = { bluetoothServiceClassId: '00001101-0000-1000-8000-00805f9b34fb' };
+/** Nobody has set a rate. */
+const LINK = { state: signal({ status: 'off', error: null } as const), settings: signal(null) };
 const ADDRESS = 'https://timers.example/set/';
 const SYSTEMS: readonly System[] = ['windows', 'mac', 'linux', 'chromeos', 'android', 'ios', 'other'];
 const BROWSERS: readonly Browser[] = ['chrome', 'edge', 'opera', 'brave', 'firefox', 'safari', 'other'];
@@ -111,7 +114,7 @@ describe('the sentence', () => {
 
 describe('the help under a notice', () => {
   it('shows the steps for this system, and leads to those of all others', () => {
-    render(<ConnectionHelp code="busy" platform={on('linux')} info={FTDI} rateSet={false} />);
+    render(<ConnectionHelp code="busy" platform={on('linux')} info={FTDI} link={LINK} />);
     const shown = screen.getByRole('list', { hidden: true }).textContent;
     for (const code of ['programs', 'linux', 'replug'] as const) expect(shown).toContain(en.help.steps[code]);
     const all = screen.getByRole('link', { name: en.help.page, hidden: true });
@@ -120,7 +123,7 @@ describe('the help under a notice', () => {
 
   it('is not shown when the sentence says everything', () => {
     const { container } = render(
-      <ConnectionHelp code="unsupported" platform={on('ios', 'safari')} info={null} rateSet={false} />,
+      <ConnectionHelp code="unsupported" platform={on('ios', 'safari')} info={null} link={LINK} />,
     );
     expect(container.textContent).toBe('');
   });
@@ -133,7 +136,7 @@ describe('the help under a notice', () => {
   });
 
   it('brings the head of the page into sight when it is opened there', () => {
-    const help = <ConnectionHelp code="busy" platform={on('windows')} info={FTDI} rateSet={false} />;
+    const help = <ConnectionHelp code="busy" platform={on('windows')} info={FTDI} link={LINK} />;
     const { container } = render(<header class="top">{help}</header>);
     const scrolled: unknown[] = [];
     const spy = vi.spyOn(HTMLElement.prototype, 'scrollIntoView').mockImplementation(function (this: HTMLElement) {
@@ -150,16 +153,16 @@ describe('the help under a notice', () => {
 
   it('is folded up again when the trouble changes', () => {
     const fold = (): HTMLDetailsElement => screen.getAllByRole<HTMLDetailsElement>('group')[0] as HTMLDetailsElement;
-    const { rerender } = render(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} rateSet={false} />);
+    const { rerender } = render(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} link={LINK} />);
     fold().open = true;
-    rerender(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} rateSet={false} />);
+    rerender(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} link={LINK} />);
     expect(fold().open).toBe(true);
-    rerender(<ConnectionHelp code="waiting" platform={on('windows')} info={FTDI} rateSet={false} />);
+    rerender(<ConnectionHelp code="waiting" platform={on('windows')} info={FTDI} link={LINK} />);
     expect(fold().open).toBe(false);
   });
 
   it('gives the address of this very page', () => {
-    render(<ConnectionHelp code="policy" platform={on('windows')} info={null} rateSet={false} />);
+    render(<ConnectionHelp code="policy" platform={on('windows')} info={null} link={LINK} />);
     expect(screen.getByText(location.href)).toBeTruthy();
   });
 });
