@@ -58,7 +58,7 @@ export function createModels({
   keeping.onReturn(() => {
     void session.keptWork.bringBack();
     session.knowledge.keepAgain();
-    void session.backups.keepAgain();
+    void session.backups.save(...session.backups.waiting);
     void session.link.remember();
     void session.library.keepAgain();
   });

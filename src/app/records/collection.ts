@@ -110,11 +110,6 @@ export class Collection<T extends { readonly key: string }> {
     void this.delete(...this.#removed.peek().map(({ key }) => key));
   }
 
-  /** The storage works again: saves what it did not save. */
-  async keepAgain(): Promise<void> {
-    if (this.#waiting.length > 0) await this.save(...this.#waiting);
-  }
-
   /** The list changes now, before the storage does. */
   begin({ put = [], gone = [] }: Change<T>): void {
     const saved = put.map(({ key }) => key);
@@ -138,7 +133,8 @@ export class Collection<T extends { readonly key: string }> {
     else this.#refused.value = new Set([...this.#refused.peek(), ...keys]);
   }
 
-  get #waiting(): readonly T[] {
+  /** What this page has and the storage does not: to be saved once that works again. */
+  get waiting(): readonly T[] {
     return this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
   }
 
@@ -148,7 +144,7 @@ export class Collection<T extends { readonly key: string }> {
     const kept = await this.#parts.read().catch(() => null);
     batch(() => {
       if (kept) {
-        const records = new Map([...kept, ...this.#waiting].map((record) => [record.key, record]));
+        const records = new Map([...kept, ...this.waiting].map((record) => [record.key, record]));
         for (const [key, record] of this.#since) {
           if (record) records.set(key, record);
           else records.delete(key);

@@ -152,9 +152,10 @@ export class Library {
 
   /** The storage works again: reads what it did not give, and saves what it did not save. */
   async keepAgain(): Promise<void> {
-    const lists = [this.models, this.settings, this.flights];
-    await Promise.all(lists.map(async (each) => each.loaded.peek() && (await each.load())));
-    for (const each of lists) await each.keepAgain();
+    const { models, settings, flights } = this;
+    await Promise.all([models, settings, flights].map(async (each) => each.loaded.peek() && (await each.load())));
+    const waiting = { models: { put: models.waiting }, settings: { put: settings.waiting } };
+    await this.change({ ...waiting, flights: { put: flights.waiting } });
   }
 }
 

@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { LibraryFiles } from '../../../src/app/library/files/library-files.js';
 import type { Library } from '../../../src/app/records/library.js';
 import { formatLibraryFile, type Model, type Setting } from '../../../src/program/index.js';
@@ -116,4 +116,22 @@ describe.each(ENDING)('where the storage %s', (fault) => {
       expect(await afterReload(store)).toEqual(shown(library));
     },
   );
+});
+
+it('what belongs together and was not kept is kept in one step once the storage works again', async () => {
+  const { store, app } = await filled();
+  const { library } = app.session;
+  store.before = (door) => (door === 'change' ? FAULTS['is full']() : undefined);
+  const model = { ...MODEL, id: 'new' };
+  void library.keepModel(model);
+  void library.keepSetting({ ...SETTING, id: 'new', model: model.id });
+  void library.keepFlight({ ...FLIGHT, id: 'new', model: model.id });
+  await idle();
+  store.before = () => undefined;
+  const steps = vi.spyOn(store, 'change');
+  app.keeping.tryAgain();
+  await idle();
+  expect(library.kept.value).toBe(true);
+  const puts = steps.mock.calls.map(([change]) => Object.values(change).map(({ put = [] }) => put.length));
+  expect(new Set(puts.map(String)), 'no step has one of them without the others').toEqual(new Set(['1,1,1']));
 });
