@@ -3,7 +3,6 @@ import { useEffect, useId, useRef } from 'preact/hooks';
 import { on } from '../browser/lifecycle.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { useUnsaved } from '../ui/unsaved.js';
-import './text-field.css';
 
 interface TextFieldProps {
   readonly label: string;
@@ -69,7 +68,7 @@ export function TextField(props: TextFieldProps) {
   // A reload would take the field from under the pilot's fingers.
   useUnsaved(typed.value !== null);
   return (
-    <div class="field text-field">
+    <div class="field">
       <label for={id}>{label}</label>
       {lines ? <textarea {...given} rows={lines} /> : <input type="text" {...given} autocomplete="off" />}
       {required && typed.value !== null && asKept(typed.value) === '' && <p class="bad-text">{words.nameNeeded}</p>}

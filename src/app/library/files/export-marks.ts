@@ -21,19 +21,16 @@ export class ExportMarks {
   constructor(library: Pick<Library, 'models' | 'settings' | 'flights'>) {
     this.due = computed(() => {
       const { exportedAt, putOffAt } = this.#marks.value;
-      const records = [library.models, library.settings, library.flights].flatMap(
-        ({ list }): readonly { changedAt: number }[] => list.value,
-      );
+      const { models, settings, flights } = library;
+      const records = [...models.list.value, ...settings.list.value, ...flights.list.value];
       const at = Date.now();
       // A mark in the future was made with a wrong clock. The clock of another device may be a little ahead.
       const isRight = (mark: number | null): mark is number => mark !== null && mark <= at + DAY;
       const since = Math.max(0, ...[exportedAt, putOffAt].filter(isRight));
-      const changed = records.filter(({ changedAt }) => changedAt > since).map(({ changedAt }) => changedAt);
-      if (changed.length < ENOUGH) return null;
+      const changed = records.map(({ changedAt }) => changedAt).filter((changedAt) => changedAt > since);
       // Before the first export, counting begins with the first entry.
       const from = since || Math.min(...changed);
-      if (at - from < LONG) return null;
-      return changed.length;
+      return changed.length < ENOUGH || at - from < LONG ? null : changed.length;
     });
   }
 
