@@ -32,6 +32,7 @@ export function BenchGrid({ session, bench }: BenchGridProps) {
           // Not disabled: it would lose the focus while the servos move.
           <button
             type="button"
+            class="quiet"
             aria-pressed={slot === at}
             aria-disabled={!bench.ready.value}
             onClick={() => void (bench.ready.value && typeof slot === 'number' && bench.moveTo(slot))}

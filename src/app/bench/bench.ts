@@ -18,9 +18,8 @@ export interface Done {
 
 /** Moves servos and motor from the page: only what the pilot asks for, one command at a time. */
 export class Bench {
-  readonly #done = signal<Done | null>(null, { name: 'done' });
-  /** The last action on the timer that is connected. */
-  readonly done: ReadonlySignal<Done | null> = this.#done;
+  /** The last action on the timer that is connected. Only this model writes it. */
+  readonly done = signal<Done | null>(null);
   readonly stand: ServoStand;
   /** Whether an action may start: the timer does nothing else, and the pilot has said that it is safe. */
   readonly ready: ReadonlySignal<boolean>;
@@ -33,7 +32,7 @@ export class Bench {
     this.ready = computed(() => runner.ready.value && !runner.claimed.value && safety.confirmed.value);
     session.connection.subscribe(() => {
       // A doubtful result is shown until the next action, because the timer may come back before anybody reads it.
-      if (this.done.peek()?.certain) this.#done.value = null;
+      if (this.done.peek()?.certain) this.done.value = null;
     });
     session.safety.confirmed.subscribe((safe) => {
       // A command that waits for its turn is no longer sent.
@@ -41,7 +40,7 @@ export class Bench {
     });
     session.servoMoves.count.subscribe(() => {
       batch(() => {
-        this.#done.value = null;
+        this.done.value = null;
         this.stand.lose();
       });
     });
@@ -75,19 +74,19 @@ export class Bench {
     } catch (error) {
       const isSent = error instanceof TimerError && (error.code === 'port-lost' || (error.details.sent ?? 0) > 0);
       this.stand.lose();
-      if (isSent) this.#done.value = { action, certain: false };
+      if (isSent) this.done.value = { action, certain: false };
       throw error;
     }
     // The pilot may have disconnected meanwhile: it has happened all the same.
     batch(() => {
-      this.#done.value = { action, certain: true };
+      this.done.value = { action, certain: true };
       if (action.kind === 'move') this.stand.moved(connection, action.slot);
     });
   }
 
   async #act(action: BenchAction): Promise<boolean> {
     if (!this.ready.value) return false;
-    this.#done.value = null;
+    this.done.value = null;
     return await this.#session.runner.run('bench', (connection, options) => this.carryOut(action, connection, options));
   }
 }

@@ -1,4 +1,3 @@
-import type { ComponentChildren } from 'preact';
 import type { Identity } from '../../protocol/index.js';
 import { changeText, fieldLabel, messages } from '../messages/index.js';
 import { NoticeText } from '../ui/notice-text.js';
@@ -25,13 +24,17 @@ export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
   const isStarting = follow.starting.value;
   return (
     <section class={`stack panel ${on ? 'follows' : ''}`}>
-      <Switch
-        on={on}
-        disabled={!on && (open || isStarting || !bench.ready.value)}
+      <button
+        type="button"
+        class="row gap-3 switch"
+        role="switch"
+        aria-checked={on}
+        aria-disabled={!on && (open || isStarting || !bench.ready.value)}
         onClick={() => void (on ? follow.stop() : follow.start())}
       >
+        <span class="switch-track" aria-hidden="true" />
         {words.follow}
-      </Switch>
+      </button>
       <p class="hint">{on ? words.followingNow : isStarting ? program.reading : words.followHint}</p>
       {follow.unkept.value && (
         <div role="alert">
@@ -52,22 +55,6 @@ export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
   );
 }
 
-interface SwitchProps {
-  readonly on: boolean;
-  readonly disabled?: boolean;
-  readonly onClick: () => void;
-  readonly children: ComponentChildren;
-}
-
-function Switch({ on, disabled = false, onClick, children }: SwitchProps) {
-  return (
-    <button type="button" class="switch" role="switch" aria-checked={on} aria-disabled={disabled} onClick={onClick}>
-      <span class="switch-track" aria-hidden="true" />
-      {children}
-    </button>
-  );
-}
-
 interface FollowNoteProps {
   readonly session: Session;
   readonly bench: Bench;
@@ -79,15 +66,16 @@ interface FollowNoteProps {
  * views asks what becomes of the positions that were tried.
  */
 export function FollowNote({ session, bench, follow }: FollowNoteProps) {
-  const { bench: words } = messages.value;
+  const { bench: words, dismiss } = messages.value;
   const identity = session.editor.identity.value;
+  const ended = follow.ended.value;
+  const done = bench.done.value;
   if (!identity) return null;
   if (follow.on.value) {
-    const at = bench.stand.at.value;
     return (
       <div class="row follows follow-note">
         <p>
-          <strong>{words.followingNow}</strong> <span role="status">{standText(identity, at)}</span>
+          <strong>{words.followingNow}</strong> <span role="status">{standText(identity, bench.stand.at.value)}</span>
         </p>
         <button type="button" onClick={() => void follow.stop()}>
           {words.stopFollowing}
@@ -95,20 +83,6 @@ export function FollowNote({ session, bench, follow }: FollowNoteProps) {
       </div>
     );
   }
-  return <EndNote bench={bench} follow={follow} identity={identity} />;
-}
-
-interface EndNoteProps {
-  readonly bench: Bench;
-  readonly follow: Follow;
-  readonly identity: Identity;
-}
-
-/** Why the servos no longer follow, and what is known since then. */
-function EndNote({ bench, follow, identity }: EndNoteProps) {
-  const { bench: words, dismiss } = messages.value;
-  const ended = follow.ended.value;
-  const done = bench.done.value;
   if (!ended) return null;
   return (
     <div class="row follows follow-note" role="status">

@@ -6,9 +6,25 @@ import type { JobContext, JobKind } from '../timer/job-runner.js';
 import type { Trials } from '../timer/trials.js';
 import type { Session } from '../work/session.js';
 import type { Bench } from './bench.js';
-import type { Ended, EndReason } from './ended.js';
 import { FollowedEdits, type Position } from './followed-edits.js';
 import { isProof, readBack, type Unlike } from './taken.js';
+
+/**
+ * Why the servos no longer follow, when the pilot did not end it. `over`: the page went out of sight, another job has
+ * the wire, the pilot no longer says that it is safe, or the connection ended. `memory`: another memory is current, or
+ * was asked for. `failed`: a command failed. `strayed`: the reading at the end shows that another memory became
+ * current, which may have taken positions. `unlike`: a reading shows that the timer does not do what it acknowledges.
+ */
+export type EndReason = 'over' | 'memory' | 'failed' | 'strayed' | 'unlike';
+
+/** How following ended. */
+interface Ended {
+  readonly reason: EndReason;
+  /** What the timer was believed to hold at that moment. */
+  readonly held: TimerProgram | null;
+  /** What the reading after the first position has shown, where the timer did something else. */
+  readonly unlike: Unlike | null;
+}
 
 /** What the servos follow, from the beginning to the end. */
 interface Following {
@@ -41,8 +57,6 @@ export class Follow {
   readonly starting: ReadonlySignal<boolean>;
   /** Whether the backup could not be kept: the page asks whether to follow all the same. */
   readonly unkept: ReadonlySignal<boolean>;
-  /** How following ended. Null once it begins again, once the pilot has read it, and when the pilot ended it. */
-  readonly ended: ReadonlySignal<Ended | null>;
   /** Whether the timer was read since following ended. */
   readonly endRead: ReadonlySignal<boolean>;
   /** The functions with changed positions at which the servos do not stand. */
@@ -51,12 +65,16 @@ export class Follow {
   readonly hasEarlier: ReadonlySignal<boolean>;
   /** The positions that were tried and not yet kept or put back. */
   readonly trials: Trials;
+  /**
+   * How following ended. Null once it begins again, once the pilot has read it, and when the pilot ended it. Only this
+   * model writes it.
+   */
+  readonly ended = signal<Ended | null>(null);
   readonly #following = signal<Following | null>(null, { name: 'following' });
   /** Stands for the start in progress; another one is another object. */
   readonly #start = signal<object | null>(null, { name: 'start' });
   /** Takes the pilot's answer, while no backup of what the timer holds could be kept. */
   readonly #unkept = signal<((goOn: boolean) => void) | null>(null, { name: 'unkept' });
-  readonly #ended = signal<Ended | null>(null, { name: 'ended' });
   readonly #session: Session;
   readonly #bench: Bench;
   /** The function to which the pilot has sent the servos. */
@@ -72,18 +90,17 @@ export class Follow {
     this.#edits = new FollowedEdits(editor);
     this.trials = session.trials;
     this.on = computed(() => this.#following.value !== null);
-    this.ended = this.#ended;
     this.starting = computed(() => this.#start.value !== null && this.#unkept.value === null);
     this.unkept = computed(() => this.#unkept.value !== null);
-    this.endRead = computed(() => editor.fresh.value && editor.baseline.value !== this.#ended.value?.held);
+    this.endRead = computed(() => editor.fresh.value && editor.baseline.value !== this.ended.value?.held);
     this.awaited = computed(() => {
       const slots = this.on.value ? this.#edits.pending().map(({ field }) => field.slot) : [];
       return new Set(slots.filter((slot) => slot !== bench.stand.at.value));
     });
     this.hasEarlier = this.#edits.hasEarlier;
-    session.connection.subscribe(() => void this.#end('over'));
-    session.safety.confirmed.subscribe((safe) => void (safe || this.#end('over')));
-    session.servoMoves.count.subscribe(() => void this.#end('over'));
+    session.connection.subscribe(() => void this.stop('over'));
+    session.safety.confirmed.subscribe((safe) => void (safe || this.stop('over')));
+    session.servoMoves.count.subscribe(() => void this.stop('over'));
     effect(() => this.trials.setTrying(this.on.value));
     effect(() => this.#follow());
     effect(() => {
@@ -104,7 +121,7 @@ export class Follow {
     const start = {};
     batch(() => {
       this.#start.value = start;
-      this.#ended.value = null;
+      this.ended.value = null;
     });
     // By now the tab may be hidden, the timer lost, or the start called off.
     const isOff = (): boolean => this.#start.peek() !== start || connection.peek() !== bound;
@@ -114,7 +131,14 @@ export class Follow {
       if (!before) return;
       const kept = await backups.add(before, 'write', simulated.value);
       if (isOff() || !(kept || (await this.#ask())) || isOff()) return;
-      this.#begin(before);
+      // The backup must be of what the timer holds now.
+      if (!this.#bench.ready.value || !editor.fresh.value || editor.baseline.value !== before) return;
+      batch(() => {
+        this.#edits.begin();
+        this.trials.set({ before, touched: new Set() });
+        const key = this.#session.onScreen.keyOf(before);
+        this.#following.value = { connection: bound, key, isKept: true, hasStored: false, isProven: false };
+      });
     } finally {
       if (this.#start.peek() === start) this.#start.value = null;
     }
@@ -145,17 +169,9 @@ export class Follow {
     return this.#edits.pending().find(({ field }) => field.slot === slot)?.field ?? null;
   }
 
-  /**
-   * Ends following: waits for the command in progress, then reads what the timer holds.
-   * @param reason null when the pilot ended it and needs no message.
-   */
-  async stop(reason: EndReason | null = null): Promise<void> {
-    await this.#end(reason);
-  }
-
   /** The pilot has read the message. */
   dismissEnd(): void {
-    this.#ended.value = null;
+    this.ended.value = null;
   }
 
   /** The positions that were tried stay in the timer and on the screen. */
@@ -169,25 +185,11 @@ export class Follow {
     });
   }
 
-  #begin(before: TimerProgram): void {
-    const { editor, onScreen } = this.#session;
-    const connection = this.#session.connection.value;
-    // The backup must be of what the timer holds now.
-    if (!connection || !this.#bench.ready.value || !editor.fresh.value || editor.baseline.value !== before) return;
-    batch(() => {
-      this.#edits.begin();
-      this.trials.set({ before, touched: new Set() });
-      this.#following.value = {
-        connection,
-        key: onScreen.keyOf(before),
-        isKept: true,
-        hasStored: false,
-        isProven: false,
-      };
-    });
-  }
-
-  async #end(reason: EndReason | null, unlike: Unlike | null = null): Promise<void> {
+  /**
+   * Ends following: waits for the command in progress, then reads what the timer holds.
+   * @param reason null when the pilot ended it and needs no message.
+   */
+  async stop(reason: EndReason | null = null, unlike: Unlike | null = null): Promise<void> {
     const { connection, editor, runner } = this.#session;
     batch(() => {
       this.#start.value = null;
@@ -200,7 +202,7 @@ export class Follow {
     batch(() => {
       this.#following.value = null;
       this.#wanted.value = null;
-      this.#ended.value = reason && { reason, held, unlike };
+      this.ended.value = reason && { reason, held, unlike };
     });
     if (held && following.hasStored && !editor.fresh.peek()) this.#watch(held, following.connection);
     // Any other job reads the timer itself.
@@ -223,7 +225,7 @@ export class Follow {
       // A reading on a round trip through other memories does not say which one was current.
       if (!editor.fresh.value || nextFlight.open.value || !now) return;
       this.#unwatch();
-      if (now.memory !== held.memory) this.#ended.value = { reason: 'strayed', held, unlike: null };
+      if (now.memory !== held.memory) this.ended.value = { reason: 'strayed', held, unlike: null };
     });
     this.#unwatch = stop;
   }
@@ -234,11 +236,13 @@ export class Follow {
     if (!following) return;
     const reason = this.#reasonToEnd(following);
     if (reason) {
-      untracked(() => void this.#end(reason));
+      untracked(() => void this.stop(reason));
       return;
     }
     this.#edits.note();
-    const next = this.#next();
+    const due = this.#edits.due();
+    const at = this.#bench.stand.at.value;
+    const next = this.#wanted.value ?? (due.some(({ field }) => field.slot === at) ? at : null);
     if (next !== null && this.#bench.ready.value) untracked(() => void this.#go(next));
   }
 
@@ -253,15 +257,6 @@ export class Follow {
     if (job && !BESIDE.has(job.kind)) return 'over';
     const isSame = working && this.trials.current.value && onScreen.keyOf(working) === key;
     return nextFlight.open.value || !isSame ? 'memory' : null;
-  }
-
-  /** The function at which something is to be done; null for none. */
-  #next(): number | null {
-    const due = this.#edits.due();
-    const isDue = (slot: number | null): boolean => due.some(({ field }) => field.slot === slot);
-    const at = this.#bench.stand.at.value;
-    if (this.#wanted.value !== null) return this.#wanted.value;
-    return isDue(at) ? at : null;
   }
 
   /**
@@ -290,7 +285,7 @@ export class Follow {
         else await move();
       } catch (error) {
         stand.lose();
-        void this.#end(this.#session.connection.peek() === connection ? 'failed' : 'over');
+        void this.stop(this.#session.connection.peek() === connection ? 'failed' : 'over');
         throw error;
       }
     });
@@ -331,8 +326,8 @@ export class Follow {
         });
       }
       // The pilot may have ended it in the meantime, and has to know all the same.
-      if (this.#following.peek() === following) void this.#end(reason, unlike);
-      else this.#ended.value = { reason, held: before, unlike };
+      if (this.#following.peek() === following) void this.stop(reason, unlike);
+      else this.ended.value = { reason, held: before, unlike };
       return;
     }
     following.isProven ||= isProof(pending);

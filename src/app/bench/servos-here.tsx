@@ -36,7 +36,7 @@ export function ServosOffer({ bench, follow, identity, slot, width }: ServosOffe
   return (
     <tr class="row-notes servos-offer">
       <td colSpan={width}>
-        <div>
+        <div class="row">
           <p>
             {words.waits} {standText(identity, bench.stand.at.value)}
           </p>
