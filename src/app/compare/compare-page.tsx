@@ -157,7 +157,7 @@ export function sideName(session: Session, side: Side): string {
     const name = programName(session);
     return name === '' ? words.screen : words.setting(words.screen, name);
   }
-  if (side.kind === 'timer') return heldName(words.timer(memoryText(session, side.memory)), side.held, clockText);
+  if (side.kind === 'timer') return heldName(words.timer(memoryText(session, side.held.memory)), side.held, clockText);
   if (side.kind === 'setting') {
     const { setting } = side.record;
     return words.setting(library.models.get(setting.model)?.model.name ?? null, setting.name);

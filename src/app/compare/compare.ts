@@ -7,20 +7,13 @@ import type { Held } from '../timer/standing.js';
 import type { Session } from '../work/session.js';
 import { backupKey, type ComparedPair, memoryKey, SCREEN, settingKey } from './choice.js';
 
-/** A program that can be compared. */
-export type Side =
-  /** The program on the screen, with all changes. */
-  | { readonly kind: 'screen'; readonly key: 'screen'; readonly program: TimerProgram }
-  /** The last reading of a memory of the connected timer. */
-  | {
-      readonly kind: 'timer';
-      readonly key: string;
-      readonly memory: number;
-      readonly held: Held;
-      readonly program: TimerProgram;
-    }
-  | { readonly kind: 'setting'; readonly key: string; readonly record: SettingRecord; readonly program: TimerProgram }
-  | { readonly kind: 'backup'; readonly key: string; readonly backup: Backup; readonly program: TimerProgram };
+/** A program that can be compared: on the screen, with all changes; as last read from the connected timer; kept. */
+export type Side = { readonly key: string; readonly program: TimerProgram } & (
+  | { readonly kind: 'screen' }
+  | { readonly kind: 'timer'; readonly held: Held & { readonly memory: number } }
+  | { readonly kind: 'setting'; readonly record: SettingRecord }
+  | { readonly kind: 'backup'; readonly backup: Backup }
+);
 
 /** Compares any two programs: on the screen, in the timer, settings, backups. */
 export class Compare {
@@ -79,28 +72,16 @@ export class Compare {
 
 function sidesOf({ editor, standings, library, backups, connection }: Session): Side[] {
   const working = editor.working.value;
-  const memories = connection.value?.identity.memories ?? 0;
-  const read = Array.from({ length: memories }, (_, memory): Side | null => {
-    const held = standings.of(memory);
-    const { known } = held;
-    return known.state === 'read'
-      ? { kind: 'timer', key: memoryKey(memory), memory, held, program: known.program }
-      : null;
-  });
+  const read = connection.value ? standings.readMemories().filter(({ known }) => known.state === 'read') : [];
   return [
-    ...(working ? [{ kind: SCREEN, key: SCREEN, program: working } as const] : []),
-    ...read.filter((side) => side !== null),
-    ...library.settings.list.value.map(
-      (record): Side => ({
-        kind: 'setting',
-        key: settingKey(record.key),
-        record,
-        program: record.setting.program,
-      }),
-    ),
-    ...backups.list.value.map(
-      (backup): Side => ({ kind: 'backup', key: backupKey(backup.key), backup, program: backup.program }),
-    ),
+    ...(working ? [{ kind: 'screen', key: SCREEN, program: working } as const] : []),
+    ...read.map((held): Side => ({ kind: 'timer', key: memoryKey(held.memory), held, program: held.program })),
+    ...library.settings.list.value.map((record): Side => {
+      return { kind: 'setting', key: settingKey(record.key), record, program: record.setting.program };
+    }),
+    ...backups.list.value.map((backup): Side => {
+      return { kind: 'backup', key: backupKey(backup.key), backup, program: backup.program };
+    }),
   ];
 }
 

@@ -17,20 +17,19 @@ export interface FrameResult {
  * once, and the timer is read after it.
  */
 export class FrameForm {
-  readonly #typed = signal('', { name: 'frame' });
   /** The connection on which the pilot was asked. Another connection may be another timer. */
-  readonly #asking = signal<TimerConnection | null>(null, { name: 'asking' });
-  readonly #result = signal<FrameResult | null>(null, { name: 'result' });
+  readonly #asking = signal<TimerConnection | null>(null);
+  // Only this model writes these.
   /** Letter and data in hex, as typed. */
-  readonly typed: ReadonlySignal<string> = this.#typed;
-  readonly result: ReadonlySignal<FrameResult | null> = this.#result;
+  readonly typed = signal('');
+  readonly result = signal<FrameResult | null>(null);
   readonly fault: ReadonlySignal<FrameFault | null> = computed(() => {
-    const parsed = parseHex(this.#typed.value);
+    const parsed = parseHex(this.typed.value);
     return typeof parsed === 'string' ? parsed : null;
   });
   /** The frame in the form; null while there is none. */
   readonly frame: ReadonlySignal<Frame | null> = computed(() => {
-    const parsed = parseHex(this.#typed.value);
+    const parsed = parseHex(this.typed.value);
     if (typeof parsed === 'string') return null;
     const [code, ...data] = parsed;
     return code === undefined ? null : { code, data: Uint8Array.from(data) };
@@ -63,9 +62,9 @@ export class FrameForm {
   type(text: string): void {
     if (this.sending.value) return;
     batch(() => {
-      this.#typed.value = text;
+      this.typed.value = text;
       this.#asking.value = null;
-      this.#result.value = null;
+      this.result.value = null;
     });
   }
 
@@ -74,7 +73,7 @@ export class FrameForm {
     if (!this.ready.value) return;
     batch(() => {
       this.#asking.value = this.#session.connection.value;
-      this.#result.value = null;
+      this.result.value = null;
     });
   }
 
@@ -92,7 +91,7 @@ export class FrameForm {
     await runner.run('frame', async ({ client }, options) => {
       batch(() => {
         this.#asking.value = null;
-        this.#result.value = null;
+        this.result.value = null;
         editor.sent();
         // Until the reading below has told the current memory, nobody knows which one flies next.
         nextFlight.leave(null);
@@ -100,9 +99,9 @@ export class FrameForm {
       const answer = client.send(frame.code, frame.data, options);
       servoMoves.mayMove();
       try {
-        this.#result.value = { reply: await answer };
+        this.result.value = { reply: await answer };
       } catch (error) {
-        if (error instanceof TimerError && error.code === 'port-lost') this.#result.value = { reply: null };
+        if (error instanceof TimerError && error.code === 'port-lost') this.result.value = { reply: null };
         throw error;
       }
     });

@@ -46,7 +46,7 @@ function LineRow({ record, way, timeText }: LineRowProps) {
     <li class={record.rejected || record.error ? 'damaged' : record.direction}>
       <span class="hint">{timeText(record.time)}</span> <span class="hint">{way}</span>{' '}
       <span class="what">
-        <b class="name">{frameName(record)}</b> <span class="meaning">{describeFrame(record, record.layout)}</span>
+        <b>{frameName(record)}</b> <span class="hint">{describeFrame(record, record.layout)}</span>
       </span>{' '}
       <code>{hexOf(record.bytes)}</code>
     </li>

@@ -19,7 +19,7 @@ export function LineTools({ session, view }: { readonly session: Session; readon
   const live = used && view.recording.value === null;
   return (
     <>
-      <div class="buttons">
+      <div class="row">
         {live && (
           <>
             <button type="button" onClick={() => (view.paused.value ? view.goOn() : view.pause())}>
@@ -48,11 +48,9 @@ export function LineTools({ session, view }: { readonly session: Session; readon
           {line.load}
         </button>
         <CopyButton label={line.copyReport} text={() => reportText(session)} />
+        <p role="status">{live && view.paused.value && <strong>{line.came(view.came.value)}</strong>}</p>
       </div>
       {used && <LineChoice view={view} />}
-      <p class="line-came" role="status">
-        {live && view.paused.value && line.came(view.came.value)}
-      </p>
     </>
   );
 }

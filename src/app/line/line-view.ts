@@ -14,18 +14,15 @@ export const STEP = 100;
 /** What the line view shows: the live line, a paused one, or a recording; everything, or what a filter finds. */
 export class LineView {
   readonly #log: LineLog;
-  readonly #room = signal(STEP, { name: 'room' });
-  readonly #filter = signal<LineFilter>('all', { name: 'filter' });
-  readonly #search = signal('', { name: 'search' });
-  readonly #recording = signal<Recording | null>(null, { name: 'recording' });
-  readonly #fault = signal<RecordingFault | null>(null, { name: 'fault' });
+  readonly #room = signal(STEP);
   readonly #still = signal<{ readonly entries: readonly LineRecord[]; readonly newest: number } | null>(null);
-  readonly filter: ReadonlySignal<LineFilter> = this.#filter;
+  // Only this model writes these.
+  readonly filter = signal<LineFilter>('all');
   /** The text that names, meanings or bytes must contain. */
-  readonly search: ReadonlySignal<string> = this.#search;
-  readonly recording: ReadonlySignal<Recording | null> = this.#recording;
+  readonly search = signal('');
+  readonly recording = signal<Recording | null>(null);
   /** Why the last file is no recording. */
-  readonly fault: ReadonlySignal<RecordingFault | null> = this.#fault;
+  readonly fault = signal<RecordingFault | null>(null);
   readonly paused: ReadonlySignal<boolean> = computed(() => this.#still.value !== null);
   /** How many entries have come since the pause. */
   readonly came: ReadonlySignal<number> = computed(() =>
@@ -33,19 +30,18 @@ export class LineView {
   );
   /** All entries, oldest first. */
   readonly all: ReadonlySignal<readonly LineRecord[]> = computed(
-    () => this.#recording.value?.records ?? this.#still.value?.entries ?? this.#log.entries.value,
+    () => this.recording.value?.records ?? this.#still.value?.entries ?? this.#log.entries.value,
   );
   /** The entries that pass the filter, oldest first. */
-  readonly found: ReadonlySignal<readonly LineRecord[]> = computed(() => {
-    const isAskedFor = test(this.#filter.value, this.#search.value);
-    return this.all.value.filter(isAskedFor);
-  });
+  readonly found: ReadonlySignal<readonly LineRecord[]> = computed(() =>
+    this.all.value.filter(test(this.filter.value, this.search.value)),
+  );
   /** The newest of these, as many as there is room for, newest first. */
   readonly shown: ReadonlySignal<readonly LineRecord[]> = computed(() =>
     this.found.value.slice(-this.#room.value).reverse(),
   );
   /** Whether there is nothing to look at yet: the line was never used, and no recording is loaded. */
-  readonly unused: ReadonlySignal<boolean> = computed(() => !this.#recording.value && !this.#log.used.value);
+  readonly unused: ReadonlySignal<boolean> = computed(() => !this.recording.value && !this.#log.used.value);
   /** How much was on the line since the log began. */
   readonly counts: LineLog['counts'];
 
@@ -56,14 +52,14 @@ export class LineView {
 
   setFilter(filter: LineFilter): void {
     batch(() => {
-      this.#filter.value = filter;
+      this.filter.value = filter;
       this.#room.value = STEP;
     });
   }
 
   setSearch(text: string): void {
     batch(() => {
-      this.#search.value = text;
+      this.search.value = text;
       this.#room.value = STEP;
     });
   }
@@ -91,23 +87,23 @@ export class LineView {
 
   /** Shows the recording in a file in place of the line, or says why the file is none. */
   async load(file: File): Promise<void> {
-    this.#fault.value = null;
+    this.fault.value = null;
     const read = await readRecording(file);
     batch(() => {
-      if ('line' in read) this.#fault.value = read;
-      else this.#recording.value = read;
+      if ('line' in read) this.fault.value = read;
+      else this.recording.value = read;
       this.#room.value = STEP;
     });
   }
 
   /** Clears the message about a refused file. */
   dismissFault(): void {
-    this.#fault.value = null;
+    this.fault.value = null;
   }
 
   /** Shows the line again. */
   back(): void {
-    this.#recording.value = null;
+    this.recording.value = null;
   }
 
   /** The whole log of the line, with everything that a replay needs. */
@@ -116,22 +112,17 @@ export class LineView {
   }
 }
 
+const wordsOf = foldedOf<LineRecord>((record) => [frameName(record), describeFrame(record, record.layout)]);
+
 function test(filter: LineFilter, search: string): (record: LineRecord) => boolean {
   const isFound = searchFor(search);
   const hex = hexIn(search.trim().toLowerCase());
-  const isAll = search.trim() === '';
-  return (record) => isOfKind(record, filter) && (isAll || says(record, isFound, hex));
-}
-
-function isOfKind({ direction, rejected, error }: LineRecord, filter: LineFilter): boolean {
-  if (filter === 'all') return true;
-  return filter === 'damaged' ? rejected !== null || error !== null : direction === filter;
-}
-
-const wordsOf = foldedOf<LineRecord>((record) => [frameName(record), describeFrame(record, record.layout)]);
-
-function says(record: LineRecord, isFound: (folded: string) => boolean, hex: string | null): boolean {
-  return isFound(wordsOf(record)) || (hex !== null && hexOf(record.bytes).includes(hex));
+  return (record) => {
+    const isDamaged = record.rejected !== null || record.error !== null;
+    const isOfKind = filter === 'all' || (filter === 'damaged' ? isDamaged : record.direction === filter);
+    if (!isOfKind || search.trim() === '') return isOfKind;
+    return isFound(wordsOf(record)) || (hex !== null && hexOf(record.bytes).includes(hex));
+  };
 }
 
 /** Whole bytes in hex, with any spacing; null for any other text. */

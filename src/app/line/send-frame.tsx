@@ -119,7 +119,7 @@ function Words({ form, frame, direction }: WordsProps) {
   const seen = { direction, frame, rejected: null, error: null };
   return (
     <>
-      <span class="name">{frameName(seen)}</span> <span class="meaning">{describeFrame(seen, form.layout)}</span>
+      <b>{frameName(seen)}</b> <span class="hint">{describeFrame(seen, form.layout)}</span>
     </>
   );
 }
