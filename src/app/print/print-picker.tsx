@@ -1,31 +1,54 @@
+import { useSignal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
+import { dotted } from '../messages/dotted.js';
 import { comparingMessages } from '../messages/en-compare.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { print as words } from '../messages/en-print.js';
-import { messages } from '../messages/index.js';
+import { dateText, messages } from '../messages/index.js';
+import { foldedText, searchFor } from '../messages/search.js';
 import { Check } from '../ui/check.js';
+import { memoryOf } from '../work/memory-names.js';
+import type { Session } from '../work/session.js';
 import type { Print } from './print.js';
-import { ON_SCREEN } from './print-order.js';
+import { memoryKey, ON_SCREEN } from './print-order.js';
 
 /** How many are listed. The search finds the others. */
 const MOST = 40;
 
+interface PrintPickerProps {
+  readonly session: Session;
+  readonly print: Print;
+}
+
 /** Chooses what to print: saved programs, the one on the screen, and memories of the timer. */
-export function PrintPicker({ print }: { readonly print: Print }) {
+export function PrintPicker({ session, print }: PrintPickerProps) {
+  const { library, editor, standings, origin } = session;
   const { order } = print;
   const { value: chosen } = order.keys;
-  const { value: found } = print.found;
-  useEffect(() => void print.load(), [print]);
+  const { knowledge, noModel } = messages.value;
+  const search = useSignal('');
+  useEffect(() => void library.load(), [library]);
   // With nothing to print, this is the next step.
   const isFirst = useMemo(() => print.sheets.peek().length === 0, [print]);
-  // Chosen programs stand first, whatever the search says.
-  const first = found.filter(({ key }) => chosen.includes(key));
-  const listed = [...first, ...found.filter(({ key }) => !chosen.includes(key))].slice(0, Math.max(MOST, first.length));
-  const choices = [
-    ...(print.hasProgram.value ? [{ key: ON_SCREEN, name: comparingMessages.compare.screen }] : []),
-    ...print.memories.value,
-    ...listed.map((record) => ({ key: record.key, name: print.nameOf(record) })),
-  ];
+  const memories = standings.readMemories().map(({ memory, known }) => {
+    const read = knowledge.lastReadAt(known.state === 'read' ? dateText(known.at) : null);
+    return { key: memoryKey(memory), name: dotted([memoryOf(origin.timer.value, memory), read]) };
+  });
+  const isFound = searchFor(search.value);
+  const models = library.models.list.value;
+  // By model; chosen programs stand first, whatever the search says.
+  const found = library.settings.list.value
+    .map(({ key, setting }) => {
+      const at = models.findIndex((each) => each.key === setting.model);
+      const place = at < 0 ? models.length : at;
+      const name = dotted([models[at]?.model.name ?? noModel, setting.name]);
+      return { key, name, place: chosen.includes(key) ? place - models.length - 1 : place };
+    })
+    .filter(({ name }) => isFound(foldedText(name)))
+    .sort((a, b) => a.place - b.place);
+  const listed = found.slice(0, Math.max(MOST, found.filter(({ place }) => place < 0).length));
+  const screen = { key: ON_SCREEN, name: comparingMessages.compare.screen };
+  const choices = [...(editor.working.value ? [screen] : []), ...memories, ...listed];
   return (
     <details class="print-picker" open={isFirst}>
       <summary>{words.choose(print.sheets.value.length)}</summary>
@@ -33,8 +56,10 @@ export function PrintPicker({ print }: { readonly print: Print }) {
         type="search"
         aria-label={libraryMessages.search.label}
         placeholder={messages.value.label.search}
-        value={print.search.value}
-        onInput={({ currentTarget }) => print.searchFor(currentTarget.value)}
+        value={search.value}
+        onInput={({ currentTarget }) => {
+          search.value = currentTarget.value;
+        }}
       />
       <div class="print-list">
         {choices.map(({ key, name }) => (
@@ -43,7 +68,7 @@ export function PrintPicker({ print }: { readonly print: Print }) {
           </Check>
         ))}
       </div>
-      {listed.length === 0 && print.search.value.trim() !== '' && <p class="hint">{libraryMessages.search.nothing}</p>}
+      {listed.length === 0 && search.value.trim() !== '' && <p class="hint">{libraryMessages.search.nothing}</p>}
       {found.length > listed.length && <p class="hint">{messages.value.more(found.length - listed.length)}</p>}
       {chosen.length > 1 && (
         <button type="button" class="quiet" onClick={() => order.clear()}>

@@ -53,10 +53,10 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
           </button>
         </div>
         <Problem text={failed.value && words.failed} />
-        <PrintPicker print={print} />
+        <PrintPicker session={session} print={print} />
       </div>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: keys scroll it on a phone */}
-      <div class="print-sheets" tabIndex={0}>
+      <div class="stack gap-4 print-sheets" tabIndex={0}>
         {sheets.length === 0 && <p>{words.nothing}</p>}
         {sheets.map((sheet) => (
           <SheetPaper

@@ -4,14 +4,10 @@ import { type SharedSetting, sameLayout, type TimerProgram } from '../../program
 import { tried as attempted } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { changesSince } from '../editing/content.js';
-import { dotted } from '../messages/dotted.js';
 import { libraryMessages as words } from '../messages/en-library.js';
 import { print as onPaper } from '../messages/en-print.js';
 import { modelMessages } from '../messages/en-which-model.js';
 import { dateText, messages, timerName } from '../messages/index.js';
-import { foldedText, searchFor } from '../messages/search.js';
-import type { SettingRecord } from '../storage/index.js';
-import { memoryOf } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import { qrLinkOf, sharedOf } from '../work/setting-link.js';
 import { hintText, madeAs, programName, standingText } from '../work/standing-text.js';
@@ -36,55 +32,20 @@ export class Print {
   readonly parts = signal<ReadonlySet<SheetPart>>(
     new Set(loadSetting('print/parts', v.array(v.picklist(SHEET_PARTS))) ?? USUAL_PARTS),
   );
-  /** The text of the search among the saved programs. */
-  readonly search = signal('');
   readonly sheets: ReadonlySignal<readonly Sheet[]>;
-  /** The saved programs that the search finds, sorted by model. */
-  readonly found: ReadonlySignal<readonly SettingRecord[]>;
-  readonly hasProgram: ReadonlySignal<boolean>;
-  /** The memories of the timer that were read. */
-  readonly memories: ReadonlySignal<readonly { readonly key: string; readonly name: string }[]>;
 
   /** @param page the address of the page, for the codes. */
   constructor(session: Session, order: PrintOrder, page: string) {
     this.#session = session;
     this.#page = page;
     this.order = order;
-    const { library, editor } = session;
-    this.hasProgram = computed(() => editor.working.value !== null);
+    const { editor } = session;
     this.sheets = computed(() =>
       order.keys.value.flatMap((key) => {
         const source = key === ON_SCREEN ? this.#onScreen() : isOfLibrary(key) ? this.#kept(key) : this.#memory(key);
         return source ? [sheetOf(source, editor.shortDt.value)] : [];
       }),
     );
-    this.memories = computed(() => {
-      return session.standings.readMemories().map(({ memory, known }) => {
-        const name = memoryOf(session.origin.timer.value, memory);
-        const { lastReadAt } = messages.value.knowledge;
-        const read = lastReadAt(known.state === 'read' ? dateText(known.at) : null);
-        return { key: memoryKey(memory), name: dotted([name, read]) };
-      });
-    });
-    this.found = computed(() => {
-      const isFound = searchFor(this.search.value);
-      const places = new Map(library.models.list.value.map(({ key }, at) => [key, at]));
-      const place = ({ setting }: SettingRecord): number => places.get(setting.model ?? '') ?? places.size;
-      return library.settings.list.value
-        .filter((record) => isFound(foldedText(this.nameOf(record))))
-        .sort((a, b) => place(a) - place(b));
-    });
-  }
-
-  /** Reads the library, unless it is read already. */
-  async load(): Promise<void> {
-    await this.#session.library.load();
-  }
-
-  /** The name of a saved program among those of other models: “Lancer 07 · calm”. */
-  nameOf({ setting }: SettingRecord): string {
-    const model = this.#session.library.models.get(setting.model)?.model.name ?? messages.value.noModel;
-    return dotted([model, setting.name]);
   }
 
   setPaper(paper: Paper): void {
@@ -97,10 +58,6 @@ export class Print {
     if (!parts.delete(part)) parts.add(part);
     this.parts.value = parts;
     saveSetting('print/parts', [...parts]);
-  }
-
-  searchFor(text: string): void {
-    this.search.value = text;
   }
 
   #kept(key: string): SheetSource | null {
