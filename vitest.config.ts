@@ -103,6 +103,23 @@ export default defineConfig({
           ...PATIENCE,
         },
       },
+      {
+        test: {
+          ...site,
+          name: 'site-firefox',
+          include: ['test/site/demo.test.ts'],
+          maxWorkers,
+        },
+      },
+      {
+        test: {
+          name: 'rig-firefox',
+          environment: 'node',
+          include: ['test/rig/{journey,unplug,chooser,mouse}.test.ts'],
+          globalSetup: 'test/rig/setup.ts',
+          ...PATIENCE,
+        },
+      },
     ],
   },
 });

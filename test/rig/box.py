@@ -13,7 +13,7 @@ unasked. One JSON object a line. In, on standard input, whose end is the end of 
     {"do": "send", "hex": "00 0f"}      bytes to the page
 Out: each of these, when it is done, as {"is": "plug"}, but for "send"; and
     {"is": "ready"}
-    {"is": "opened"}, {"is": "closed"}  by the page
+    {"is": "opened"}, {"is": "closed"}  by the page, which has said something: Firefox tries ports in silence, too
     {"is": "set", "baudRate": 9600, "stopBits": 1, "flowControl": "none"}   before the first bytes, and when it changes
     {"is": "data", "hex": "00 0f"}      bytes from the page
 """

@@ -3,7 +3,8 @@
 # `unshare` has made its namespaces before this starts: mounts and network, which end with the last process that is in
 # them. So nothing outside is changed, and two boxes do not disturb each other. Chromium enters by chromium.sh.
 set -e
-run=$(mktemp -d --tmpdir sidus-rig-XXXXXX)
+# Under /dev, where Firefox believes that a serial port is one.
+run=$(mktemp -d --tmpdir=/dev/shm sidus-rig-XXXXXX)
 trap 'rm -rf "$run"' EXIT # if something below fails; else box.py does it
 mkdir -p "$run/dev" "$run/sys/devices" "$run/sys/class" "$run/chromium/policies/managed"
 

@@ -22,15 +22,3 @@ test('choosing nothing is reported; a chosen port is connected, and needs no cho
   await pilot.clickConnect();
   await pilot.isConnected();
 });
-
-test('a port that is plugged in while the chooser is open can be chosen', async () => {
-  const rig = await Rig.start({ chooser: true });
-  const pilot = new Pilot(await rig.open());
-  await rig.unplug();
-  await pilot.clickConnect();
-  await rig.chooser.shows(0);
-  await rig.plug();
-  await rig.chooser.shows(1);
-  await rig.chooser.choose();
-  await pilot.isConnected();
-});

@@ -2,7 +2,7 @@ import { type ChildProcess, execFileSync, spawn } from 'node:child_process';
 import { EventEmitter, once } from 'node:events';
 import { env, execPath } from 'node:process';
 import { createInterface } from 'node:readline';
-import { beside } from './box.js';
+import { type Box, beside } from './box.js';
 
 /** The port of Chromium's UI DevTools; each box has a network of its own, so it is always free. */
 export const UI_DEVTOOLS_PORT = 9223;
@@ -13,7 +13,7 @@ export interface Place {
   readonly y: number;
 }
 
-/** A screen that nobody looks at, since Chromium's chooser opens on a screen only. */
+/** A screen that nobody looks at, since a browser's chooser opens on a screen only. */
 export class Screen {
   readonly display: string;
   readonly #process: ChildProcess;
@@ -64,18 +64,31 @@ interface ChooserState {
   readonly selected: number;
 }
 
-/** Chromium's own dialog for choosing a serial port, operated by keys as by a person. */
+/** The browser's own dialog for choosing a serial port, operated by keys as by a person. */
 export class Chooser {
   readonly #screen: Screen;
   readonly #process: ChildProcess;
+  /** What takes the marked port. */
+  readonly #accept: string;
   readonly #changes = new EventEmitter<{ change: [] }>();
   #state: ChooserState = { shown: false, rows: 0, selected: -1 };
 
-  constructor(screen: Screen, boxPid: number) {
-    const inBox = ['--target', String(boxPid), '--user', '--mount', '--net', '--preserve-credentials'];
+  static ofChromium(screen: Screen, box: Box): Chooser {
+    const inBox = ['--target', String(box.pid), '--user', '--mount', '--net', '--preserve-credentials'];
     const watch = [execPath, '--experimental-websocket', beside('chooser-watch.js'), String(UI_DEVTOOLS_PORT)];
+    return new Chooser(screen, ['nsenter', ...inBox, ...watch], 'Return');
+  }
+
+  static ofFirefox(screen: Screen): Chooser {
+    return new Chooser(screen, [beside('chooser-watch.sh')], 'alt+a');
+  }
+
+  /** @param watch the command that tells what the dialog shows. */
+  private constructor(screen: Screen, [program = '', ...args]: readonly string[], accept: string) {
     this.#screen = screen;
-    const process = spawn('nsenter', [...inBox, ...watch], { stdio: ['ignore', 'pipe', 'inherit'] });
+    this.#accept = accept;
+    const surroundings = { ...env, DISPLAY: screen.display };
+    const process = spawn(program, args, { env: surroundings, stdio: ['ignore', 'pipe', 'inherit'] });
     createInterface(process.stdout).on('line', (line) => {
       this.#state = JSON.parse(line);
       this.#changes.emit('change');
@@ -92,9 +105,9 @@ export class Chooser {
 
   /** Takes the first port. */
   async choose(): Promise<void> {
-    // The list has the keyboard only after a Tab or two.
-    await this.#press(['Down', 'Tab'], ({ selected }) => selected === 0);
-    await this.#press(['Return'], ({ shown }) => !shown);
+    // In Chromium no port is marked at first, and the list has the keyboard only after a Tab or two.
+    if (this.#state.selected !== 0) await this.#press(['Down', 'Tab'], ({ selected }) => selected === 0);
+    await this.#press([this.#accept], ({ shown }) => !shown);
   }
 
   async dismiss(): Promise<void> {
@@ -113,7 +126,7 @@ export class Chooser {
     for (let tries = 0; tries < 10; tries++) {
       for (const key of keys) {
         this.#screen.press(key);
-        if (await this.#until(effect, 500)) return;
+        if (await this.#until(effect, 1000)) return;
       }
     }
     throw new Error(`${keys.join(', ')} has no effect on the chooser: ${JSON.stringify(this.#state)}`);

@@ -19,7 +19,7 @@ class Port:
         self.node, self.selector, self.say = node, selector, say
         self.users = 0
         self.held = False
-        self.settings = None
+        self.settings = None  # until the page says something
         self.unsent = b""
         self.device, self.page = os.openpty()
         tty.setraw(self.page)
@@ -53,26 +53,28 @@ class Port:
         """Takes back Chromium's own claim to the port: a pty, which outlives its users, would keep it for ever."""
         fcntl.ioctl(self.page, termios.TIOCEXCL if self.held else termios.TIOCNXCL)
 
-    def _opened_or_closed(self, _):
+    def _opened_or_closed(self, _=None):
         for change in self.opens.read():
-            before, self.users = self.users, self.users + change
-            if before == 0:
-                self.settings = None
-                self.say("opened")
-            elif self.users == 0:
+            self.users += change
+            if self.users == 0:
                 # Of a real port nothing of this is left when its last user has gone.
                 self._share()
                 termios.tcflush(self.page, termios.TCIFLUSH)
                 self.unsent = b""
-                self.say("closed")
+                if self.settings:
+                    self.settings = None
+                    self.say("closed")
 
     def _ready(self, events):
         if events & selectors.EVENT_WRITE:
             self._write()
         if events & selectors.EVENT_READ:
+            self._opened_or_closed()  # before these bytes
             data = os.read(self.device, 65536)
             self._share()
             settings = self._read_settings()
+            if not self.settings:
+                self.say("opened")
             if settings != self.settings:
                 self.settings = settings
                 self.say("set", **settings)
@@ -120,10 +122,14 @@ class Opens:
 
     def __init__(self, path):
         libc = ctypes.CDLL(None, use_errno=True)
-        self.fd = libc.inotify_init1(os.O_CLOEXEC)
+        self.fd = libc.inotify_init1(os.O_CLOEXEC | os.O_NONBLOCK)
         if self.fd < 0 or libc.inotify_add_watch(self.fd, path.encode(), self.OPEN | self.CLOSE) < 0:
             raise OSError(ctypes.get_errno(), "inotify")
 
     def read(self):
         """+1 for each opening, -1 for each closing, in order."""
-        return [1 if mask & self.OPEN else -1 for _, mask, _, _ in struct.iter_unpack("=iIII", os.read(self.fd, 4096))]
+        try:
+            events = os.read(self.fd, 4096)
+        except BlockingIOError:
+            return []
+        return [1 if mask & self.OPEN else -1 for _, mask, _, _ in struct.iter_unpack("=iIII", events)]

@@ -2,7 +2,7 @@ import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { env } from 'node:process';
-import { type BrowserContext, chromium, type Page } from 'playwright';
+import { type BrowserContext, chromium, firefox, type Page } from 'playwright';
 import { expect, inject, onTestFinished } from 'vitest';
 import { COMMANDS, type CommandName, type Frame, FrameDecoder } from '../../src/protocol/index.js';
 import { VirtualTimer, type VirtualTimerOptions } from '../../src/simulator/index.js';
@@ -15,10 +15,7 @@ export interface RigOptions {
   readonly timer?: VirtualTimerOptions;
   /** The only rate, in bits a second, at which the timer understands and is understood. Default: any. */
   readonly rate?: number;
-  /**
-   * Chromium on a screen, where its chooser can be operated; without the policy that lets the page use the port
-   * unasked.
-   */
+  /** The browser's chooser must be operated: nothing lets the page use the port unasked. */
   readonly chooser?: boolean;
   /** What the pilot of this test asks for of the commands that are never sent unasked. */
   readonly asks?: readonly CommandName[];
@@ -38,7 +35,7 @@ export interface Heard extends Frame {
   readonly at: number;
 }
 
-/** The built page in an unmodified Chromium, whose Web Serial leads to a pty, behind which a virtual timer answers. */
+/** The built page in an unmodified browser, whose Web Serial leads to a pty, behind which a virtual timer answers. */
 export class Rig {
   readonly timer: VirtualTimer;
   /** All bytes that have passed, in each direction. */
@@ -53,6 +50,8 @@ export class Rig {
   readonly #context: BrowserContext;
   readonly #screen: Screen | undefined;
   readonly #chooser: Chooser | undefined;
+  /** The page asks for the port, and the rig chooses, each time it is loaded: Firefox has no policy for that. */
+  readonly #asksFirst: boolean;
   readonly #toTimer: WritableStreamDefaultWriter<Uint8Array>;
   readonly #rate: number | undefined;
   #plugged = false;
@@ -71,14 +70,16 @@ export class Rig {
     });
     const box = await Box.start(inject('builtPage'));
     disposals.push(() => box.close());
+    const isFirefox = inject('modem') !== undefined;
     if (!options.chooser) await box.order('grant');
-    const screen = options.chooser ? await Screen.start() : undefined;
+    const screen = options.chooser || isFirefox ? await Screen.start() : undefined;
     disposals.push(() => screen?.close());
     const home = await mkdtemp(join(tmpdir(), 'sidus-profile-'));
     disposals.push(() => rm(home, { recursive: true, force: true, maxRetries: 5 }));
-    const context = await launch(box, home, screen);
+    const context = await (isFirefox ? launchFirefox : launchChromium)(box, home, screen);
+    context.setDefaultTimeout(60_000);
     disposals.push(() => context.close());
-    const chooser = screen && new Chooser(screen, box.pid);
+    const chooser = screen && (isFirefox ? Chooser.ofFirefox(screen) : Chooser.ofChromium(screen, box));
     disposals.push(() => chooser?.close());
     // Errors of the page, and what its content security policy stopped.
     context.on('weberror', (error) => faults.push(error.error().message));
@@ -97,12 +98,13 @@ export class Rig {
     box: Box,
     context: BrowserContext,
     { screen, chooser }: { readonly screen: Screen | undefined; readonly chooser: Chooser | undefined },
-    { timer, rate }: RigOptions,
+    { timer, rate, chooser: isAsked }: RigOptions,
   ) {
     this.#box = box;
     this.#context = context;
     this.#screen = screen;
     this.#chooser = chooser;
+    this.#asksFirst = chooser !== undefined && !isAsked;
     this.timer = new VirtualTimer(timer);
     this.#rate = rate;
     this.#toTimer = this.timer.writable.getWriter();
@@ -138,6 +140,12 @@ export class Rig {
     const [blank] = this.#context.pages().filter((page) => page.url() === 'about:blank');
     const page = blank ?? (await this.#context.newPage());
     await page.goto(PAGE);
+    if (this.#asksFirst) {
+      const chosen = page.evaluate(async () => void (await navigator.serial.requestPort()));
+      await this.chooser.shows(1);
+      await this.chooser.choose();
+      await chosen;
+    }
     return page;
   }
 
@@ -233,16 +241,29 @@ export class Rig {
 }
 
 /** Starts Chromium in the box, with a home of its own. */
-async function launch(box: Box, home: string, screen: Screen | undefined): Promise<BrowserContext> {
-  const surroundings = { ...env, HOME: home, RIG_BOX: String(box.pid), ...(screen && { DISPLAY: screen.display }) };
-  const context = await chromium.launchPersistentContext(join(home, 'profile'), {
+function launchChromium(box: Box, home: string, screen: Screen | undefined): Promise<BrowserContext> {
+  return chromium.launchPersistentContext(join(home, 'profile'), {
     executablePath: beside('chromium.sh'),
     headless: !screen,
     // In the box this is root, for whom Chromium has no sandbox.
     chromiumSandbox: false,
-    env: surroundings as Record<string, string>,
+    env: surroundings(box, home, screen),
     args: [...browserArgs, ...(screen ? [`--enable-ui-devtools=${UI_DEVTOOLS_PORT}`, '--window-position=0,0'] : [])],
   });
-  context.setDefaultTimeout(60_000);
-  return context;
+}
+
+/** Starts Firefox in the box, with a home of its own, on a screen: Playwright drives it by WebDriver BiDi. */
+function launchFirefox(box: Box, home: string, screen: Screen | undefined): Promise<BrowserContext> {
+  return firefox.launchPersistentContext(join(home, 'profile'), {
+    channel: 'moz-firefox',
+    executablePath: beside('firefox.py'),
+    headless: false,
+    env: { ...surroundings(box, home, screen), RIG_MODEM: inject('modem') ?? '' },
+    viewport: null,
+  });
+}
+
+function surroundings(box: Box, home: string, screen: Screen | undefined): Record<string, string> {
+  const own = { HOME: home, RIG_BOX: String(box.pid), ...(screen && { DISPLAY: screen.display }) };
+  return { ...(env as Record<string, string>), ...own };
 }

@@ -6,6 +6,7 @@ import {
   type BrowserContext,
   type BrowserContextOptions,
   chromium,
+  firefox,
   type LaunchOptions,
   type Page,
 } from 'playwright';
@@ -18,12 +19,15 @@ declare module 'vitest' {
     site: string;
     /** Where it is served again, below the root. */
     siteUnderPath: string;
+    /** With a `channel` it is Firefox. */
     launch: LaunchOptions;
   }
 }
 
 /** Milliseconds after which a step counts as hanging: a slow and busy machine needs long for short steps. */
 const PATIENCE = 120_000;
+
+const isFirefox = (): boolean => inject('launch').channel !== undefined;
 
 /** One browser for all files of a test process; it ends with the process. */
 let browser: Promise<Browser> | undefined;
@@ -34,7 +38,7 @@ let browser: Promise<Browser> | undefined;
  * security policy stops is an error, too
  */
 export async function newProfile(found: string[], options?: BrowserContextOptions): Promise<Page> {
-  browser ??= chromium.launch(inject('launch'));
+  browser ??= (isFirefox() ? firefox : chromium).launch(inject('launch'));
   const context = await (await browser).newContext(options);
   context.setDefaultTimeout(PATIENCE);
   context.on('weberror', (error) => found.push(error.error().message));
@@ -85,7 +89,8 @@ export async function newVisit(options: BrowserContextOptions = {}): Promise<Pag
   const found = used?.found ?? [];
   const page = used?.page ?? (await newProfile(found, options));
   onTestFinished(async ({ task }) => {
-    const next = task.result?.state === 'fail' ? undefined : await sweep(page.context());
+    // Firefox cannot be swept.
+    const next = task.result?.state === 'fail' || isFirefox() ? undefined : await sweep(page.context());
     if (!next) await page.context().close();
     expect(found).toEqual([]);
     if (next) swept.unshift({ page: next, found, made });

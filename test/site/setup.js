@@ -1,14 +1,14 @@
 import { execSync } from 'node:child_process';
 import { env } from 'node:process';
-import { launchOptions } from '../tools/browser.js';
+import { FIREFOX, launchOptions } from '../tools/browser.js';
 import { serve } from '../tools/serve.js';
 import { workbenchScript } from '../tools/workbench-script.js';
 
 /**
  * Builds the page as it is published, once for all tests of it, and serves it at the root of a host and below one.
- * @param {{ provide: (name: string, value: unknown) => void }} project
+ * @param {{ name: string, provide: (name: string, value: unknown) => void }} project
  */
-export async function setup({ provide }) {
+export async function setup({ name, provide }) {
   // In a process of its own: what Vitest sets in this one would not make a production build.
   execSync('npm run --silent build:site', {
     env: { ...env, NODE_ENV: 'production' },
@@ -18,7 +18,7 @@ export async function setup({ provide }) {
   const underPath = await serve({ base: '/sub/path/' });
   provide('site', atRoot.url);
   provide('siteUnderPath', underPath.url);
-  provide('launch', launchOptions());
+  provide('launch', name === 'site-firefox' ? FIREFOX : launchOptions());
   provide('workbench', await workbenchScript());
   return async () => {
     await atRoot.close();

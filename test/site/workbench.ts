@@ -114,7 +114,7 @@ export class Workbench {
   /** A timer does not notice that a page is loaded again. */
   #outlive(): void {
     // The page from which every tab begins keeps nothing.
-    if (location.protocol === 'about:') return;
+    if (origin === 'null') return;
     const { core } = this.adapter.timer;
     const { memories, memory } = JSON.parse(sessionStorage.getItem(HELD) ?? '{}') as Partial<typeof core>;
     if (memories) core.memories.splice(0, memories.length, ...memories);

@@ -100,6 +100,9 @@ const disabledFeatures = [
   'ThirdPartyStoragePartitioning',
 ];
 
+/** What Playwright's `firefox.launch` takes for Debian's Firefox, which it drives by WebDriver BiDi. */
+export const FIREFOX = { channel: 'moz-firefox', executablePath: '/usr/bin/firefox-esr' };
+
 /** What Playwright's `chromium.launch` takes; without a browser, Playwright itself says so. */
 export function launchOptions() {
   const executablePath = findBrowser();
