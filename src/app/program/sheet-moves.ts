@@ -12,12 +12,7 @@ export interface Goal {
 }
 
 /** Where the focus can go: along the row and into the next one, and up and down the column. */
-export interface Goals {
-  readonly before: Goal | null;
-  readonly after: Goal | null;
-  readonly above: Goal | null;
-  readonly below: Goal | null;
-}
+type Goals = Readonly<Record<'before' | 'after' | 'above' | 'below', Goal | null>>;
 
 /** The fields beside a field. */
 export function goalsFrom(identity: Identity, from: HTMLInputElement): Goals {
