@@ -38,6 +38,7 @@ export class Device implements MockDevice {
   #unsent = 0;
   #arrived: Bytes[] = [];
   #readers: ((bytes: Bytes) => void)[] = [];
+  #replugged: () => void = () => {};
 
   constructor(port: PortSide, busy: boolean) {
     this.#port = port;
@@ -86,6 +87,20 @@ export class Device implements MockDevice {
     return written;
   }
 
+  join({ readable, writable }: Parameters<MockDevice['join']>[0]): void {
+    // A write is not awaited: what comes after an unplug is lost, and that must not end the stream.
+    const toPage = readable.pipeTo(new WritableStream({ write: (bytes) => void this.write(bytes) }));
+    Promise.all([toPage, this.#feed(writable.getWriter())]).catch(() => {});
+  }
+
+  async #feed(writer: WritableStreamDefaultWriter<Uint8Array>): Promise<never> {
+    for (;;) {
+      const bytes = await this.read();
+      if (bytes.length > 0) await writer.write(bytes);
+      else if (this.#unplugged) await new Promise<void>((resolve) => (this.#replugged = resolve));
+    }
+  }
+
   error(kind: ReadErrorKind): void {
     oneOf(kind, READ_ERROR_KINDS, 'kind');
     const { cable, receiver, follows } = this.#port;
@@ -125,6 +140,7 @@ export class Device implements MockDevice {
 
   replug(): void {
     this.#unplugged = false;
+    this.#replugged();
   }
 
   /** The device was plugged in at another port. */

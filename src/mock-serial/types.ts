@@ -203,6 +203,12 @@ export interface MockDevice {
    */
   write(bytes: ArrayLike<number>): Promise<void>;
   /**
+   * Lets a pair of streams answer here, such as a `VirtualTimer` of `sidus-timer/simulator`: it gets what the page
+   * writes, also after the port was plugged in again, and the page gets what it sends. When its streams fail, the
+   * device is silent. It reads, so call `read()` no more.
+   */
+  join(pair: { readonly readable: ReadableStream<Uint8Array>; readonly writable: WritableStream<Uint8Array> }): void;
+  /**
    * Makes the page's reading fail, after all bytes written before; see `ReadErrorKind`.
    * Does nothing while the port is closed.
    * @throws TypeError when there is no such kind.

@@ -24,6 +24,9 @@ import type { TimerQuirks } from './quirks.js';
  */
 export type TimerPhase = 'discharged' | 'armed' | 'running' | 'finished' | 'asleep';
 
+/** How many requests it keeps: those of some thirty readings. More would grow for as long as a page is open. */
+const KEPT = 1000;
+
 /** How the core of a timer is made. */
 export interface TimerCoreOptions {
   /** What it says about itself. It gives the layout of its memories. */
@@ -59,7 +62,7 @@ export class TimerCore {
   servos: number[];
   /** The slot to which the servos were last moved. */
   slot: number;
-  /** All requests that it has answered, oldest first. */
+  /** The latest requests that it has answered, a thousand at most, oldest first. */
   readonly answered: Request[] = [];
   /** Called with every request that it answers. */
   onAnswer: ((request: Request) => void) | undefined;
@@ -123,7 +126,7 @@ export class TimerCore {
     if (!request || !this.#takes(request, frame, bare)) return undefined;
     this.#awakeSince = this.#clock.now();
     const reply = this.#perform(request);
-    this.answered.push(request);
+    if (this.answered.push(request) > KEPT) this.answered.shift();
     this.onAnswer?.(request);
     return this.#wrap(reply);
   }

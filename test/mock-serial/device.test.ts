@@ -3,6 +3,7 @@ import { realClock, VirtualClock, wireTime } from '../../src/line/index.js';
 import {
   type InputSignals,
   MockSerial,
+  type MockSerialPort,
   type PlugOptions,
   type ReadErrorKind,
   type WriteErrorKind,
@@ -14,6 +15,37 @@ async function timed(options: PlugOptions = {}, baudRate = 9600, bufferSize = 25
   const clock = new VirtualClock();
   return { clock, ...(await openPort({ baudRate, bufferSize }, { clock, timing: true, ...options })) };
 }
+
+describe('a pair of streams that answers at the device', () => {
+  /** Answers each chunk with the same bytes. */
+  const echo = () => new TransformStream<Uint8Array, Uint8Array>();
+
+  test('gets what the page writes, and gives it what it sends; also after the port was plugged in again', async () => {
+    const { serial, port, device } = await openPort();
+    device.join(echo());
+    const said = async (at: MockSerialPort, byte: number) => {
+      await writing(at).write(Uint8Array.of(byte));
+      return (await reading(at).read()).value;
+    };
+    expect(await said(port, 1)).toEqual(Uint8Array.of(1));
+    serial.unplug(port);
+    await settled();
+    const again = serial.replug(port);
+    await again.open({ baudRate: 9600 });
+    expect(await said(again, 2)).toEqual(Uint8Array.of(2));
+  });
+
+  test('may fail: then the device is silent, and nothing is thrown', async () => {
+    const { port, device } = await openPort();
+    const pair = echo();
+    device.join({
+      readable: pair.readable,
+      writable: new WritableStream({ start: (it) => it.error(new Error('cut')) }),
+    });
+    await writing(port).write(Uint8Array.of(1));
+    expect(await isPending(reading(port).read())).toBe(true);
+  });
+});
 
 describe('device', () => {
   test('reads are served in the order of their calls, and no byte is lost between them', async () => {

@@ -171,6 +171,14 @@ describe('the virtual timer', () => {
     expect((await send(both)).join(' ')).toMatch(/^00 00 00 00 00 04 72 .* 6c 42 /);
   });
 
+  it('keeps the latest thousand of the requests that it has answered', () => {
+    const core = new TimerCore({ identity: B536, quirks: {}, clock: new VirtualClock() });
+    for (let request = 0; request < 1001; request++) core.answer({ code: 0x71, data: new Uint8Array(0) });
+    core.answer({ code: 0x6b, data: new Uint8Array(0) });
+    expect(core.answered.length).toBe(1000);
+    expect(core.answered.at(-1)).toEqual({ name: 'GETSWVER' });
+  });
+
   it('has a core that works without a line', () => {
     const core = new TimerCore({ identity: B536, quirks: {}, clock: new VirtualClock() });
     expect(toHex(core.answer({ code: 0x6b, data: new Uint8Array(0) }) ?? new Uint8Array(0))).toContain(

@@ -144,14 +144,9 @@ describe('the example of one plain page', () => {
     // A string: what Vitest makes of import() would not be known in the page.
     await page.evaluate(`(async () => {
       const { VirtualTimer } = await import('/dist/lib/simulator/public.js');
-      const timer = new VirtualTimer();
       const port = serial.plug();
       serial.choose(port);
-      timer.readable.pipeTo(new WritableStream({ write: (bytes) => port.device.write(bytes) }));
-      const writer = timer.writable.getWriter();
-      (async () => {
-        for (;;) await writer.write(await port.device.read());
-      })();
+      port.device.join(new VirtualTimer());
     })()`);
     await page.getByRole('button', { name: 'Connect' }).click();
     await page.getByText('Class B, firmware 536, memory 1').waitFor();

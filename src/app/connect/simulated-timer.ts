@@ -52,12 +52,6 @@ export function plugRecording(entries: readonly CaptureEntry[]): SerialPortLike 
 
 function plug(timer: VirtualTimer | ReplayTimer, options: PlugOptions): SerialPortLike {
   const port = new MockSerial().plug({}, { granted: true, ...options });
-  const { device } = port;
-  void (async () => {
-    const writer = timer.writable.getWriter();
-    for (;;) await writer.write(await device.read());
-  })();
-  // Not awaited: a reply that comes after the port was closed is lost, and that must not end the stream.
-  void timer.readable.pipeTo(new WritableStream({ write: (bytes) => void device.write(bytes) }));
+  port.device.join(timer);
   return port;
 }
