@@ -84,8 +84,8 @@ async function reach({ timer, origin, changed, standing }: Case): Promise<AppBen
 async function write(bench: AppBench): Promise<void> {
   await review(bench);
   bench.session.safety.confirm();
-  bench.write.cross(true);
-  bench.write.acknowledge(true);
+  bench.write.tick('model', true);
+  bench.write.tick('warnings', true);
   await goOn(bench);
   bench.write.dismiss();
 }

@@ -113,8 +113,9 @@ export function figureOf(
   return figureOfTime(identity, field.slot, value);
 }
 
-/** A value as a large figure: “10.0 s”, “3:00 min”, “65”. */
-export function figureText(identity: Identity, field: ProgramField, value: number): string {
+/** A value as a large figure: “10.0 s”, “3:00 min”, “65”, or that it is not known. */
+export function figureText(identity: Identity, field: ProgramField, value: number | null): string {
+  if (value === null) return messages.value.write.status.unknown;
   const { text, unit } = figureOf(identity, field, value);
   return unit ? inUnit({ text, unit }) : text;
 }

@@ -121,7 +121,7 @@ function valueIn(
 function textOf(program: TimerProgram, value: GridValue): string {
   if (value.kind === 'interval') return formatInterval(intervalAt(program, value.slot) ?? 0);
   const number = valueAt(program, value);
-  return number === null ? messages.value.write.status.unknown : figureText(program.identity, value, number);
+  return figureText(program.identity, value, number);
 }
 
 /** A word, and a smaller one below it. */

@@ -112,12 +112,8 @@ function Row({ session, of, backup, isFirst, following, onLoad, onCompare, onRes
   );
 }
 
-interface RestoreProps extends Pick<RowProps, 'session' | 'backup'> {
-  readonly onRestore: (set: readonly Backup[]) => void;
-}
-
 /** Puts all memories back that were backed up together. Stands at the first of them. */
-function Restore({ session, backup, onRestore }: RestoreProps) {
+function Restore({ session, backup, onRestore }: Required<Pick<RowProps, 'session' | 'backup' | 'onRestore'>>) {
   const { memories: words } = messages.value;
   const { identity } = backup.program;
   const working = session.editor.working.value;

@@ -4,9 +4,12 @@ import {
   checkProgram,
   differences,
   type Finding,
+  type Model,
   sameKind,
   type TimerProgram,
 } from '../../program/index.js';
+import type { TimerConnection } from '../../serial/index.js';
+import type { Crossing } from '../records/crossing.js';
 import type { Backup } from '../storage/index.js';
 
 /** What a write is to do. */
@@ -53,6 +56,43 @@ export interface Outcome {
   /** The memory, counted from 0, that may have taken values of another one; null for none. */
   readonly strayed: number | null;
 }
+
+/** What is about to be written: exactly this, or nothing. */
+export interface Review {
+  readonly step: 'review';
+  readonly plan: Plan;
+  /** It is written on this connection, or not at all. */
+  readonly connection: TimerConnection;
+  readonly changes: readonly MemoryChange[];
+  /** The model that the timer belongs to, for a write of what is on the screen; null when it is not known. */
+  readonly model: Model | null;
+  /** Set when the values are of another model. */
+  readonly crossing: Crossing | null;
+  /** Why the difference is shown again: the timer, the edits or the model have changed since. Nothing was sent. */
+  readonly moved: 'timer' | 'edits' | 'model' | null;
+}
+
+/** What came of it. */
+export interface Done extends Outcome {
+  readonly step: 'done';
+  readonly plan: Plan;
+  /** As it was reviewed. */
+  readonly model: Model | null;
+  /** Milliseconds since 1970. */
+  readonly at: number;
+  /**
+   * Whether only its button closes the result, because the pilot has to see it: an Escape may be meant for something
+   * else.
+   */
+  readonly stays: boolean;
+}
+
+/** The steps of a write, from the difference to the result. */
+export type WriteStep =
+  | Review
+  /** Where the browser cannot keep a copy of a memory, the job asks the pilot before anything is sent into it. */
+  | { readonly step: 'running'; readonly plan: Plan }
+  | Done;
 
 /** Whether everything went well. */
 export function isGood({ stopped, ends }: Outcome): boolean {

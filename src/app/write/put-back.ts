@@ -4,7 +4,7 @@ import type { Session } from '../work/session.js';
 import type { WriteJob } from './write-job.js';
 
 /** Puts the long DT from before back as an edit, and writes it. Settles when the pilot has left that write. */
-export async function putBackDt({ editor, shortDt }: Session, write: WriteJob): Promise<void> {
+export async function putBackDt({ editor, shortDt }: Pick<Session, 'editor' | 'shortDt'>, write: WriteJob) {
   const short = shortDt.held.value;
   const identity = editor.identity.value;
   if (!short || !identity) return;

@@ -1,16 +1,16 @@
-import type { Change, ProgramField } from '../../program/index.js';
+import type { Change } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { changeText, fieldInSentence, figureText, messages, timerName, valueText } from '../messages/index.js';
+import { changeText, fieldInSentence, figureText, messages, timerName } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
 import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
 import { isSimulated } from '../timer/knowledge.js';
 import { openValues } from '../timer/known.js';
+import type { NextFlightWord } from '../timer/next-flight.js';
 import { kindKey } from '../timer/record-keys.js';
 import type { OpenTrial } from '../timer/trials.js';
-import { memoryOf } from '../work/memory-names.js';
+import { memoryOf, memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import type { OpenJob } from '../work/unfinished-work.js';
-import { nextFlightText } from './next-flight-text.js';
 
 /** How many values are named when neither DT nor the motor stop is among them. */
 const NAMED = 2;
@@ -96,15 +96,31 @@ export function uncertainText(one: UnfinishedWrite, timer: string | null): strin
   const { knowledge: words, memoryName } = messages.value;
   const { identity, memory } = one.before;
   const open = openValues(one);
-  const isKey = ({ field }: { field: ProgramField }): boolean => keyName(identity, field) !== null;
-  const keyed = open.filter(isKey);
+  const keyed = open.filter(({ field }) => keyName(identity, field) !== null);
   const named = keyed.length > 0 ? keyed : open.slice(0, NAMED);
-  const shown = (field: ProgramField, value: number | null): string =>
-    value === null ? valueText(identity, field, value) : figureText(identity, field, value);
   const values = named.map(({ field, from, to }) => {
-    return words.either(fieldInSentence(identity, field), shown(field, from), shown(field, to));
+    return words.either(
+      fieldInSentence(identity, field),
+      figureText(identity, field, from),
+      figureText(identity, field, to),
+    );
   });
   const name = memory === null ? words.thisMemory : memoryName(memory);
   const where = timer === null ? name : words.memoryOf(name, timer);
   return `${words.uncertain(where, words.list(values, open.length - named.length))} ${words.noFly}`;
+}
+
+/**
+ * Says that another memory than the one that is meant flies next, or that nobody knows which.
+ * @param when `now`: what the timer says. `last`: what it said before the connection was lost.
+ */
+export function nextFlightText(session: Session, word: NextFlightWord, when: 'now' | 'last'): string {
+  const { nextFlight: words } = messages.value;
+  const nameOf = (memory: number): string => memoryText(session, memory);
+  const said =
+    word.code === 'other'
+      ? [{ now: words.other, last: words.last }[when](nameOf(word.memory))]
+      : [words.unknown, ...(word.asked === null ? [] : [words.asked(nameOf(word.asked))])];
+  const came = session.nextFlight.came.value;
+  return [...said, came === null ? words.originalUnknown : words.original(nameOf(came))].join(' ');
 }

@@ -43,7 +43,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
           <tr key={fieldKey(field)}>
             <th scope="row">{fieldName(identity, field)}</th>
             {values.map((value, index) => {
-              const text = value === null ? write.status.unknown : figureText(identity, field, value);
+              const text = figureText(identity, field, value);
               return (
                 <td key={names[index]} class={lastCounts && index < last ? 'earlier' : undefined}>
                   {lastCounts && index === last ? <strong>{text}</strong> : <span>{text}</span>}

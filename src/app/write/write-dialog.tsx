@@ -1,6 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import type { Progress } from '../../client/index.js';
-import { fieldKey, type Model, type ProgramField, valueAt } from '../../program/index.js';
+import { fieldKey, type Model, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 import { modelMessages } from '../messages/en-which-model.js';
@@ -14,22 +14,30 @@ import {
   type Said,
   timerSaid,
 } from '../messages/index.js';
-import { keyFields, keyName } from '../messages/key-figures.js';
+import { keyFields, keyFigures, keyName } from '../messages/key-figures.js';
+import type { Crossing } from '../records/crossing.js';
 import { Check } from '../ui/check.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
-import { CrossingCheck } from './crossing-check.js';
 import { ClosingButtons, JobStep } from './dialog-steps.js';
 import { Difference } from './difference.js';
-import { MoveServosCheck } from './move-servos-check.js';
-import { nextFlightText } from './next-flight-text.js';
-import { isGood, type MemoryChange, type MemoryEnd, type Outcome, type Plan, refusalsOf } from './plan.js';
+import {
+  type Done,
+  isGood,
+  type MemoryChange,
+  type MemoryEnd,
+  type Outcome,
+  type Plan,
+  type Review,
+  refusalsOf,
+} from './plan.js';
 import { StartButtons } from './start-buttons.js';
 import { UncertainNote } from './uncertain-note.js';
+import { nextFlightText } from './unfinished-text.js';
 import { ValueTable } from './value-table.js';
-import type { Done, Review, WriteJob } from './write-job.js';
+import type { WriteJob } from './write-job.js';
 import './write-dialog.css';
 
 interface WriteDialogProps {
@@ -87,13 +95,12 @@ function runningText(session: Session, plan: Plan, progress: Progress | null): s
   return memory === null ? stage : `${stage} ${messages.value.memoryName(memory)}`;
 }
 
-/** “3:00 min”, or that the value is not known. */
-function figure(identity: Identity, field: ProgramField, value: number | null): string {
-  return value === null ? messages.value.write.status.unknown : figureText(identity, field, value);
+interface ChangeProps extends Pick<WriteDialogProps, 'session'> {
+  readonly change: MemoryChange;
 }
 
 /** DT and motor stop, whatever else is written: a pilot looks at them first. A short DT is red. */
-function KeyFigures({ session, change }: { readonly session: Session; readonly change: MemoryChange }) {
+function KeyFigures({ session, change }: ChangeProps) {
   const { write: words, program } = messages.value;
   const { before } = change;
   const { identity } = before;
@@ -108,8 +115,8 @@ function KeyFigures({ session, change }: { readonly session: Session; readonly c
         return (
           <span key={fieldKey(field)} class={isBad ? 'bad-text' : undefined}>
             <span class="hint key-name">{isBad ? program.shortDt : keyName(identity, field)}</span>{' '}
-            <strong>{figure(identity, field, to)}</strong>{' '}
-            <small>{from === to ? words.asItIs : words.insteadOf(figure(identity, field, from))}</small>
+            <strong>{figureText(identity, field, to)}</strong>{' '}
+            <small>{from === to ? words.asItIs : words.insteadOf(figureText(identity, field, from))}</small>
           </span>
         );
       })}
@@ -117,9 +124,7 @@ function KeyFigures({ session, change }: { readonly session: Session; readonly c
   );
 }
 
-interface ReviewProps {
-  readonly session: Session;
-  readonly write: WriteJob;
+interface ReviewProps extends Pick<WriteDialogProps, 'session' | 'write'> {
   readonly review: Review;
 }
 
@@ -137,9 +142,11 @@ function ReviewStep({ session, write, review }: ReviewProps) {
       )}
       {isEdits && <Conflicts editor={session.editor} />}
       <Refusals session={session} changes={changes} />
-      <CrossingCheck crossing={crossing} write={write} />
+      {crossing && <CrossingCheck crossing={crossing} write={write} />}
       {isEdits && <Serious write={write} identity={changes[0]?.goal.identity} />}
-      {all.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
+      {session.servoMoves.needed && all.some(({ field }) => field.kind === 'position') && (
+        <MoveServosCheck servoMoves={session.servoMoves} />
+      )}
       {(!isEdits || all.length > 0) && <p>{leadOf(session, review)}</p>}
       {changes.map((change) => (
         <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />
@@ -153,6 +160,36 @@ function ReviewStep({ session, write, review }: ReviewProps) {
         onStart={() => write.goOn()}
       />
     </>
+  );
+}
+
+/** Asks whether to write values of one model into the timer of another, and names both. */
+function CrossingCheck({ crossing, write }: Pick<ReviewProps, 'write'> & { readonly crossing: Crossing }) {
+  const { crossing: words } = modelMessages;
+  const [from, to] = [crossing.from.name, crossing.to.map(({ name }) => name)];
+  return (
+    <div class="notice bad" role="alert">
+      <NoticeText said={{ title: words.title(from, to), advice: words.advice }} />
+      <Check checked={write.ticked.value.has('model')} onChange={(checked) => write.tick('model', checked)}>
+        {words.confirm(from, to)}
+      </Check>
+    </div>
+  );
+}
+
+/** Asks whether a write may move the servos. Only for a timer that keeps positions where the servos stand. */
+function MoveServosCheck({ servoMoves }: Pick<Session, 'servoMoves'>) {
+  const { move } = messages.value.write;
+  return (
+    <div class="notice">
+      <p>{move.why}</p>
+      <Check checked={servoMoves.allowed.value} onChange={(checked) => servoMoves.allow(checked)}>
+        {/* In the label: what follows the box may lie behind the buttons when it is ticked. */}
+        <span>
+          {move.label} <strong>{move.hint}</strong>
+        </span>
+      </Check>
+    </div>
   );
 }
 
@@ -171,7 +208,7 @@ function Serious({ write, identity }: { readonly write: WriteJob; readonly ident
           </li>
         ))}
       </ul>
-      <Check checked={write.acknowledged.value} onChange={(checked) => write.acknowledge(checked)}>
+      <Check checked={write.ticked.value.has('warnings')} onChange={(checked) => write.tick('warnings', checked)}>
         {words.acknowledge}
       </Check>
     </div>
@@ -238,14 +275,8 @@ function leadOf(session: Session, { plan, changes, model }: Review): string {
   return current === null ? does : `${does} ${words.atEnd(memoryText(session, current))}`;
 }
 
-interface MemoryDifferenceProps {
-  readonly session: Session;
-  readonly change: MemoryChange;
-  /** Whether it is one of several: then DT and motor stop stand here, and the rest is folded away. */
-  readonly folded: boolean;
-}
-
-function MemoryDifference({ session, change, folded }: MemoryDifferenceProps) {
+/** @param folded whether it is one of several: then DT and motor stop stand here, and the rest is folded away. */
+function MemoryDifference({ session, change, folded }: ChangeProps & { readonly folded: boolean }) {
   const { write: words, program } = messages.value;
   const { before, goal, changes } = change;
   const table =
@@ -268,9 +299,7 @@ function MemoryDifference({ session, change, folded }: MemoryDifferenceProps) {
   );
 }
 
-interface ResultProps {
-  readonly session: Session;
-  readonly write: WriteJob;
+interface ResultProps extends Pick<WriteDialogProps, 'session' | 'write'> {
   readonly done: Done;
   readonly children: ComponentChildren;
 }
@@ -320,9 +349,7 @@ function EndLine({ session, done: { at, model }, end }: Pick<ResultProps, 'sessi
   if (state === 'untouched') return <p>{memories.untouched(where)}</p>;
   const held = report?.held;
   if (state !== 'verified' || !held) return null;
-  const figures = keyFields(held.identity).map(
-    (field) => `${keyName(held.identity, field)} ${figure(held.identity, field, valueAt(held, field))}`,
-  );
+  const figures = keyFigures(held).map(({ label, text }) => `${label} ${text}`);
   return (
     <p>
       <strong>{words.verdict(where, clockText(at), figures, change?.changes.length ?? 0)}</strong>
@@ -330,14 +357,9 @@ function EndLine({ session, done: { at, model }, end }: Pick<ResultProps, 'sessi
   );
 }
 
-interface EndTableProps {
-  readonly session: Session;
-  readonly end: MemoryEnd;
-  readonly isOnly: boolean;
-}
-
 /** The values that the timer did not take, or took although nobody asked. */
-function EndTable({ session, end: { report, change, memory }, isOnly }: EndTableProps) {
+function EndTable({ session, end, isOnly }: Pick<ResultProps, 'session'> & { end: MemoryEnd; isOnly: boolean }) {
+  const { report, change, memory } = end;
   const { write: words } = messages.value;
   const shown = report?.values.filter(({ status, asked }) => status !== 'verified' || !asked) ?? [];
   if (!change || shown.length === 0) return null;

@@ -193,14 +193,14 @@ describe('a write into the timer of another model', () => {
     bench.session.onScreen.showBackup(BACKUP);
     bench.session.safety.confirm();
     await review(bench);
-    bench.write.cross(true);
+    bench.write.tick('model', true);
     const { library } = bench.session;
     const { model } = library.models.get('Magpie') as ModelRecord;
     await run(library.keepModel({ ...model, name: 'Magpie 2' }));
     await goOn(bench);
     expect(sets(bench)).toBe(0);
     expect(shown(bench)).toMatchObject({ moved: 'model', from: 'Magpie 2', to: ['Lancer'] });
-    expect([bench.write.crossed.value, bench.write.ready.value]).toEqual([false, false]);
+    expect([bench.write.ticked.value.has('model'), bench.write.ready.value]).toEqual([false, false]);
   });
 
   it('names all candidates, and needs no tick when the model is one of them', async () => {
@@ -236,7 +236,7 @@ describe('a write into the timer of another model', () => {
     expect(bench.write.ready.value).toBe(false);
     await goOn(bench);
     expect(sets(bench)).toBe(0);
-    bench.write.cross(true);
+    bench.write.tick('model', true);
     await goOn(bench);
     expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
   });

@@ -94,11 +94,11 @@ describe('a write', () => {
     expect(bench.write.serious.value).toMatchObject([{ code: 'motor-stop-after-dt' }]);
     await goOn(bench);
     expect(sets(bench)).toEqual([]);
-    bench.write.acknowledge(true);
+    bench.write.tick('warnings', true);
     bench.write.dismiss();
     await review(bench);
     expect(bench.write.ready.value).toBe(false);
-    bench.write.acknowledge(true);
+    bench.write.tick('warnings', true);
     await goOn(bench);
     expect(bench.write.current.value).toMatchObject({ step: 'done', ends: [{ state: 'verified' }] });
   });
