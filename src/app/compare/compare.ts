@@ -15,6 +15,8 @@ export type Side = { readonly key: string; readonly program: TimerProgram } & (
   | { readonly kind: 'backup'; readonly backup: Backup }
 );
 
+type CompareParts = Pick<Session, 'editor' | 'opened' | 'standings' | 'library' | 'backups' | 'connection'>;
+
 /** Compares any two programs: on the screen, in the timer, settings, backups. */
 export class Compare {
   /** Everything that can be compared, in the order of the list. */
@@ -25,13 +27,13 @@ export class Compare {
   readonly others: ReadonlySignal<readonly Side[]>;
   /** Null when there is nothing to compare with. */
   readonly second: ReadonlySignal<Side | null>;
-  readonly #session: Session;
+  readonly #parts: CompareParts;
   readonly #pair: ComparedPair;
 
-  constructor(session: Session, pair: ComparedPair) {
-    this.#session = session;
+  constructor(parts: CompareParts, pair: ComparedPair) {
+    this.#parts = parts;
     this.#pair = pair;
-    this.sides = computed(() => sidesOf(session));
+    this.sides = computed(() => sidesOf(parts));
     // A program that is gone gives way to one that is there.
     this.first = computed(() => chosen(this.sides.value, this.#pair.first.value));
     this.others = computed(() => {
@@ -60,17 +62,17 @@ export class Compare {
     const value = from && valueAt(from.program, field);
     if (value === null || value === undefined) return;
     const name = { code: 'change', params: { field: fieldKey(field) } } as const;
-    this.#session.editor.apply(setValues(name, [{ field, value }]));
+    this.#parts.editor.apply(setValues(name, [{ field, value }]));
   }
 
   /** Opens the compared setting, so that values can be taken into it. */
   async open({ record: { setting }, key }: Extract<Side, { kind: 'setting' }>): Promise<void> {
     const other = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== key);
-    if (await this.#session.opened.show(setting)) this.#pair.show(SCREEN, other?.key ?? null);
+    if (await this.#parts.opened.show(setting)) this.#pair.show(SCREEN, other?.key ?? null);
   }
 }
 
-function sidesOf({ editor, standings, library, backups, connection }: Session): Side[] {
+function sidesOf({ editor, standings, library, backups, connection }: CompareParts): Side[] {
   const working = editor.working.value;
   const read = connection.value ? standings.readMemories().filter(({ known }) => known.state === 'read') : [];
   return [

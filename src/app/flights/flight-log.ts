@@ -20,6 +20,11 @@ type Flown = Pick<Flight, 'program' | 'model' | 'modelName' | 'setting' | 'setti
 const PLACE = 'flight-place';
 const place = v.pipe(v.string(), v.maxLength(LIMITS.place));
 
+type LogParts = Pick<
+  Session,
+  'editor' | 'library' | 'nextFlight' | 'origin' | 'reader' | 'runner' | 'shortDt' | 'standing' | 'standings'
+>;
+
 /**
  * Logs a flight with one tap, and changes flights. The view itself has the parts that only it needs: see
  * `flight-list.ts` and `FlightForm`.
@@ -42,20 +47,20 @@ export class FlightLog {
   /** What the write has verified whose result is shown. The timer may have been unplugged since. */
   readonly #verified = signal<Flown | null>(null, { name: 'verifiedFlown' });
   readonly #filling = signal<string | null>(null, { name: 'filling' });
-  readonly #session: Session;
+  readonly #parts: LogParts;
   readonly #write: WriteJob;
   /** The flight for which DT is being put back: it will be flown with what that write leaves. */
   #puttingBack: string | null = null;
 
-  constructor(session: Session, write: WriteJob) {
-    this.#session = session;
+  constructor(parts: LogParts, write: WriteJob) {
+    this.#parts = parts;
     this.#write = write;
     this.logged = this.#logged;
-    this.unkept = computed(() => session.library.flights.refused.value.has(this.#logged.value ?? ''));
+    this.unkept = computed(() => parts.library.flights.refused.value.has(this.#logged.value ?? ''));
     this.filling = this.#filling;
     this.filter = this.#filter;
     this.held = computed(() => {
-      const { standing, nextFlight, reader, standings, editor } = session;
+      const { standing, nextFlight, reader, standings, editor } = parts;
       if (standing.value.sure !== 'now' || nextFlight.open.value || reader.byteOrderOpen.value) return null;
       const { known } = standings.of(editor.working.value?.memory ?? null);
       return known.state === 'read' ? known.program : null;
@@ -126,7 +131,7 @@ export class FlightLog {
 
   /** Changes a flight, if it is in the log. */
   async change(key: string, changes: Partial<Flight>): Promise<void> {
-    const { library } = this.#session;
+    const { library } = this.#parts;
     const flight = library.flights.get(key)?.flight;
     if (!flight) return;
     if (changes.place !== undefined) saveSetting(PLACE, changes.place);
@@ -137,13 +142,13 @@ export class FlightLog {
   remove(key: string): void {
     if (this.#filling.peek() === key) this.close();
     if (this.#logged.peek() === key) this.#logged.value = null;
-    this.#session.library.flights.remove(key);
+    this.#parts.library.flights.remove(key);
   }
 
   /** Whether DT can be put back for a flight: it is not flown yet, and the timer still holds its program. */
   canPutBack({ program, result }: Flight): boolean {
     const held = this.held.value;
-    const { shortDt, runner, editor } = this.#session;
+    const { shortDt, runner, editor } = this.#parts;
     if (!held || !shortDt.held.value || result !== null || !runner.ready.value || editor.blocked.value) return false;
     return sameLayout(held.identity, program.identity) && differences(held, program).length === 0;
   }
@@ -152,13 +157,13 @@ export class FlightLog {
   async putBack(key: string): Promise<void> {
     this.close();
     this.#puttingBack = key;
-    await putBackDt(this.#session, this.#write);
+    await putBackDt(this.#parts, this.#write);
     this.#puttingBack = null;
   }
 
   /** What flies is what the timer was last read to hold. It is of a setting only where each value is. */
   #flown(program: TimerProgram): Flown {
-    const { origin, library, editor } = this.#session;
+    const { origin, library, editor } = this.#parts;
     const isSame = ({ setting }: SettingRecord): boolean =>
       sameLayout(setting.program.identity, program.identity) && changesSince(setting.program, program).length === 0;
     const from = library.settings.get(editor.heldOf.peek().of?.id ?? null);
@@ -178,7 +183,7 @@ export class FlightLog {
   /** A name for what is no setting of the model that flies: “calm, changed”, or the setting of another model. */
   #likeName({ setting }: SettingRecord, isOwn: boolean, isSame: boolean): string {
     const { knowledge } = messages.value;
-    const other = isOwn ? undefined : this.#session.library.models.get(setting.model)?.model.name;
+    const other = isOwn ? undefined : this.#parts.library.models.get(setting.model)?.model.name;
     const end = isSame ? '' : knowledge.changed('');
     const name = other === undefined ? setting.name : knowledge.ofModel(setting.name, other);
     return beginningOf(name, LIMITS.name - end.length) + end;
@@ -187,7 +192,7 @@ export class FlightLog {
   #add(flight: Flown & Pick<Flight, 'place'>): string {
     const key = newId();
     const nothingNoted = { wind: null, temperature: null, round: '', result: null, note: '' };
-    const { library } = this.#session;
+    const { library } = this.#parts;
     this.#logged.value = key;
     const at = Date.now();
     void library.keepFlight({ id: key, at, utcOffset: deviceOffset(at), ...nothingNoted, ...flight });
@@ -195,6 +200,6 @@ export class FlightLog {
   }
 
   #place(): string {
-    return loadSetting(PLACE, place) ?? this.#session.library.flights.list.peek()[0]?.flight.place ?? '';
+    return loadSetting(PLACE, place) ?? this.#parts.library.flights.list.peek()[0]?.flight.place ?? '';
   }
 }

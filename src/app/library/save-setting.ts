@@ -10,20 +10,22 @@ export interface Named {
   readonly model: string | null | { readonly name: string };
 }
 
+type SaveParts = Pick<Session, 'editor' | 'library' | 'opened' | 'origin' | 'recognition'>;
+
 /** Saves the program on the screen in the library. */
 export class SaveSetting {
   readonly #asking = signal(false, { name: 'saveSetting' });
   /** Whether the dialog asks for the name and model of a new setting. */
   readonly asking: ReadonlySignal<boolean> = this.#asking;
-  readonly #session: Session;
+  readonly #parts: SaveParts;
 
-  constructor(session: Session) {
-    this.#session = session;
+  constructor(parts: SaveParts) {
+    this.#parts = parts;
   }
 
   /** Asks for the name of the new setting. */
   open(): void {
-    if (this.#session.editor.working.peek()) this.#asking.value = true;
+    if (this.#parts.editor.working.peek()) this.#asking.value = true;
   }
 
   /**
@@ -31,7 +33,7 @@ export class SaveSetting {
    * changes: all that was not typed is of that one.
    */
   async save(): Promise<void> {
-    const { opened, origin, editor } = this.#session;
+    const { opened, origin, editor } = this.#parts;
     const isMixed = editor.isMoved.peek() && origin.crossing.peek() !== null;
     if (origin.setting.peek() && opened.savable.peek() && !isMixed) await opened.save();
     else this.open();
@@ -39,7 +41,7 @@ export class SaveSetting {
 
   /** @returns once the browser has saved it, or failed to. It is in the library at once. */
   async saveAs({ name, note, model }: Named): Promise<void> {
-    const { library, opened, editor, origin } = this.#session;
+    const { library, opened, editor, origin } = this.#parts;
     const isOfTimer = origin.isOfTimer.peek();
     const timerClass = editor.identity.peek()?.timerClass ?? null;
     if (!opened.savable.peek()) return;
@@ -54,7 +56,7 @@ export class SaveSetting {
 
   /** Whoever saves what a timer holds under a model has said whose timer it is, unless the page knows another one. */
   #say(id: string | null): void {
-    const { recognition, origin } = this.#session;
+    const { recognition, origin } = this.#parts;
     const model = recognition.choices.peek().find((each) => each.id === id);
     const known = origin.timer.peek();
     if (model && (!known || known.id === id)) recognition.say(model);

@@ -12,6 +12,8 @@ export interface FrameResult {
   readonly reply: Frame | null;
 }
 
+type FormParts = Pick<Session, 'connection' | 'editor' | 'nextFlight' | 'reader' | 'runner' | 'safety' | 'servoMoves'>;
+
 /**
  * A frame that the pilot sends by hand. Nobody knows for certain what one does, so each needs a confirmation, goes out
  * once, and the timer is read after it.
@@ -39,22 +41,20 @@ export class FrameForm {
     () => this.frame.value && encodeFrame(this.frame.value.code, this.frame.value.data),
   );
   readonly asking: ReadonlySignal<boolean> = computed(
-    () => this.#asking.value !== null && this.#asking.value === this.#session.connection.value,
+    () => this.#asking.value !== null && this.#asking.value === this.#parts.connection.value,
   );
-  readonly sending: ReadonlySignal<boolean> = computed(() => this.#session.runner.job.value?.kind === 'frame');
+  readonly sending: ReadonlySignal<boolean> = computed(() => this.#parts.runner.job.value?.kind === 'frame');
   /** Whether there is a frame, and the wire is free for it. */
-  readonly ready: ReadonlySignal<boolean> = computed(
-    () => this.frame.value !== null && this.#session.runner.ready.value,
-  );
-  readonly #session: Session;
+  readonly ready: ReadonlySignal<boolean> = computed(() => this.frame.value !== null && this.#parts.runner.ready.value);
+  readonly #parts: FormParts;
 
-  constructor(session: Session) {
-    this.#session = session;
+  constructor(parts: FormParts) {
+    this.#parts = parts;
   }
 
   /** What is known about the timer and decides how frames are read. */
   get layout(): LayoutOptions {
-    const client = this.#session.connection.value?.client;
+    const client = this.#parts.connection.value?.client;
     return client ? { identity: client.identity ?? undefined, quirks: client.quirksAssumed } : {};
   }
 
@@ -72,7 +72,7 @@ export class FrameForm {
   ask(): void {
     if (!this.ready.value) return;
     batch(() => {
-      this.#asking.value = this.#session.connection.value;
+      this.#asking.value = this.#parts.connection.value;
       this.result.value = null;
     });
   }
@@ -85,7 +85,7 @@ export class FrameForm {
   /** Sends the confirmed frame once, then reads the timer, even when no reply came. */
   async confirm(): Promise<void> {
     const frame = this.frame.value;
-    const { runner, editor, nextFlight, servoMoves, connection, safety, reader } = this.#session;
+    const { runner, editor, nextFlight, servoMoves, connection, safety, reader } = this.#parts;
     if (!frame || !this.ready.value || !this.asking.value || !safety.confirmed.value) return;
     const before = connection.value;
     await runner.run('frame', async ({ client }, options) => {

@@ -14,6 +14,8 @@ export type LeavingAnswer = 'stay' | 'leave' | 'back' | 'put-back';
 /** Jobs that select memories. */
 const SELECTING: ReadonlySet<JobKind> = new Set(['select', 'look', 'memories']);
 
+type LeavingParts = Pick<Session, 'link' | 'timer' | 'runner' | 'nextFlight' | 'shortDt' | 'editor'>;
+
 /** Ends the connection only after the pilot knows which memory will fly and whether its DT is short. */
 export class Leaving {
   /** Set while the pilot is asked; `failed` after the way back to the memory that is meant has failed. */
@@ -22,26 +24,26 @@ export class Leaving {
   readonly puttingBack: ReadonlySignal<boolean>;
   readonly #question = signal<'asked' | 'failed' | null>(null, { name: 'leaving' });
   readonly #puttingBack = signal(false, { name: 'puttingBack' });
-  readonly #session: Session;
+  readonly #parts: LeavingParts;
   readonly #memories: Memories;
   readonly #write: WriteJob;
   #answer: (answer: LeavingAnswer) => void = () => {};
   #isLeaving = false;
 
-  constructor(session: Session, memories: Memories, write: WriteJob) {
-    this.#session = session;
+  constructor(parts: LeavingParts, memories: Memories, write: WriteJob) {
+    this.#parts = parts;
     this.#memories = memories;
     this.#write = write;
     this.question = this.#question;
     this.puttingBack = this.#puttingBack;
     effect(() => {
-      if (session.link.state.value.status === 'off') this.answer('stay');
+      if (parts.link.state.value.status === 'off') this.answer('stay');
     });
   }
 
   /** Disconnects. Asks first when another memory than the one that is meant flies next, or one with a short DT. */
   async disconnect(): Promise<void> {
-    const { runner, timer } = this.#session;
+    const { runner, timer } = this.#parts;
     const job = runner.job.value;
     // A job that has selected another memory gets the time to come back; otherwise the port would close on its way.
     if (job && SELECTING.has(job.kind) && !job.stopping) await runner.stop();
@@ -60,7 +62,7 @@ export class Leaving {
 
   /** Asks as long as there is something to ask. @returns whether the connection may end. */
   async #mayLeave(): Promise<boolean> {
-    const { nextFlight, link } = this.#session;
+    const { nextFlight, link } = this.#parts;
     let failed = false;
     while (this.#hasToAsk()) {
       const answer = await this.#ask(failed);
@@ -91,14 +93,14 @@ export class Leaving {
       goesOn = answer === 'leave';
     };
     this.#puttingBack.value = true;
-    await putBackDt(this.#session, this.#write);
+    await putBackDt(this.#parts, this.#write);
     this.#puttingBack.value = false;
     return goesOn;
   }
 
   /** During a write its end decides; before that nothing is said about the DT. */
   #hasToAsk(): boolean {
-    const { nextFlight, shortDt, runner } = this.#session;
+    const { nextFlight, shortDt, runner } = this.#parts;
     return nextFlight.word.value !== null || (shortDt.held.value !== null && !runner.writing.value);
   }
 }

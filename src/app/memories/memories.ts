@@ -3,7 +3,9 @@ import type { TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import type { JobContext } from '../timer/job-runner.js';
 import type { Session } from '../work/session.js';
-import { NotedRoundTrip } from '../write/noted-round-trip.js';
+import { NotedRoundTrip, type RoundTripParts } from '../write/noted-round-trip.js';
+
+type MemoriesParts = RoundTripParts & Pick<Session, 'connection' | 'runner' | 'backups' | 'notices'>;
 
 /**
  * The memories of the connected timer: which one the pilot looks at, and which flies next.
@@ -12,22 +14,22 @@ import { NotedRoundTrip } from '../write/noted-round-trip.js';
 export class Memories {
   /** The memory that the pilot looks at, if it is not the current one; null for none. */
   readonly looking: ReadonlySignal<number | null> = computed(() => {
-    const { nextFlight, editor } = this.#session;
+    const { nextFlight, editor } = this.#parts;
     const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
     return this.#picked.value === current ? null : this.#picked.value;
   });
   /** Whether the connected timer does not say which memory is current, so that nobody knows which one to go back to. */
   readonly noWayBack: ReadonlySignal<boolean> = computed(() => {
-    const { nextFlight, editor, connection } = this.#session;
+    const { nextFlight, editor, connection } = this.#parts;
     const baseline = editor.baseline.value;
     return connection.value !== null && baseline?.memory === null && !nextFlight.open.value;
   });
   readonly #picked = signal<number | null>(null, { name: 'picked' });
-  readonly #session: Session;
+  readonly #parts: MemoriesParts;
 
-  constructor(session: Session) {
-    this.#session = session;
-    session.connection.subscribe(() => {
+  constructor(parts: MemoriesParts) {
+    this.#parts = parts;
+    parts.connection.subscribe(() => {
       // The next timer may be another one.
       this.#picked.value = null;
     });
@@ -51,8 +53,8 @@ export class Memories {
 
   /** Reads a memory and restores the current one. */
   async readOnce(memory: number): Promise<void> {
-    const { runner, reader } = this.#session;
-    const trip = new NotedRoundTrip(this.#session, { job: 'look', memory });
+    const { runner, reader } = this.#parts;
+    const trip = new NotedRoundTrip(this.#parts, { job: 'look', memory });
     const read = (connection: TimerConnection, options: JobContext) =>
       trip.read(connection, { ...options, memories: [memory] });
     runner.report(await runner.perform('look', read, memory));
@@ -61,8 +63,8 @@ export class Memories {
 
   /** Reads all memories, restores the current one, and keeps a backup of each. */
   async backUp(): Promise<void> {
-    const { runner, reader, backups, notices, simulated } = this.#session;
-    const trip = new NotedRoundTrip(this.#session, { job: 'back-up', memory: null });
+    const { runner, reader, backups, notices, simulated } = this.#parts;
+    const trip = new NotedRoundTrip(this.#parts, { job: 'back-up', memory: null });
     const end = await runner.perform('memories', async (connection, options) => {
       const programs = await trip.read(connection, options);
       const savedAt = Date.now();
@@ -77,7 +79,7 @@ export class Memories {
 
   /** Makes a memory fly next, and shows it. Edits of the memory before are kept. */
   async fly(memory: number): Promise<boolean> {
-    const good = await this.#session.reader.selectMemory(memory);
+    const good = await this.#parts.reader.selectMemory(memory);
     this.#picked.value = null;
     return good;
   }

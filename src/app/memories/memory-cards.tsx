@@ -116,12 +116,7 @@ function Figures({ session, known, program: { identity } }: FiguresProps) {
   );
 }
 
-interface UnreadProps {
-  readonly session: Session;
-  readonly memories: Memories;
-  readonly memory: number;
-  readonly current: number | null;
-}
+type UnreadProps = Pick<CardProps, 'session' | 'memories' | 'memory' | 'current'>;
 
 /** In place of a picture, for a memory that nobody has read: a button that reads it and comes back. */
 function Unread({ session, memories, memory, current }: UnreadProps) {

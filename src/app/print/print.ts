@@ -21,9 +21,14 @@ export type SheetPart = (typeof SHEET_PARTS)[number];
 /** Without the code: most pilots would rather write in its place. */
 const USUAL_PARTS: readonly SheetPart[] = ['timeline', 'notes', 'lines'];
 
+type PrintParts = Pick<
+  Session,
+  'editor' | 'library' | 'opened' | 'origin' | 'servoUses' | 'simulated' | 'standing' | 'standings'
+>;
+
 /** What to print, and on which paper. */
 export class Print {
-  readonly #session: Session;
+  readonly #parts: PrintParts;
   readonly #page: string;
 
   readonly order: PrintOrder;
@@ -35,11 +40,11 @@ export class Print {
   readonly sheets: ReadonlySignal<readonly Sheet[]>;
 
   /** @param page the address of the page, for the codes. */
-  constructor(session: Session, order: PrintOrder, page: string) {
-    this.#session = session;
+  constructor(parts: PrintParts, order: PrintOrder, page: string) {
+    this.#parts = parts;
     this.#page = page;
     this.order = order;
-    const { editor } = session;
+    const { editor } = parts;
     this.sheets = computed(() =>
       order.keys.value.flatMap((key) => {
         const source = key === ON_SCREEN ? this.#onScreen() : isOfLibrary(key) ? this.#kept(key) : this.#memory(key);
@@ -61,7 +66,7 @@ export class Print {
   }
 
   #kept(key: string): SheetSource | null {
-    const { library } = this.#session;
+    const { library } = this.#parts;
     const setting = library.settings.get(key)?.setting;
     if (!setting) return null;
     const { program, name, note, from, at } = setting;
@@ -79,14 +84,14 @@ export class Print {
   }
 
   #onScreen(): SheetSource | null {
-    const { editor, origin, servoUses } = this.#session;
+    const { editor, origin, servoUses } = this.#parts;
     const program = origin.program.value;
     if (!program) return null;
     const model = origin.model.value;
     // What the servos of the connected timer move says nothing about another model.
     const servos = (origin.crossing.value ? null : servoUses.named.value) ?? model?.servos ?? [];
     return {
-      ...this.#ofTimer(ON_SCREEN, program, model && { ...model, servos }, programName(this.#session)),
+      ...this.#ofTimer(ON_SCREEN, program, model && { ...model, servos }, programName(this.#parts)),
       note: origin.setting.value?.note ?? '',
       origin: this.#standing(),
       marks: this.#marks(editor.madeAt.value !== null),
@@ -94,7 +99,7 @@ export class Print {
   }
 
   #memory(key: string): SheetSource | null {
-    const { standings, origin, servoUses } = this.#session;
+    const { standings, origin, servoUses } = this.#parts;
     const read = standings.readMemories().find(({ memory }) => memoryKey(memory) === key);
     if (!read) return null;
     const { known, memory, program } = read;
@@ -116,7 +121,7 @@ export class Print {
       name,
       note: '',
       origin: '',
-      simulated: this.#session.simulated.value,
+      simulated: this.#parts.simulated.value,
       link: this.#linkOf({
         name: name || timerName(program.identity),
         at: Date.now(),
@@ -135,10 +140,10 @@ export class Print {
 
   /** What is known about the screen's program and the timer. On paper nothing of it changes any more. */
   #standing(): string {
-    const { editor, origin } = this.#session;
-    const standing = this.#session.standing.value;
+    const { editor, origin } = this.#parts;
+    const standing = this.#parts.standing.value;
     const tried = standing.sure === 'once' ? (standing.sent ?? 0) : 0;
-    const made = madeAs(this.#session);
+    const made = madeAs(this.#parts);
     const changes = made ? 0 : editor.changes.value.length;
     const unfinished = editor.unreadable.value.size;
     const memory = editor.working.value?.memory ?? null;
@@ -164,7 +169,7 @@ export class Print {
 
   /** The values on the screen that are not in the timer, or not in the setting that is of no timer. */
   #marks(isMade: boolean): Marks {
-    const { editor, origin, standings } = this.#session;
+    const { editor, origin, standings } = this.#parts;
     const { marks } = messages.value.knowledge;
     const isOpen = standings.screen.value.sure === 'not';
     const working = editor.working.value;

@@ -15,19 +15,21 @@ export type EraseStep = 'review' | 'running' | 'failed';
  */
 const ERASE_LIMIT = 30_000;
 
+type EraseParts = Pick<Session, 'editor' | 'runner' | 'timer'>;
+
 /** Deletes everything that this page keeps on this device, after one question. */
 export class Erase {
   readonly current: ReadonlySignal<EraseStep | null>;
   readonly #current = signal<EraseStep | null>(null, { name: 'erase' });
-  readonly #session: Session;
+  readonly #parts: EraseParts;
   readonly #storage: Storage;
   readonly #erasers: Erasers;
   readonly #reload: () => void;
 
   /** @param reload starts the page again. */
-  constructor(session: Session, storage: Storage, erasers: Erasers, reload: () => void) {
+  constructor(parts: EraseParts, storage: Storage, erasers: Erasers, reload: () => void) {
     this.current = this.#current;
-    this.#session = session;
+    this.#parts = parts;
     this.#storage = storage;
     this.#erasers = erasers;
     this.#reload = reload;
@@ -47,10 +49,10 @@ export class Erase {
     if (this.#current.value !== 'review') return;
     this.#current.value = 'running';
     // What a job leaves behind on a timer is the last thing to be forgotten.
-    await this.#session.runner.still();
-    await this.#session.timer.disconnect();
+    await this.#parts.runner.still();
+    await this.#parts.timer.disconnect();
     // Nothing may be left that would be stored again.
-    this.#session.editor.clear();
+    this.#parts.editor.clear();
     let isGone = true;
     for (const erase of [() => this.#storage.erase(), ...Object.values(this.#erasers)]) {
       await attempt(erase, ERASE_LIMIT).catch(() => {

@@ -2,6 +2,8 @@ import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/si
 import { unsaved } from '../ui/unsaved.js';
 import type { Session } from '../work/session.js';
 
+type OfferParts = Pick<Session, 'drafts' | 'library' | 'link' | 'runner'>;
+
 /** A new version of the page. It waits until the pilot accepts it, no port is open, and a reload would lose nothing. */
 export class UpdateOffer {
   readonly #take = signal<(() => void) | null>(null, { name: 'update' });
@@ -10,11 +12,11 @@ export class UpdateOffer {
   readonly take: ReadonlySignal<(() => void) | null> = this.#take;
   /** Whether the pilot has accepted it and it waits. */
   readonly taken: ReadonlySignal<boolean> = this.#taken;
-  readonly #session: Session;
+  readonly #parts: OfferParts;
   #offered: (() => void) | null = null;
 
-  constructor(session: Session) {
-    this.#session = session;
+  constructor(parts: OfferParts) {
+    this.#parts = parts;
   }
 
   readonly offer = (take: () => void): void => {
@@ -25,7 +27,7 @@ export class UpdateOffer {
 
   /** Whether it can start: no port is open or being looked for, and a reload would lose nothing. */
   readonly free: ReadonlySignal<boolean> = computed(() => {
-    const { link, runner, drafts, library } = this.#session;
+    const { link, runner, drafts, library } = this.#parts;
     if (runner.busy.value || link.state.value.status !== 'off') return false;
     return drafts.kept.value && library.kept.value && !unsaved.value;
   });

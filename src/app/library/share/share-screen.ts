@@ -5,7 +5,7 @@ import { programName } from '../../work/standing-text.js';
 import type { Sharing } from './sharing.js';
 
 /** Offers the program on the screen, edits included. */
-export function offerScreen(session: Session, sharing: Sharing): void {
+export function offerScreen(session: Pick<Session, 'opened' | 'origin'>, sharing: Sharing): void {
   const shared = screenOf(session);
   if (shared) sharing.offer(shared);
 }
@@ -14,7 +14,7 @@ export function offerScreen(session: Session, sharing: Sharing): void {
  * The program on the screen as a setting, under the name of its own setting, or else of timer and memory. Null when
  * there is no program, or a field has no value.
  */
-function screenOf({ opened, origin }: Session): SharedSetting | null {
+function screenOf({ opened, origin }: Pick<Session, 'opened' | 'origin'>): SharedSetting | null {
   const program = origin.program.value;
   if (!program || !opened.savable.value) return null;
   const { identity, memory } = program;
