@@ -72,8 +72,7 @@ export class Memories {
       return (await Promise.all(programs.map(add))).every(Boolean);
     });
     runner.report(end);
-    // Where the browser keeps nothing, the page says so anyway.
-    if (end.good && end.value) notices.sayIfSilent('backed-up');
+    if (end.good) notices.sayIfSilent(end.value ? 'backed-up' : 'not-backed-up');
     await reader.readIfOpen();
   }
 

@@ -2,6 +2,7 @@ import type { TimerErrorCode } from '../../client/index.js';
 import type { ConnectionErrorCode } from '../../serial/index.js';
 import { restWorks, unsupportedHere } from './en-browsers.js';
 import { help } from './en-help.js';
+import { keeping } from './en-keeping.js';
 import { link } from './en-link.js';
 import { backedUp } from './en-memories.js';
 import { write } from './en-write.js';
@@ -154,6 +155,7 @@ export const notes = {
   },
   'nothing-written': { title: write.refused, advice: '' },
   'backed-up': backedUp,
+  'not-backed-up': { title: write.unkept.title, advice: keeping.notKept },
   'select-unanswered': {
     title: 'The timer did not answer when a memory was selected.',
     advice: 'It answers other requests. Try again, or try it without a correct checksum.',

@@ -12,6 +12,7 @@ export type NoteCode =
   | 'write-completed'
   | 'nothing-written'
   | 'backed-up'
+  | 'not-backed-up'
   | 'select-unanswered'
   | 'strays'
   | 'made-laid'
