@@ -2,6 +2,7 @@ import { act, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { memories } from '../../../src/app/messages/en-memories.js';
+import type { Backup } from '../../../src/app/storage/index.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { connected, press } from '../screen.js';
 
@@ -105,6 +106,32 @@ describe('copying a memory', () => {
     expect(screen.getByRole('dialog').textContent, 'something was').not.toContain('Nothing was written');
     await press(en.cancel);
     expect(lines()).toContain(en.memories.untouched('M2'));
+  });
+
+  it('says that one memory is not certain, and that another one differs', async () => {
+    const { adapter, session, write: job, timer } = await connected();
+    await press(en.overview.readAll);
+    const [, , second, first] = session.backups.list.peek() as [Backup, Backup, Backup, Backup];
+    for (const memory of timer.core.memories) memory.times[10] = 36_000;
+    timer.core.onAnswer = ({ name }) => {
+      if (name !== 'SETTIMERS') return;
+      if (timer.core.memory === 1) adapter.unplug();
+      // It acknowledges the value and does not keep it.
+      else timer.core.content.times[10] = 36_000;
+    };
+    session.safety.confirm();
+    void job.open({ kind: 'restore', backups: [first, second] });
+    await idle();
+    job.goOn();
+    await idle();
+    expect(job.current.value).toMatchObject({
+      ends: [
+        { memory: 0, state: 'differs' },
+        { memory: 1, state: 'unknown' },
+      ],
+    });
+    expect(lines()).toContain(en.write.unknown.title);
+    expect(lines()).toContain(en.write.differs.title);
   });
 
   it('says after an interruption what is not known, and which memory flies next, if that is known', async () => {
