@@ -3,7 +3,7 @@ import { TimerError } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import type { JobContext } from '../timer/job-runner.js';
 import type { Session } from '../work/session.js';
-import { ServoStand } from './servo-stand.js';
+import { ServoStand, type StandParts } from './servo-stand.js';
 
 /** Actions of the bench that may move something. */
 export type BenchAction = { readonly kind: 'move'; readonly slot: number } | { readonly kind: 'unlock' | 'jump' };
@@ -16,6 +16,8 @@ export interface Done {
   readonly certain: boolean;
 }
 
+export type BenchParts = StandParts & Pick<Session, 'runner' | 'safety' | 'servoMoves'>;
+
 /** Moves servos and motor from the page: only what the pilot asks for, one command at a time. */
 export class Bench {
   /** The last action on the timer that is connected. Only this model writes it. */
@@ -23,22 +25,22 @@ export class Bench {
   readonly stand: ServoStand;
   /** Whether an action may start: the timer does nothing else, and the pilot has said that it is safe. */
   readonly ready: ReadonlySignal<boolean>;
-  readonly #session: Session;
+  readonly #parts: BenchParts;
 
-  constructor(session: Session) {
-    this.#session = session;
-    this.stand = new ServoStand(session);
-    const { runner, safety } = session;
+  constructor(parts: BenchParts) {
+    this.#parts = parts;
+    this.stand = new ServoStand(parts);
+    const { runner, safety } = parts;
     this.ready = computed(() => runner.ready.value && !runner.claimed.value && safety.confirmed.value);
-    session.connection.subscribe(() => {
+    parts.connection.subscribe(() => {
       // A doubtful result is shown until the next action, because the timer may come back before anybody reads it.
       if (this.done.peek()?.certain) this.done.value = null;
     });
-    session.safety.confirmed.subscribe((safe) => {
+    parts.safety.confirmed.subscribe((safe) => {
       // A command that waits for its turn is no longer sent.
-      if (!safe && session.runner.job.peek()?.kind === 'bench') void session.runner.stop();
+      if (!safe && parts.runner.job.peek()?.kind === 'bench') void parts.runner.stop();
     });
-    session.servoMoves.count.subscribe(() => {
+    parts.servoMoves.count.subscribe(() => {
       batch(() => {
         this.done.value = null;
         this.stand.lose();
@@ -53,7 +55,7 @@ export class Bench {
 
   /** Frees the motor of a class Q timer. A propeller may start. */
   async unlock(): Promise<boolean> {
-    return this.#session.editor.working.value?.identity.timerClass === 'Q' && (await this.#act({ kind: 'unlock' }));
+    return this.#parts.editor.working.value?.identity.timerClass === 'Q' && (await this.#act({ kind: 'unlock' }));
   }
 
   /** Sends the jump, whose effect is not documented. */
@@ -87,6 +89,6 @@ export class Bench {
   async #act(action: BenchAction): Promise<boolean> {
     if (!this.ready.value) return false;
     this.done.value = null;
-    return await this.#session.runner.run('bench', (connection, options) => this.carryOut(action, connection, options));
+    return await this.#parts.runner.run('bench', (connection, options) => this.carryOut(action, connection, options));
   }
 }

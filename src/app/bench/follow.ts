@@ -5,7 +5,7 @@ import { withValues } from '../editing/edit.js';
 import type { JobContext, JobKind } from '../timer/job-runner.js';
 import type { Trials } from '../timer/trials.js';
 import type { Session } from '../work/session.js';
-import type { Bench } from './bench.js';
+import type { Bench, BenchParts } from './bench.js';
 import { FollowedEdits, type Position } from './followed-edits.js';
 import { isProof, readBack, type Unlike } from './taken.js';
 
@@ -45,6 +45,8 @@ interface Following {
  */
 const BESIDE: ReadonlySet<JobKind> = new Set(['bench', 'frame']);
 
+type FollowParts = BenchParts & Pick<Session, 'backups' | 'knowledge' | 'reader' | 'simulated' | 'trials'>;
+
 /**
  * Servos that follow the fields. A changed position is stored at once, and its servo moves, for the function where the
  * servos stand. For any other function it waits until the pilot moves the servos there, or writes. All of this belongs
@@ -75,7 +77,7 @@ export class Follow {
   readonly #start = signal<object | null>(null, { name: 'start' });
   /** Takes the pilot's answer, while no backup of what the timer holds could be kept. */
   readonly #unkept = signal<((goOn: boolean) => void) | null>(null, { name: 'unkept' });
-  readonly #session: Session;
+  readonly #parts: FollowParts;
   readonly #bench: Bench;
   /** The function to which the pilot has sent the servos. */
   readonly #wanted = signal<number | null>(null, { name: 'wanted' });
@@ -83,12 +85,12 @@ export class Follow {
   /** Ends waiting for the reading that says in which memory the positions are. */
   #unwatch: () => void = () => {};
 
-  constructor(session: Session, bench: Bench) {
-    const { editor } = session;
-    this.#session = session;
+  constructor(parts: FollowParts, bench: Bench) {
+    const { editor } = parts;
+    this.#parts = parts;
     this.#bench = bench;
     this.#edits = new FollowedEdits(editor);
-    this.trials = session.trials;
+    this.trials = parts.trials;
     this.on = computed(() => this.#following.value !== null);
     this.starting = computed(() => this.#start.value !== null && this.#unkept.value === null);
     this.unkept = computed(() => this.#unkept.value !== null);
@@ -98,9 +100,9 @@ export class Follow {
       return new Set(slots.filter((slot) => slot !== bench.stand.at.value));
     });
     this.hasEarlier = this.#edits.hasEarlier;
-    session.connection.subscribe(() => void this.stop('over'));
-    session.safety.confirmed.subscribe((safe) => void (safe || this.stop('over')));
-    session.servoMoves.count.subscribe(() => void this.stop('over'));
+    parts.connection.subscribe(() => void this.stop('over'));
+    parts.safety.confirmed.subscribe((safe) => void (safe || this.stop('over')));
+    parts.servoMoves.count.subscribe(() => void this.stop('over'));
     effect(() => this.trials.setTrying(this.on.value));
     effect(() => this.#follow());
     effect(() => {
@@ -114,7 +116,7 @@ export class Follow {
    * Reads the timer afresh and keeps a backup. From then on it stores each position that changes, but no earlier edit.
    */
   async start(): Promise<void> {
-    const { editor, backups, simulated, connection } = this.#session;
+    const { editor, backups, simulated, connection } = this.#parts;
     const { value: bound } = connection;
     if (!bound || !this.#bench.ready.value || this.starting.value || this.on.value) return;
     if (this.trials.tried.value.length > 0) return;
@@ -126,7 +128,7 @@ export class Follow {
     // By now the tab may be hidden, the timer lost, or the start called off.
     const isOff = (): boolean => this.#start.peek() !== start || connection.peek() !== bound;
     try {
-      if (!(await this.#session.reader.read()) || isOff()) return;
+      if (!(await this.#parts.reader.read()) || isOff()) return;
       const before = editor.baseline.value;
       if (!before) return;
       const kept = await backups.add(before, 'write', simulated.value);
@@ -136,7 +138,7 @@ export class Follow {
       batch(() => {
         this.#edits.begin();
         this.trials.set({ before, touched: new Set() });
-        const key = this.#session.onScreen.keyOf(before);
+        const key = this.#parts.onScreen.keyOf(before);
         this.#following.value = { connection: bound, key, isKept: true, hasStored: false, isProven: false };
       });
     } finally {
@@ -176,7 +178,7 @@ export class Follow {
 
   /** The positions that were tried stay in the timer and on the screen. */
   keep(): void {
-    const { editor } = this.#session;
+    const { editor } = this.#parts;
     const tried = new Set(this.trials.tried.value.map(({ field }) => fieldKey(field)));
     const putBack = editor.changes.value.map(({ field }) => field).filter((field) => tried.has(fieldKey(field)));
     batch(() => {
@@ -190,7 +192,7 @@ export class Follow {
    * @param reason null when the pilot ended it and needs no message.
    */
   async stop(reason: EndReason | null = null, unlike: Unlike | null = null): Promise<void> {
-    const { connection, editor, runner } = this.#session;
+    const { connection, editor, runner } = this.#parts;
     batch(() => {
       this.#start.value = null;
       this.answer(false);
@@ -209,7 +211,7 @@ export class Follow {
     const kind = runner.job.peek()?.kind ?? 'bench';
     if (!BESIDE.has(kind)) return;
     if (runner.busy.peek()) await runner.ended();
-    if (connection.peek() === following.connection) await this.#session.reader.read();
+    if (connection.peek() === following.connection) await this.#parts.reader.read();
   }
 
   /**
@@ -217,7 +219,7 @@ export class Follow {
    * the last position says which it was: a job that selects another memory reads this one before, or restores it.
    */
   #watch(held: TimerProgram, bound: TimerConnection): void {
-    const { connection, editor, nextFlight } = this.#session;
+    const { connection, editor, nextFlight } = this.#parts;
     this.#unwatch();
     const stop = effect(() => {
       if (connection.value !== bound) return this.#unwatch();
@@ -247,10 +249,10 @@ export class Follow {
   }
 
   #reasonToEnd({ connection, key }: Following): EndReason | null {
-    const { editor, runner, nextFlight, safety, onScreen } = this.#session;
+    const { editor, runner, nextFlight, safety, onScreen } = this.#parts;
     const job = runner.job.value;
     const working = editor.working.value;
-    if (this.#session.connection.value !== connection) return 'over';
+    if (this.#parts.connection.value !== connection) return 'over';
     if (!safety.confirmed.value) return 'over';
     // While another memory is being selected, nobody knows in which one a position would be stored.
     if (job?.kind === 'select') return 'memory';
@@ -265,7 +267,7 @@ export class Follow {
    */
   async #go(slot: number): Promise<void> {
     const { stand } = this.#bench;
-    await this.#session.runner.run('bench', async (connection, options) => {
+    await this.#parts.runner.run('bench', async (connection, options) => {
       // If following has ended in the meantime, the next command is not sent. The client itself checks for a stop.
       const isOff = (): boolean => this.#following.peek()?.connection !== connection;
       const move = () => this.#bench.carryOut({ kind: 'move', slot }, connection, options);
@@ -285,7 +287,7 @@ export class Follow {
         else await move();
       } catch (error) {
         stand.lose();
-        void this.stop(this.#session.connection.peek() === connection ? 'failed' : 'over');
+        void this.stop(this.#parts.connection.peek() === connection ? 'failed' : 'over');
         throw error;
       }
     });
@@ -293,7 +295,7 @@ export class Follow {
 
   /** Stores the present position of a field, where the servos stand. */
   async #store(field: Position, connection: TimerConnection, options: JobContext): Promise<void> {
-    const { editor, knowledge } = this.#session;
+    const { editor, knowledge } = this.#parts;
     const pending = this.#edits.pending().find((other) => fieldKey(other.field) === fieldKey(field));
     const trial = this.trials.current.peek();
     const before = editor.baseline.peek();

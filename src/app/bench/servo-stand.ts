@@ -6,12 +6,12 @@ import type { Session } from '../work/session.js';
 /** What an acknowledged movement has shown. */
 interface Stand {
   readonly connection: TimerConnection;
-  /** The work that the movement belongs to: the servos stand at the positions of this memory. */
-  readonly key: string;
   readonly slot: number;
-  /** All positions that the timer held at that time. */
-  readonly positions: TimerProgram['positions'];
+  /** What the memory held then: the servos stand at its positions. */
+  readonly held: TimerProgram;
 }
+
+export type StandParts = Pick<Session, 'connection' | 'editor' | 'nextFlight' | 'onScreen'>;
 
 /**
  * Where the servos stand. The timer cannot be asked. It is known only after a movement that the timer acknowledged on
@@ -21,29 +21,25 @@ interface Stand {
 export class ServoStand {
   /** The slot, from 0 (start) to NF (DT); null when it is not known. */
   readonly at: ReadonlySignal<number | null>;
-  readonly #session: Session;
+  readonly #parts: StandParts;
   readonly #last = signal<Stand | null>(null, { name: 'stand' });
 
-  constructor(session: Session) {
-    this.#session = session;
+  constructor(parts: StandParts) {
+    this.#parts = parts;
+    const { editor, nextFlight, connection, onScreen } = parts;
     this.at = computed(() => {
       const last = this.#last.value;
-      const held = session.editor.baseline.value;
-      if (!last || !held || session.nextFlight.open.value || session.connection.value !== last.connection) return null;
-      const isSame = session.onScreen.keyOf(held) === last.key && String(held.positions) === String(last.positions);
-      return isSame ? last.slot : null;
+      const held = editor.baseline.value;
+      if (!last || !held || nextFlight.open.value || connection.value !== last.connection) return null;
+      const isSame = onScreen.keyOf(held) === onScreen.keyOf(last.held);
+      return isSame && String(held.positions) === String(last.held.positions) ? last.slot : null;
     });
   }
 
   /** The timer has acknowledged that the servos moved to a slot. */
   moved(connection: TimerConnection, slot: number): void {
-    const held = this.#session.editor.baseline.peek();
-    this.#last.value = held && {
-      connection,
-      key: this.#session.onScreen.keyOf(held),
-      slot,
-      positions: held.positions,
-    };
+    const held = this.#parts.editor.baseline.peek();
+    this.#last.value = held && { connection, slot, held };
   }
 
   /** Something may have moved the servos to an unknown place. */
