@@ -158,13 +158,11 @@ export function partText({ part }: TimerErrorDetails): string | null {
   if (!part) return null;
   const { identity, times = [], positions = [] } = part;
   const program = { ...part, times, positions, idleThrottle: null };
-  const fields = fieldsOf(identity).filter(({ kind }) => (kind === 'time' ? times : positions).length > 0);
-  return dotted(
-    fields.flatMap((field) => {
-      const value = field.kind === 'idleThrottle' ? null : valueAt(program, field);
-      return value === null ? [] : [`${fieldName(identity, field)} ${figureText(identity, field, value)}`];
-    }),
-  );
+  const known = fieldsOf(identity).flatMap((field) => {
+    const value = valueAt(program, field);
+    return value === null ? [] : [`${fieldName(identity, field)} ${figureText(identity, field, value)}`];
+  });
+  return dotted(known);
 }
 
 /** The sentence for a finding of the check, with times as a pilot writes them. */
