@@ -97,6 +97,12 @@ export class TimerError extends Error {
     this.code = code;
     this.details = details;
   }
+
+  /** What `structuredClone()`, `postMessage()` and `JSON` can carry. Of the error itself they keep no code. */
+  toJSON() {
+    const { name, code, message, details } = this;
+    return { name, code, message, details };
+  }
 }
 
 /** @throws TimerError `aborted` when the signal has asked to stop. */

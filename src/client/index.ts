@@ -2,3 +2,4 @@
 
 export { tell } from './callback.js';
 export * from './public.js';
+export { asyncDisposable } from './timer-client.js';

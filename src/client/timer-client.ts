@@ -44,6 +44,16 @@ declare global {
   }
 }
 
+/** Gives a class what `await using` calls. Engines have it since 2023 or later; without it nobody can use it. */
+export function asyncDisposable<T extends object>(prototype: T, end: (it: T) => Promise<void>): void {
+  if (!Symbol.asyncDispose) return;
+  Object.defineProperty(prototype, Symbol.asyncDispose, {
+    value(this: T) {
+      return end(this);
+    },
+  });
+}
+
 /**
  * One timer over one pair of byte streams. Every method waits for the one before it, so you may call them at any time.
  *
@@ -69,14 +79,7 @@ declare global {
  */
 export class TimerClient {
   static {
-    // Engines have it since 2023 or later. Where it is missing, nobody can use it.
-    if (Symbol.asyncDispose) {
-      Object.defineProperty(TimerClient.prototype, Symbol.asyncDispose, {
-        value(this: TimerClient) {
-          return this.close();
-        },
-      });
-    }
+    asyncDisposable(TimerClient.prototype, (client) => client.close());
   }
 
   /** The same as {@link close}, for `await using`. */

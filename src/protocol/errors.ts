@@ -70,6 +70,12 @@ export class CodecError extends Error {
     this.field = field;
     this.details = details;
   }
+
+  /** What `structuredClone()`, `postMessage()` and `JSON` can carry. Of the error itself they keep no code. */
+  toJSON() {
+    const { name, code, field, message, details } = this;
+    return { name, code, field, message, details };
+  }
 }
 
 /** @throws CodecError `not-an-integer` or `out-of-range` unless `value` is a whole number from `min` to `max`. */

@@ -38,4 +38,10 @@ export class ConnectionError extends Error {
     this.code = code;
     this.bytes = bytes;
   }
+
+  /** What `structuredClone()`, `postMessage()` and `JSON` can carry. Of the error itself they keep no code. */
+  toJSON() {
+    const { name, code, message, bytes } = this;
+    return { name, code, message, bytes };
+  }
 }

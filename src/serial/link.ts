@@ -1,4 +1,4 @@
-import { type AssumedQuirks, type LineEntry, tell } from '../client/index.js';
+import { type AssumedQuirks, asyncDisposable, type LineEntry, tell } from '../client/index.js';
 import { type Clock, realClock } from '../line/index.js';
 import type { Identity } from '../protocol/index.js';
 import { choosePort, rememberedPorts } from './choose.js';
@@ -40,6 +40,7 @@ export interface TimerLinkOptions {
  * A link to a timer for use in the field. It finds the rate and the timer, waits while the timer sleeps, reopens a port
  * that was lost, and stops at any time. It sends only the question for the identity (GETSWVER); the user of the
  * connection sends everything else. You may call every method at any time. None rejects unless its description says so.
+ * `await using link = new TimerLink(...)` stops it at the end of the block.
  * @example
  * ```ts
  * import { MockSerial } from 'sidus-timer/mock-serial';
@@ -54,6 +55,12 @@ export interface TimerLinkOptions {
  * ```
  */
 export class TimerLink {
+  static {
+    asyncDisposable(TimerLink.prototype, (link) => link.stop());
+  }
+
+  /** The same as {@link stop}, for `await using`. */
+  declare readonly [Symbol.asyncDispose]: () => Promise<void>;
   readonly #options: TimerLinkOptions;
   readonly #clock: Clock;
   #state: LinkState = { status: 'off', error: null };
@@ -113,14 +120,34 @@ export class TimerLink {
    * @param settings default: those remembered for this port, else `DEFAULT_SETTINGS`.
    * @param knownRate the rate at which a timer has answered there, in bits a second. Default: the one remembered for
    * this port.
+   * @param signal gives the attempt up, as {@link stop} does. It no longer counts once the link has settled, or once
+   * another call has taken over.
    * @returns once the link has settled: it is `on`, `waiting`, `away` or `off`.
    */
   async connect(
     port: SerialPortLike,
     settings?: SerialSettings,
-    { knownRate }: { readonly knownRate?: number | undefined } = {},
+    { knownRate, signal }: { readonly knownRate?: number | undefined; readonly signal?: AbortSignal | undefined } = {},
   ): Promise<void> {
+    if (signal?.aborted) return;
     const mine = this.#supersede();
+    const stop = (): void => {
+      if (mine === this.#newest) void this.stop();
+    };
+    signal?.addEventListener('abort', stop);
+    try {
+      await this.#connect(mine, port, settings, knownRate);
+    } finally {
+      signal?.removeEventListener('abort', stop);
+    }
+  }
+
+  async #connect(
+    mine: number,
+    port: SerialPortLike,
+    settings: SerialSettings | undefined,
+    knownRate: number | undefined,
+  ): Promise<void> {
     if (this.#reconnector) await this.#end();
     if (mine !== this.#newest) return;
     const { serial, onLine, assumed, remembered } = this.#options;

@@ -112,7 +112,50 @@ describe('recheck()', () => {
   });
 });
 
+describe('a signal given to connect()', () => {
+  it('gives the attempt up: the port is closed, and the link off', async () => {
+    const { clock, link, timer, port, states } = linkBench();
+    timer.core.sleep();
+    const given = new AbortController();
+    const connecting = link.connect(port, undefined, { signal: given.signal });
+    await clock.advance(100);
+    expect(link.state.status).toBe('searching');
+    given.abort();
+    await clock.run(connecting);
+    expect(way(states).endsWith('closing > off')).toBe(true);
+    expect(await canBeOpened(port)).toBe(true);
+  });
+
+  it('gives it up while the connection before still ends', async () => {
+    const { clock, link, port } = await on();
+    const given = new AbortController();
+    const connecting = link.connect(port, undefined, { signal: given.signal });
+    given.abort();
+    await clock.run(connecting);
+    expect(link.state).toEqual({ status: 'off', error: null });
+  });
+
+  it('changes nothing once the link has settled, once another call has taken over, or when it was aborted before', async () => {
+    const { clock, link, port } = linkBench();
+    const [first, second] = [new AbortController(), new AbortController()];
+    const superseded = link.connect(port, undefined, { signal: first.signal });
+    const connecting = link.connect(port, undefined, { signal: second.signal });
+    first.abort();
+    await clock.run(Promise.all([superseded, connecting]));
+    const connection = connectionOf(link);
+    second.abort();
+    await clock.run(link.connect(port, undefined, { signal: second.signal }));
+    expect(connectionOf(link)).toBe(connection);
+  });
+});
+
 describe('stop()', () => {
+  it('is what `await using` does at the end of a block', async () => {
+    const { clock, link } = await on();
+    await clock.run(link[Symbol.asyncDispose]());
+    expect(link.state.status).toBe('off');
+  });
+
   it('lets the running request end, and the port can be opened at once', async () => {
     const { clock, link, port, timer } = await on({ plug: { timing: true } });
     const reading = failure(connectionOf(link).client.readProgram());
