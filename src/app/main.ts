@@ -11,7 +11,6 @@ import './connect/start-screen.css';
 import './connect/start-cards.css';
 import './connect/step-list.css';
 import './timeline/picture.css';
-import './timeline/servo-class.css';
 import './timeline/small-lanes.css';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { media } from './browser/doors.js';

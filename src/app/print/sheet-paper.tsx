@@ -93,14 +93,14 @@ function SheetHead({ sheet }: { readonly sheet: Sheet }) {
           </div>
         ))}
       </dl>
-      <p class="leaf-facts">
+      <p class="row">
         <span>
           {messages.value.program.memory} <strong>{sheet.memory || <span class="leaf-blank" />}</strong>
         </span>{' '}
         <span>{dotted([sheet.timer, ...sheet.others.map(({ label, text }) => `${label} ${text}`)])}</span>
         {sheet.simulated && <span class="leaf-loud">{print.simulated}</span>}
       </p>
-      <p class="leaf-origin">{sheet.origin}</p>
+      <p class="hint leaf-origin">{sheet.origin}</p>
     </div>
   );
 }

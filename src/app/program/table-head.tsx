@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
-import { servoClass } from '../timeline/servo-class.js';
+import { servoColour } from '../timeline/servo-colour.js';
 import './table-head.css';
 
 interface TableHeadProps {
@@ -30,7 +30,7 @@ export function TableHead({ servos, onSwitch }: TableHeadProps) {
           {table.interval}
         </TimeHead>
         {servos.map((servo) => (
-          <th scope="col" class={`servo ${servoClass(servo)}`} key={servo} aria-label={servoName(servo)}>
+          <th scope="col" class="servo" style={servoColour(servo)} key={servo} aria-label={servoName(servo)}>
             {servoName(servo)}
           </th>
         ))}

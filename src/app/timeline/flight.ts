@@ -65,17 +65,17 @@ export function reachedAt({ times }: TimerProgram, time: number): Reached {
   return { slot: missing - 1, certain: times.every((at, slot) => slot <= missing || at > time) };
 }
 
-/** Something that happens at a time of a flight. */
-export type FlightEvent =
-  | { readonly kind: 'slot'; readonly slot: number; readonly time: number }
-  | { readonly kind: 'motor-stop'; readonly time: number };
+/** A slot that comes, or with slot 0 the motor stop, at a time of a flight. */
+export interface FlightEvent {
+  readonly slot: number;
+  readonly time: number;
+}
 
 /** The events after one time and up to another, in their order. */
 export function eventsBetween(program: TimerProgram, after: number, upTo: number): FlightEvent[] {
-  const stop = motorStopOf(program);
-  const events: FlightEvent[] = [
-    ...program.times.slice(1).map((time, i): FlightEvent => ({ kind: 'slot', slot: i + 1, time })),
-    ...(stop === null ? [] : [{ kind: 'motor-stop' as const, time: stop }]),
-  ];
-  return events.filter(({ time }) => time > after && time <= upTo).sort((a, b) => a.time - b.time);
+  const first = motorStopOf(program) === null ? 1 : 0;
+  return program.times
+    .map((time, slot) => ({ slot, time }))
+    .filter(({ slot, time }) => slot >= first && time > after && time <= upTo)
+    .sort((a, b) => a.time - b.time);
 }

@@ -1,4 +1,5 @@
-import { type ProgramField, slotKind, type TimerProgram } from '../../program/index.js';
+import { slotKind, type TimerProgram } from '../../program/index.js';
+import type { CellField } from '../editing/grid.js';
 import { marksOf, motorStopOf, type Stage, stagesOf } from './flight.js';
 import { lanesOf, leastHeight } from './lanes.js';
 import { highestOf, type Layout, layoutOf, spread, type TimeView, WHOLE } from './layout.js';
@@ -70,9 +71,6 @@ export function onPaper(program: TimerProgram, group: readonly number[], names: 
   return geometryOf({ ...program, positions }, measures, { front: null, first: group[0] ?? 0, names });
 }
 
-/** A field that belongs to a slot, and so to a time. */
-export type SlotField = Exclude<ProgramField, { kind: 'idleThrottle' }>;
-
 /** What the pilot looks at. */
 export interface Look {
   /** The selected servo, whose lane is tall; null on paper, where all lanes are equal. */
@@ -81,7 +79,7 @@ export interface Look {
   readonly first?: number;
   /** The pilot's names for what each servo moves. */
   readonly names?: readonly string[] | undefined;
-  readonly selected?: SlotField | null;
+  readonly selected?: CellField | null;
   /** A second program, drawn behind the first. */
   readonly behind?: TimerProgram | null;
   readonly view?: TimeView;
@@ -147,7 +145,6 @@ export interface Flag {
   readonly labelled: boolean;
   /** Whether there is room for a circle around its number, and for a dot at each step below. */
   readonly roomy: boolean;
-  readonly passedOver: boolean;
 }
 
 /** The radius of the circle around a number where it is narrow, in pixels. */
@@ -155,12 +152,9 @@ const SMALLEST_RADIUS = 8;
 
 function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout, most: number): Flag[] {
   const { left, right } = layout.box;
-  const flags = stages.slice(1).map(({ slot, from, passing }) => ({
-    slot,
-    isDt: slotKind(program.identity, slot) === 'dt',
-    at: layout.x(from),
-    passedOver: passing === 'passed',
-  }));
+  const flags = stages.slice(1).map(({ slot, from }) => {
+    return { slot, isDt: slotKind(program.identity, slot) === 'dt', at: layout.x(from) };
+  });
   const inView = flags.filter(({ at }) => layout.shows(at));
   const room = (right - left + 2 * most) / Math.max(1, inView.length);
   if (room >= 2 * SMALLEST_RADIUS) {
@@ -190,7 +184,7 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
 
 /** The place of a handle. */
 export interface HandlePlace {
-  readonly field: SlotField;
+  readonly field: CellField;
   readonly x: number;
   readonly y: number;
 }

@@ -5,7 +5,7 @@ import { limitsOf } from './drag.js';
 import { timeOf } from './flight.js';
 import { type Geometry, type HandlePlace, handlePlaces } from './geometry.js';
 import { rounded } from './scale.js';
-import { servoClass } from './servo-class.js';
+import { servoColour } from './servo-colour.js';
 import './handles.css';
 
 interface HandlesProps {
@@ -56,7 +56,7 @@ function Handle({ geometry, entered, field, x, y }: HandlesProps & HandlePlace) 
     >
       <rect class="reach" x={-FINGER / 2} y={-FINGER / 2} width={FINGER} height={FINGER} />
       <circle class="ring" r="15" />
-      {isTime ? field.slot === 0 && <circle class="knob" r="6" /> : <Dot {...geometry} {...field} />}
+      {isTime ? field.slot === 0 && <circle class="dot" r="6" /> : <Dot {...geometry} {...field} />}
     </g>
   );
 }
@@ -65,6 +65,6 @@ function Handle({ geometry, entered, field, x, y }: HandlesProps & HandlePlace) 
 function Dot({ flags, stages, servo, slot }: Geometry & { readonly servo: number; readonly slot: number }) {
   const roomy = flags[slot - 1]?.roomy ?? true;
   const passed = stages[slot]?.passing === 'passed';
-  const classes = `dot ${servoClass(servo)} ${passed ? 'passed' : ''} ${roomy ? '' : 'small'}`;
-  return <circle class={classes} r={roomy ? 6 : 3} />;
+  const classes = `dot ${passed ? 'passed' : ''} ${roomy ? '' : 'small'}`;
+  return <circle class={classes} style={servoColour(servo)} r={roomy ? 6 : 3} />;
 }

@@ -4,7 +4,7 @@ import { marksOf, motorStopOf, reachedAt, stagesOf } from './flight.js';
 import type { Geometry } from './geometry.js';
 import { type Layout, lineOf } from './layout.js';
 import { rounded } from './scale.js';
-import { servoClass } from './servo-class.js';
+import { servoColour } from './servo-colour.js';
 import { shortTime } from './ticks.js';
 import './picture.css';
 
@@ -72,10 +72,10 @@ export function Lines({ program, stages, layout, front = null, first = 0 }: Line
     <>
       {program.positions.flatMap((_, lane) => {
         const { line, back } = lineOf(program, stages, lane, layout);
-        const classes = `servo-line ${servoClass(first + lane)}`;
+        const style = servoColour(first + lane);
         return [
-          <path key={lane} class={lane === front ? `${classes} front` : classes} d={line} />,
-          back !== '' && <path key={`${lane} back`} class={`${classes} back`} d={back} />,
+          <path key={lane} {...{ style }} class={`servo-line ${lane === front ? 'front' : ''}`} d={line} />,
+          back !== '' && <path key={`${lane} back`} {...{ style }} class="servo-line back" d={back} />,
         ];
       })}
     </>
@@ -100,7 +100,14 @@ function Positions({ program, stages, layout }: Geometry) {
           const y = layout.y(lane, position);
           const isAbove = y - (layout.lanes[lane]?.from ?? 0) > POSITION.height;
           return (
-            <text key={`${lane} ${slot}`} data-lane={lane} x={x + 3} y={y} dy={isAbove ? '-0.3em' : '1em'}>
+            <text
+              key={`${lane} ${slot}`}
+              class="figure"
+              data-lane={lane}
+              x={x + 3}
+              y={y}
+              dy={isAbove ? '-0.3em' : '1em'}
+            >
               {position}
             </text>
           );
@@ -151,20 +158,15 @@ function LaneNames({ layout, front, first, names }: Geometry) {
         return (
           <g key={from}>
             <text
-              class={servoClass(first + lane)}
+              style={servoColour(first + lane)}
               x={isPaper ? 0 : 8}
               y={y}
               dy={isPaper && name ? '-0.15em' : '0.35em'}
             >
               {servoName(first + lane)}
             </text>
-            {name && isPaper && (
-              <text x={0} y={y} dy="1em" {...narrow}>
-                {name}
-              </text>
-            )}
-            {name && !isPaper && height >= WORD_ROOM && (
-              <text x={left + 14} y={from + 14} dy="0.35em">
+            {name && (isPaper || height >= WORD_ROOM) && (
+              <text {...(isPaper ? { x: 0, y, dy: '1em', ...narrow } : { x: left + 14, y: from + 14, dy: '0.35em' })}>
                 {name}
               </text>
             )}
@@ -224,9 +226,9 @@ function Marks({ flags, layout, measures, selected }: Geometry) {
   const { top, bottom } = layout.box;
   return (
     <g>
-      {flags.map(({ slot, isDt, at, x, radius, labelled, roomy }) => {
+      {flags.map(({ slot, isDt, at, x, radius, labelled }) => {
         const lead = labelled ? `M${rounded(x)} ${measures.flag + radius}L${rounded(at)} ${top - 3}V${top}` : '';
-        const classes = `flag-line ${isDt ? 'dt' : ''} ${slot === selected?.slot ? 'selected' : ''} ${roomy ? '' : 'many'}`;
+        const classes = `flag-line ${isDt ? 'dt' : ''} ${slot === selected?.slot ? 'selected' : ''}`;
         return <path key={slot} class={classes} d={`${lead}M${rounded(at)} ${top}V${bottom}`} />;
       })}
     </g>
@@ -237,21 +239,21 @@ function Marks({ flags, layout, measures, selected }: Geometry) {
 const LETTERS = 11;
 
 /** The numbers of the marks, each in a circle where there is room. That of the selected slot is lit. */
-function Numbers({ flags, layout, measures, selected }: Geometry) {
+function Numbers({ flags, stages, layout, measures, selected }: Geometry) {
   const { dt } = messages.value.program;
   return (
     <>
-      {flags.map(({ slot, isDt, at, x, radius, labelled, roomy, passedOver }) => {
+      {flags.map(({ slot, isDt, at, x, radius, labelled, roomy }) => {
         if (!layout.shows(at)) return null;
         const isChosen = slot === selected?.slot;
-        const classes = `flag ${isDt ? 'dt' : ''} ${passedOver ? 'passed' : ''} ${isChosen ? 'chosen' : ''}`;
+        const classes = `flag ${isDt ? 'dt' : ''} ${stages[slot]?.passing ?? ''} ${isChosen ? 'chosen' : ''}`;
         const wide = radius + 2;
         return (
-          <g key={slot} transform={`translate(${rounded(x)} ${measures.flag})`}>
-            {isDt && <rect class={classes} x={-wide} y={-radius} width={2 * wide} height={2 * radius} rx="6" />}
-            {!isDt && roomy && <circle class={classes} r={radius} />}
+          <g key={slot} class={classes} transform={`translate(${rounded(x)} ${measures.flag})`}>
+            {isDt && <rect x={-wide} y={-radius} width={2 * wide} height={2 * radius} rx="6" />}
+            {!isDt && roomy && <circle r={radius} />}
             {labelled && (
-              <text class={classes} y="0.35em" font-size={radius < LETTERS ? radius * 1.2 : undefined}>
+              <text y="0.35em" font-size={radius < LETTERS ? radius * 1.2 : undefined}>
                 {isDt ? dt : slot}
               </text>
             )}
@@ -283,7 +285,7 @@ function MotorRun({ program, motorStop, layout, measures }: Geometry) {
       <path class="motor-bar" d={`M${rounded(start)} ${motor}H${rounded(end)}`} />
       <path class="motor-end" d={`M${rounded(end)} ${top}V${motor}`} />
       {isNamed && (
-        <text class={isBefore ? 'before' : ''} x={isBefore ? end - 12 : end + 12} y={motor} dy="0.35em">
+        <text class={`figure ${isBefore ? 'before' : ''}`} x={isBefore ? end - 12 : end + 12} y={motor} dy="0.35em">
           {(!isBrief || isBefore) && `${messages.value.program.motorStop} `}
           {figureText(program.identity, { kind: 'time', slot: 0 }, motorStop)}
         </text>
@@ -295,8 +297,12 @@ function MotorRun({ program, motorStop, layout, measures }: Geometry) {
 /** The width of the position beside the line at one time, in pixels. */
 const VALUE_ROOM = 40;
 
-/** A line at one time of the flight, with a dot and the position on each servo's line. */
-export function Crosshair({ layout, program, time }: Geometry & { readonly time: number | null }) {
+/**
+ * A line at one time of the flight, with a dot and the position on each servo's line. Drawn at each frame of a flight,
+ * so that nothing around it is.
+ */
+export function Crosshair({ layout, program, timeNow }: Geometry & { readonly timeNow: () => number | null }) {
+  const time = timeNow();
   if (time === null || !layout.shows(layout.x(time))) return null;
   const { top, bottom, right } = layout.box;
   const x = layout.x(time);
@@ -309,9 +315,14 @@ export function Crosshair({ layout, program, time }: Geometry & { readonly time:
         const y = layout.y(servo, row[slot] ?? 0);
         const { from, until } = layout.lanes[servo] ?? { from: top, until: bottom };
         return (
-          <g key={servo} class={servoClass(servo)}>
+          <g key={servo} style={servoColour(servo)}>
             <circle cy={y} r={4} />
-            <text class={side} x={side ? -9 : 9} y={Math.min(until - 8, Math.max(from + 8, y - 10))} dy="0.35em">
+            <text
+              class={`figure ${side}`}
+              x={side ? -9 : 9}
+              y={Math.min(until - 8, Math.max(from + 8, y - 10))}
+              dy="0.35em"
+            >
               {certain ? row[slot] : '?'}
             </text>
           </g>

@@ -1,5 +1,5 @@
+import type { CellField } from '../editing/grid.js';
 import { DragEdit, type Shown } from './drag.js';
-import type { SlotField } from './geometry.js';
 import { focusHandle } from './key-control.js';
 import { MoveHandle } from './move-handle.js';
 import { fieldUnder, type Point, servoUnder, timeUnder } from './under-pointer.js';
@@ -129,7 +129,7 @@ export class PointerControl {
 }
 
 /** The field that a pointer would take; null where nothing can be changed. */
-function fieldFor({ geometry, onEdit }: Shown, event: PointerEvent, point: Point): SlotField | null {
+function fieldFor({ geometry, onEdit }: Shown, event: PointerEvent, point: Point): CellField | null {
   return onEdit ? fieldUnder(geometry, point, isFinger(event)) : null;
 }
 

@@ -19,48 +19,19 @@ interface MomentProps {
  */
 export function Moment({ program, model, cursor, selected }: MomentProps) {
   const { timeline, times } = messages.value;
-  const { edit, finer } = model.moving.value ?? {};
+  const { identity } = program;
+  const { edit, finer = false } = model.moving.value ?? {};
   const time = model.asked.value ?? cursor?.value ?? null;
-  if (edit) return <ValueFigure program={program} field={edit.field} finer={finer} />;
-  if (time !== null) {
-    const { text, unit } = formatFigure(time, 1);
-    return <Figure text={text} unit={times.units[unit]} what={reachedText(program, time)} />;
-  }
-  if (selected) return <ValueFigure program={program} field={selected} />;
-  return <p class="timeline-readout hint">{timeline.ask}</p>;
-}
-
-interface ValueFigureProps {
-  readonly program: TimerProgram;
-  readonly field: ProgramField;
-  /** Whether it is held, and moves less than the pointer. */
-  readonly finer?: boolean | undefined;
-}
-
-function ValueFigure({ program, field, finer = false }: ValueFigureProps) {
-  const { timeline, times } = messages.value;
-  const { text, unit } = figureOf(program.identity, field, valueAt(program, field) ?? 0);
-  const shownUnit = unit ? times.units[unit] : field.kind === 'position' ? timeline.stepsUnit : '';
-  return (
-    <Figure text={text} unit={shownUnit} what={fieldName(program.identity, field)} more={finer && timeline.finer} />
-  );
-}
-
-interface FigureProps {
-  readonly text: string;
-  readonly unit: string;
-  readonly what: string;
-  readonly more?: string | false;
-}
-
-function Figure({ text, unit, what, more = false }: FigureProps) {
+  const field = edit?.field ?? (time === null ? selected : null);
+  if (!field && time === null) return <p class="timeline-readout hint">{timeline.ask}</p>;
+  const { text, unit } = field ? figureOf(identity, field, valueAt(program, field) ?? 0) : formatFigure(time ?? 0, 1);
   return (
     <p class="timeline-readout">
       <strong>
-        {text} <small>{unit}</small>
+        {text} <small>{unit ? times.units[unit] : field?.kind === 'position' && timeline.stepsUnit}</small>
       </strong>{' '}
-      <span>{what}</span>
-      {more && <em>{more}</em>}
+      <span>{field ? fieldName(identity, field) : reachedText(program, time ?? 0)}</span>
+      {finer && <em>{timeline.finer}</em>}
     </p>
   );
 }
@@ -71,13 +42,8 @@ function reachedText(program: TimerProgram, time: number): string {
   return certain ? slotLabel(program.identity, slot) : messages.value.timeline.notKnown;
 }
 
-interface SpokenProps {
-  readonly program: TimerProgram;
-  readonly model: TimelineModel;
-}
-
 /** For screen readers: what a key has asked about. */
-export function Spoken({ program, model }: SpokenProps) {
+export function Spoken({ program, model }: Pick<MomentProps, 'program' | 'model'>) {
   const spoken = model.spoken.value;
   return (
     <p class="visually-hidden" role="status">

@@ -51,7 +51,7 @@ export class Scale {
   place(time: number): number {
     if (time <= 0) return 0;
     if (time >= this.end) return (this.places.at(-1) as number) + (time - this.end) * this.#beyond;
-    const i = firstAbove(this.times, time);
+    const i = this.times.findIndex((knot) => knot > time);
     return (this.places[i - 1] as number) + (time - (this.times[i - 1] as number)) * this.#rate(i);
   }
 
@@ -60,13 +60,13 @@ export class Scale {
     if (place <= 0) return 0;
     const last = this.places.at(-1) as number;
     if (place >= last) return this.end + (place - last) / this.#beyond;
-    const i = firstAbove(this.places, place);
+    const i = this.places.findIndex((knot) => knot > place);
     return (this.times[i - 1] as number) + (place - (this.places[i - 1] as number)) / this.#rate(i);
   }
 
   #rate(i: number): number {
-    const [from, to] = [i - 1, i].map((at) => this.places[at] as number) as [number, number];
-    return (to - from) / ((this.times[i] as number) - (this.times[i - 1] as number));
+    const [way, time] = [this.places, this.times].map((all) => (all[i] as number) - (all[i - 1] as number));
+    return (way as number) / (time as number);
   }
 }
 
@@ -116,16 +116,4 @@ function rising(numbers: readonly number[]): number[] {
 
 function sum(numbers: readonly number[]): number {
   return numbers.reduce((total, number) => total + number, 0);
-}
-
-/** The index of the first number above a value that lies between the first and the last of them. */
-function firstAbove(numbers: readonly number[], value: number): number {
-  let low = 1;
-  let high = numbers.length - 1;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if ((numbers[middle] as number) > value) high = middle;
-    else low = middle + 1;
-  }
-  return low;
 }

@@ -4,7 +4,7 @@ import { fieldKey, type ProgramField, type TimerProgram } from '../../program/in
 import { messages } from '../messages/index.js';
 import type { OnEdit, Shown } from './drag.js';
 import { timeOf } from './flight.js';
-import { type Geometry, geometryOf, leastHeightOf, measuresOf } from './geometry.js';
+import { geometryOf, leastHeightOf, measuresOf } from './geometry.js';
 import { Handles } from './handles.js';
 import { fieldOf, KeyControl } from './key-control.js';
 import { Crosshair, Picture } from './picture.js';
@@ -107,8 +107,8 @@ export function Timeline({ program, overlay = null, cursor, names, onEdit, onSel
   const { width, height } = measures;
   const least = `max(var(--picture), ${leastHeightOf(program)}px)`;
   return (
-    <section class={`timeline ${overlay?.uncertain ? 'uncertain-behind' : ''}`} aria-label={title}>
-      <div class="timeline-top">
+    <section class={`timeline panel ${overlay?.uncertain ? 'uncertain-behind' : ''}`} aria-label={title}>
+      <div class="row gap-3 timeline-top">
         <div class="timeline-moment">
           <Moment program={program} model={model} cursor={cursor} selected={selected} />
         </div>
@@ -154,7 +154,7 @@ export function Timeline({ program, overlay = null, cursor, names, onEdit, onSel
           }}
         >
           <Picture {...geometry} />
-          <MomentLine geometry={geometry} model={model} cursor={cursor} />
+          <Crosshair {...geometry} timeNow={() => model.asked.value ?? cursor?.value ?? null} />
           {onEdit && <Handles geometry={geometry} entered={model.entered.value} />}
         </svg>
       </div>
@@ -163,29 +163,17 @@ export function Timeline({ program, overlay = null, cursor, names, onEdit, onSel
       </p>
       <Spoken program={program} model={model} />
       <TimelineNotes program={program} />
-      <div class="timeline-foot">{overlay && <Behind name={overlay.name} />}</div>
+      <div class="timeline-foot">
+        {overlay && (
+          // The name of the second program, beside a piece of its line.
+          <p class="hint timeline-behind">
+            <svg class="overlay" width="26" height="8" aria-hidden="true">
+              <path d="M1 4H25" />
+            </svg>
+            {overlay.name}
+          </p>
+        )}
+      </div>
     </section>
-  );
-}
-
-interface MomentLineProps extends Pick<TimelineProps, 'cursor'> {
-  readonly geometry: Geometry;
-  readonly model: TimelineModel;
-}
-
-/** Drawn at each frame of a flight, so that nothing around it is. */
-function MomentLine({ geometry, model, cursor }: MomentLineProps) {
-  return <Crosshair {...geometry} time={model.asked.value ?? cursor?.value ?? null} />;
-}
-
-/** The name of the second program, beside a piece of its line. */
-function Behind({ name }: { name: string }) {
-  return (
-    <p class="timeline-behind">
-      <svg class="swatch overlay" width="26" height="8" aria-hidden="true">
-        <path d="M1 4H25" />
-      </svg>
-      {name}
-    </p>
   );
 }

@@ -2,7 +2,6 @@ import { messages } from '../messages/index.js';
 import { Icon } from '../ui/icon.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
 import type { TimelineModel } from './view-model.js';
-import './tools.css';
 
 const ZOOM = 2;
 
@@ -19,7 +18,7 @@ export function Tools({ model, anchor }: ToolsProps) {
   const box = useHandedFocus('button');
   return (
     // biome-ignore lint/a11y/useSemanticElements: buttons that belong together are no form
-    <div {...box} class="timeline-tools" role="group" aria-label={timeline.tools}>
+    <div {...box} class="row" role="group" aria-label={timeline.tools}>
       {model.zoomed && (
         <button type="button" class="chip" aria-label={timeline.zoomOut} onClick={() => model.zoom(1 / ZOOM, anchor())}>
           <Icon path="M4 10H16" />

@@ -1,4 +1,5 @@
-import { type Geometry, handlePlaces, type SlotField } from './geometry.js';
+import type { CellField } from '../editing/grid.js';
+import { type Geometry, handlePlaces } from './geometry.js';
 import { laneAt } from './lanes.js';
 
 /** A place of the picture, in pixels from its upper left corner. */
@@ -18,7 +19,7 @@ const MARK_REACH = 4;
  * The field whose handle is under a pointer: the nearest one in reach. A mouse can also take any part of the selected
  * line, and a function by its vertical line; a finger would do that by mistake.
  */
-export function fieldUnder(geometry: Geometry, { x, y }: Point, coarse: boolean): SlotField | null {
+export function fieldUnder(geometry: Geometry, { x, y }: Point, coarse: boolean): CellField | null {
   const { layout, front, program, stages, flags } = geometry;
   const lane = servoUnder(geometry, y);
   const isInOther = lane !== null && lane !== front;

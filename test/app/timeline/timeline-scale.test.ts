@@ -348,9 +348,9 @@ describe('a flight', () => {
 
   it('lists what happens between two times, each event once', () => {
     expect(eventsBetween(rising, 200, 400)).toEqual([
-      { kind: 'motor-stop', time: 300 },
-      { kind: 'slot', slot: 2, time: 400 },
-      { kind: 'slot', slot: 3, time: 400 },
+      { slot: 0, time: 300 },
+      { slot: 2, time: 400 },
+      { slot: 3, time: 400 },
     ]);
     expect(eventsBetween(programOf('B', [300, 200, 400]), 0, 65535)).toHaveLength(2);
   });

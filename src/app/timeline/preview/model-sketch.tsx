@@ -1,18 +1,11 @@
 import type { ComponentChildren } from 'preact';
 import { messages } from '../../messages/index.js';
-import { servoClass } from '../servo-class.js';
-import type { Surface } from './surfaces.js';
+import { servoColour } from '../servo-colour.js';
+import type { Surface, Turn, turnsAt } from './surfaces.js';
 import './model-sketch.css';
 
-/** The angle of a surface in degrees (above 0: trailing edge up, or to the right), and the servo that turns it. */
-export interface SurfaceAngle {
-  readonly degrees: number;
-  readonly servo: number;
-}
-
 export interface ModelSketchProps {
-  /** Null where no servo turns it. */
-  readonly turned: Readonly<Record<Surface, SurfaceAngle | null>>;
+  readonly turned: ReturnType<typeof turnsAt>;
   /** Whether the model has a propeller: every class but E. */
   readonly propeller: boolean;
   /** Null when it is not known: the motor of an F1B is rubber. */
@@ -21,12 +14,7 @@ export interface ModelSketchProps {
   readonly turning: boolean;
   /** Whether the model comes down: DT was reached, and something moved. */
   readonly comesDown: boolean;
-  /** Whether a servo releases the tailplane, and none turns it. */
-  readonly letGo: boolean;
 }
-
-/** How far a released tailplane tips up, in degrees. */
-const LET_GO = 42;
 
 /**
  * A free-flight model from the side, and below it the fuselage from above, as in a workshop drawing. Surfaces have the
@@ -49,17 +37,17 @@ export function ModelSketch(props: ModelSketchProps) {
   );
 }
 
-function FromTheSide({ turned, propeller, motorRuns, turning, letGo }: ModelSketchProps) {
-  const { rudder, wing } = turned;
-  const tailplane = letGo ? { degrees: LET_GO, servo: null } : turned.tailplane;
+function FromTheSide({ turned: { rudder, tailplane, wing }, propeller, motorRuns, turning }: ModelSketchProps) {
   return (
     <>
       <path class="body" d="M112 60L121 42H137L142 60Z" />
       <path class="body" d="M264 64C266 51 271 44 278 43H285V65Z" />
       <path class="body" d="M266 66C270 74 277 79 285 80V67Z" />
-      <g class={rudder ? servoClass(rudder.servo) : ''}>
-        <path class={rudder ? 'surface' : 'body'} d="M285 43H288C293 49 295 57 294 65C294 72 292 77 288 80H285Z" />
-      </g>
+      <path
+        class={rudder ? 'surface' : 'body'}
+        style={servoColour(rudder?.servo ?? null)}
+        d="M285 43H288C293 49 295 57 294 65C294 72 292 77 288 80H285Z"
+      />
       <path class="body" d="M46 66C54 60 78 58.5 104 59L150 61L284 64.4V66.6L150 70.5L104 72.5C78 73 54 72 46 66Z" />
       <Hinged name="tailplane" turned={tailplane} x={241} y={60.5} reach={32}>
         <path d="M-5 0.3C-3 -2.8 9 -3 25 0.8C11 0.4 3 0.6 -5 0.3Z" />
@@ -73,12 +61,11 @@ function FromTheSide({ turned, propeller, motorRuns, turning, letGo }: ModelSket
 }
 
 /** Wing and tailplane are cut off: this view shows the rudder. */
-function FromAbove({ turned: { rudder, tailplane, wing } }: ModelSketchProps) {
+function FromAbove({ turned: { rudder } }: ModelSketchProps) {
   return (
     <>
       <path class="cut" d="M112 103V129M144 103V129M236 105V127M260 105V127" />
-      <path class={wing ? `stub ${servoClass(wing.servo)}` : 'stub'} d="M112 105H144V127H112Z" />
-      <path class={tailplane ? `stub ${servoClass(tailplane.servo)}` : 'stub'} d="M236 107H260V125H236Z" />
+      <path class="stub" d="M112 105H144V127H112ZM236 107H260V125H236Z" />
       <path
         class="body"
         d="M46 116C54 112.5 78 111.6 104 111.8L150 113L278 114.9V117.1L150 119L104 120.2C78 120.4 54 119.5 46 116Z"
@@ -92,7 +79,7 @@ function FromAbove({ turned: { rudder, tailplane, wing } }: ModelSketchProps) {
 
 interface HingedProps {
   readonly name: Surface;
-  readonly turned: { readonly degrees: number; readonly servo: number | null } | null;
+  readonly turned: Turn | null;
   /** The hinge. */
   readonly x: number;
   readonly y: number;
@@ -102,15 +89,14 @@ interface HingedProps {
 }
 
 function Hinged({ name, turned, x, y, reach, children }: HingedProps) {
-  const { degrees, servo } = turned ?? { degrees: 0, servo: null };
   return (
-    <g transform={`translate(${x} ${y})`} class={servo === null ? '' : servoClass(servo)}>
+    <g transform={`translate(${x} ${y})`} style={servoColour(turned?.servo ?? null)}>
       {turned && <path class="straight" d={`M0 0H${reach}`} />}
       <g
         class={turned ? 'surface' : 'body'}
         data-surface={name}
         // A trailing edge should go up, but drawings turn clockwise.
-        style={{ transform: `rotate(${-degrees}deg)` }}
+        style={{ transform: `rotate(${-(turned?.degrees ?? 0)}deg)` }}
       >
         {children}
       </g>

@@ -1,11 +1,12 @@
 import { useSignal } from '@preact/signals';
+import { Fragment } from 'preact';
 import { DUTIES, LIMITS, type ServoUse } from '../../../program/index.js';
 import { MAX_POSITION } from '../../../protocol/index.js';
 import { messages } from '../../messages/index.js';
 import { Select } from '../../ui/choice.js';
 import { FormButtons } from '../../ui/form-buttons.js';
 import { Modal } from '../../ui/modal.js';
-import { servoClass } from '../servo-class.js';
+import { servoColour } from '../servo-colour.js';
 import { SURFACES } from './surfaces.js';
 import './servo-dialog.css';
 
@@ -65,6 +66,12 @@ function inOrder({ low, high, name, ...use }: ServoUse): ServoUse {
   };
 }
 
+/** The ends of a servo's travel, each with the word before it. */
+const ENDS = [
+  ['low', 'from'],
+  ['high', 'to'],
+] as const;
+
 interface ServoRowProps {
   readonly servo: number;
   readonly use: ServoUse;
@@ -77,7 +84,7 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
   const name = servoName(servo);
   const isSurface = SURFACES.some((surface) => surface === use.duty);
   return (
-    <fieldset class={`row servo-row ${servoClass(servo)}`}>
+    <fieldset class="row servo-row" style={servoColour(servo)}>
       <legend>{name}</legend>
       <Select
         name={words.duty(name)}
@@ -97,11 +104,24 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
       )}
       {isSurface && (
         <>
-          <span class="servo-way">
-            <span aria-hidden="true">{words.from}</span>
-            <End label={words.low(name)} value={use.low} onChange={(low) => onChange({ low })} />
-            <span aria-hidden="true">{words.to}</span>
-            <End label={words.high(name)} value={use.high} onChange={(high) => onChange({ high })} />
+          <span class="row servo-way">
+            {ENDS.map(([end, before]) => (
+              <Fragment key={end}>
+                <span aria-hidden="true">{words[before]}</span>
+                {/* The browser itself refuses a text that is no step. */}
+                <input
+                  type="number"
+                  inputMode="numeric"
+                  aria-label={words[end](name)}
+                  min={0}
+                  max={MAX_POSITION}
+                  step={1}
+                  required
+                  value={Number.isFinite(use[end]) ? use[end] : ''}
+                  onChange={(event) => onChange({ [end]: event.currentTarget.valueAsNumber })}
+                />
+              </Fragment>
+            ))}
             <span aria-hidden="true">{timeline.stepsUnit}</span>
           </span>
           <Select
@@ -114,28 +134,5 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
         </>
       )}
     </fieldset>
-  );
-}
-
-interface EndProps {
-  readonly label: string;
-  readonly value: number;
-  readonly onChange: (value: number) => void;
-}
-
-/** One end of a servo's travel. The browser itself refuses a text that is no step. */
-function End({ label, value, onChange }: EndProps) {
-  return (
-    <input
-      type="number"
-      inputMode="numeric"
-      aria-label={label}
-      min={0}
-      max={MAX_POSITION}
-      step={1}
-      required
-      value={Number.isFinite(value) ? value : ''}
-      onChange={(event) => onChange(event.currentTarget.valueAsNumber)}
-    />
   );
 }

@@ -38,33 +38,42 @@ export function guessedUses({ positions }: TimerProgram): ServoUse[] {
   });
 }
 
-/**
- * The angle of a surface at a slot, in degrees from the fuselage. Above 0: trailing edge up, for a rudder to the right.
- * The tailplane of the glide is drawn straight. Null when no servo turns it.
- */
-export function turnOf(
+/** How a surface stands. */
+export interface Turn {
+  /** From the fuselage. Above 0: trailing edge up, for a rudder to the right. */
+  readonly degrees: number;
+  /** The servo that turns it; null for a released tailplane. */
+  readonly servo: number | null;
+}
+
+/** How far a released tailplane tips up. */
+const LET_GO: Turn = { degrees: 42, servo: null };
+
+/** How all surfaces stand at a slot; null for one that no servo turns. At DT a servo may release the tailplane. */
+export function turnsAt(
   program: TimerProgram,
   slot: number,
-  surface: Surface,
   uses: readonly ServoUse[],
-): number | null {
-  const servo = servoOf(surface, uses);
+): Readonly<Record<Surface, Turn | null>> {
+  const [rudder, tailplane, wing] = SURFACES.map((surface) => turnOf(program, slot, surface, uses));
+  const letGo = slot === program.identity.functions && isLetGo(program, uses);
+  return { rudder: rudder ?? null, tailplane: letGo ? LET_GO : (tailplane ?? null), wing: wing ?? null };
+}
+
+/** The tailplane of the glide is drawn straight. The first of several servos turns a surface. */
+function turnOf(program: TimerProgram, slot: number, surface: Surface, uses: readonly ServoUse[]): Turn | null {
+  const servo = uses.findIndex(({ duty }) => duty === surface);
   const use = uses[servo];
   const row = program.positions[servo];
   if (!use || !row) return null;
   const straight = surface === 'tailplane' ? shareOf(use, row.at(-2) ?? 0) : 0.5;
   const off = shareOf(use, row[slot] ?? 0) - straight;
-  if (off === 0) return 0;
+  if (off === 0) return { degrees: 0, servo };
   const [down, up] = SWING[surface];
   const rising = up / (1 - straight);
   // A small trim looks small in both directions.
   const turn = off * (off > 0 ? rising : Math.min(rising, down / straight));
-  return Math.round(turn * 10) / 10;
-}
-
-/** The servo that turns a surface; the first of several, -1 for none. */
-export function servoOf(surface: Surface, uses: readonly ServoUse[]): number {
-  return uses.findIndex(({ duty }) => duty === surface);
+  return { degrees: Math.round(turn * 10) / 10, servo };
 }
 
 /** Where a position lies on the servo's travel: 0 is fully down or left, 1 fully up or right. */
@@ -84,6 +93,6 @@ export function movedAtDt({ positions }: TimerProgram): number[] {
 }
 
 /** Whether the tailplane tips up at DT because a servo releases it. */
-export function isLetGo(program: TimerProgram, uses: readonly ServoUse[]): boolean {
+function isLetGo(program: TimerProgram, uses: readonly ServoUse[]): boolean {
   return movedAtDt(program).some((servo) => uses[servo]?.duty === 'release');
 }

@@ -1,13 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  guessedUses,
-  isLetGo,
-  movedAtDt,
-  SURFACES,
-  servoOf,
-  turnOf,
-} from '../../../../src/app/timeline/preview/surfaces.js';
+import { guessedUses, movedAtDt, SURFACES, turnsAt } from '../../../../src/app/timeline/preview/surfaces.js';
 import type { ServoUse } from '../../../../src/program/index.js';
 import { exampleMemories } from '../../../../src/simulator/index.js';
 import { programOf } from '../../programs.js';
@@ -24,7 +17,7 @@ const turns = (row: readonly number[], said: ServoUse) => {
   const program = programOf('Q', TIMES, [row]);
   if (said.duty !== 'rudder' && said.duty !== 'tailplane' && said.duty !== 'wing') throw new Error('no surface');
   const { duty } = said;
-  return row.map((_, slot) => turnOf(program, slot, duty, [said]));
+  return row.map((_, slot) => turnsAt(program, slot, [said])[duty]?.degrees);
 };
 
 describe('a surface', () => {
@@ -63,9 +56,8 @@ describe('a surface', () => {
 
   it('stands still when no servo turns it, or when the servo has no range', () => {
     const program = programOf('Q', TIMES);
-    expect(turnOf(program, 0, 'wing', [use('rudder'), use('other'), use('none')])).toBeNull();
-    expect(servoOf('wing', [use('rudder')])).toBe(-1);
-    expect(turnOf(program, 0, 'wing', [use('none'), use('none'), use('none'), use('wing')])).toBeNull();
+    expect(turnsAt(program, 0, [use('rudder'), use('other'), use('none')]).wing).toBeNull();
+    expect(turnsAt(program, 0, [use('none'), use('none'), use('none'), use('wing')]).wing).toBeNull();
     expect(turns([50, 60, 50, 60, 50], use('wing', 50, 50))).toEqual([0, 0, 0, 0, 0]);
   });
 });
@@ -102,14 +94,14 @@ describe('where nobody has said what the servos move', () => {
     ['up is less', [48, 44, 84, 84, 20]],
   ])('the tailplane goes up at DT: %s', (_, row) => {
     const program = programOf('Q', TIMES, [TIMES.map(() => 65), row]);
-    expect(turnOf(program, 4, 'tailplane', guessedUses(program))).toBe(42);
+    expect(turnsAt(program, 4, guessedUses(program)).tailplane?.degrees).toBe(42);
   });
 
   it('DT looks like DT in every memory of the simulated timers', () => {
     for (const timerClass of ['Q', 'B', 'E'] as const) {
       for (const { times, positions } of exampleMemories(timerClass)) {
         const program = programOf(timerClass, times, positions);
-        const tailplane = times.map((_, slot) => turnOf(program, slot, 'tailplane', guessedUses(program)));
+        const tailplane = times.map((_, slot) => turnsAt(program, slot, guessedUses(program)).tailplane?.degrees);
         expect(tailplane.at(-1)).toBe(42);
         expect(Math.max(...tailplane.slice(0, -1).map(Number))).toBeLessThan(5);
       }
@@ -130,7 +122,8 @@ describe('DT', () => {
       [65, 66, 67, 68, 68],
       [65, 65, 65, 65, 66],
     ]);
-    expect(isLetGo(program, [use('rudder'), use('release')])).toBe(true);
-    expect(isLetGo(program, [use('release'), use('rudder')])).toBe(false);
+    expect(turnsAt(program, 4, [use('rudder'), use('release')]).tailplane).toEqual({ degrees: 42, servo: null });
+    expect(turnsAt(program, 3, [use('rudder'), use('release')]).tailplane, 'not before DT').toBeNull();
+    expect(turnsAt(program, 4, [use('release'), use('rudder')]).tailplane).toBeNull();
   });
 });
