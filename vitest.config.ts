@@ -107,7 +107,7 @@ export default defineConfig({
         test: {
           ...site,
           name: 'site-firefox',
-          include: ['test/site/demo.test.ts'],
+          include: ['test/site/{demo,library,link,recovery,start}.test.ts'],
           maxWorkers,
         },
       },
