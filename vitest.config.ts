@@ -52,7 +52,7 @@ export default defineConfig({
           name: 'unit',
           environment: 'node',
           include: [
-            'test/{line,protocol,program,client,simulator,mock-serial,serial,fuzz,package}/**/*.test.ts',
+            'test/{line,protocol,program,client,simulator,mock-serial,serial,english,fuzz,package}/**/*.test.ts',
             'test/{readme,docs}*.test.ts',
           ],
           globalSetup: 'test/tools/pack-folder.js',

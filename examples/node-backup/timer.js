@@ -17,6 +17,7 @@ import { Duplex } from 'node:stream';
 import { parseArgs } from 'node:util';
 import { SerialPort } from 'serialport';
 import { TimerClient, TimerError } from 'sidus-timer/client';
+import { errorText, findingText, slotName } from 'sidus-timer/english';
 import { formatLibraryFile, parseLibraryFile } from 'sidus-timer/library';
 import { checkProgram, seconds, withValue } from 'sidus-timer/program';
 
@@ -50,16 +51,23 @@ function onProgress({ stage, fraction, memory }) {
  * @param {TimerProgram} program
  */
 function tableOf({ identity, memory, times, positions, idleThrottle }) {
-  const { timerClass, firmware, functions } = identity;
+  const { timerClass, firmware } = identity;
   const lines = times.map((time, slot) => {
-    const name = slot === 0 ? 'Start' : slot === functions ? 'DT' : String(slot);
     const seconds = slot === 0 ? '' : (time / 100).toFixed(2);
-    return [name.padEnd(6), seconds.padStart(7), ...positions.map((row) => String(row[slot]).padStart(5))].join('');
+    return [
+      slotName(identity, slot).padEnd(12),
+      seconds.padStart(7),
+      ...positions.map((row) => String(row[slot]).padStart(5)),
+    ].join('');
   });
   const motorStop = timerClass === 'Q' ? `, motor stop ${((times[0] ?? 0) / 100).toFixed(2)} s` : '';
   const throttle = idleThrottle === null ? '' : `, idle throttle ${idleThrottle}`;
   const head = `${timerClass} ${firmware}, memory ${memory === null ? 'not known' : `M${memory + 1}`}`;
-  const columns = ['slot'.padEnd(6), 'time/s'.padStart(7), ...positions.map((_, servo) => `S${servo + 1}`.padStart(5))];
+  const columns = [
+    'Slot'.padEnd(12),
+    'time/s'.padStart(7),
+    ...positions.map((_, servo) => `S${servo + 1}`.padStart(5)),
+  ];
   return [`${head}${motorStop}${throttle}`, columns.join(''), ...lines].join('\n');
 }
 
@@ -84,7 +92,8 @@ async function setDt(timer, options, text) {
   const baseline = await timer.readProgram(options);
   const { functions } = baseline.identity;
   const goal = withValue(baseline, { kind: 'time', slot: functions }, seconds(dt));
-  for (const { severity, code } of checkProgram(goal, { baseline })) say(`${severity}: ${code}`);
+  for (const finding of checkProgram(goal, { baseline }))
+    say(`${finding.severity}: ${findingText(finding, goal.identity)}`);
   return tell(await timer.writeProgram(goal, { ...options, baseline }));
 }
 
@@ -201,6 +210,6 @@ try {
   process.exitCode = await main();
 } catch (error) {
   const isTimer = error instanceof TimerError;
-  stderr.write(`${error instanceof Error ? error.message : error}${isTimer ? ` (${error.code})` : ''}\n`);
+  stderr.write(`${errorText(error)}${isTimer ? ` (${error.code})` : ''}\n`);
   process.exitCode = isTimer && error.code === 'aborted' ? STOPPED : FAILED;
 }

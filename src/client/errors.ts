@@ -99,9 +99,8 @@ export class TimerError extends Error {
   }
 
   /** What `structuredClone()`, `postMessage()` and `JSON` can carry. Of the error itself they keep no code. */
-  toJSON() {
-    const { name, code, message, details } = this;
-    return { name, code, message, details };
+  toJSON(): Pick<TimerError, 'name' | 'code' | 'message' | 'details'> {
+    return { ...this, message: this.message };
   }
 }
 

@@ -72,9 +72,8 @@ export class CodecError extends Error {
   }
 
   /** What `structuredClone()`, `postMessage()` and `JSON` can carry. Of the error itself they keep no code. */
-  toJSON() {
-    const { name, code, field, message, details } = this;
-    return { name, code, field, message, details };
+  toJSON(): Pick<CodecError, 'name' | 'code' | 'field' | 'message' | 'details'> {
+    return { ...this, message: this.message };
   }
 }
 
@@ -89,7 +88,7 @@ export function requireInteger(value: unknown, field: string, min: number, max: 
     );
   }
   if ((value as number) < min || (value as number) > max) {
-    throw new CodecError('out-of-range', field, `${field} must be ${min} to ${max}, not ${String(value)}`, {
+    throw new CodecError('out-of-range', field, `${field} must be ${min} to ${max}, not ${value}`, {
       value,
       min,
       max,

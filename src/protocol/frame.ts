@@ -51,8 +51,6 @@ export interface EncodeFrameOptions {
   readonly bareChecksum?: boolean;
 }
 
-const NO_DATA = new Uint8Array(0);
-
 /**
  * Wraps a command and its data: `00 00 00 00 00 LENGTH CODE DATA... CHECKSUM 45`.
  * @param code the command's letter, 0..255.
@@ -66,7 +64,7 @@ const NO_DATA = new Uint8Array(0);
  * console.log(bytes.join(' ')); // 0 0 0 0 0 3 107 107 69
  * ```
  */
-export function encodeFrame(code: number, data: ArrayLike<number> = NO_DATA, options: EncodeFrameOptions = {}): Bytes {
+export function encodeFrame(code: number, data: ArrayLike<number> = [], options: EncodeFrameOptions = {}): Bytes {
   requireInteger(code, 'code', 0, 0xff);
   if (!Number.isInteger(data?.length)) throw new CodecError('wrong-type', 'data', 'no list of bytes');
   if (data.length < 0 || data.length > MAX_DATA) {

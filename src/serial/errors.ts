@@ -40,8 +40,7 @@ export class ConnectionError extends Error {
   }
 
   /** What `structuredClone()`, `postMessage()` and `JSON` can carry. Of the error itself they keep no code. */
-  toJSON() {
-    const { name, code, message, bytes } = this;
-    return { name, code, message, bytes };
+  toJSON(): Pick<ConnectionError, 'name' | 'code' | 'message' | 'bytes'> {
+    return { ...this, message: this.message };
   }
 }

@@ -54,15 +54,18 @@ describe('the program for Node', () => {
     expect([code, complained]).toEqual([0, 'closed\n']);
     expect(said.split('\n').slice(0, 3)).toEqual([
       'B 536, memory M3',
-      'slot   time/s   S1   S2   S3',
-      'Start           15   15   15',
+      'Slot         time/s   S1   S2   S3',
+      'Start                 15   15   15',
     ]);
     expect(said).toMatch(/\nDT +\d+\.00( +\d+){3}\n$/);
   });
 
   it('sets DT, and says verified only when it was', () => {
     expect(tool('/dev/timer', 'dt', '180')).toEqual({ code: 0, said: 'Verified.\n', complained: 'closed\n' });
-    expect(tool('/dev/timer', 'dt', '20')).toMatchObject({ code: 0, said: 'warning: dt-short\nVerified.\n' });
+    expect(tool('/dev/timer', 'dt', '20')).toMatchObject({
+      code: 0,
+      said: 'warning: DT is shorter than 60.00 s.\nVerified.\n',
+    });
     expect(tool('/dev/rounds', 'dt', '20.55')).toMatchObject({
       code: 3,
       said: expect.stringMatching(/wanted 2055, the timer holds 2050\nNot verified: differs\.\n$/),
