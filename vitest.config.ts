@@ -108,7 +108,6 @@ export default defineConfig({
           ...site,
           name: 'site-firefox',
           include: ['test/site/{demo,library,link,recovery,start}.test.ts'],
-          maxWorkers,
         },
       },
       {
