@@ -3,6 +3,7 @@
  * @module protocol
  */
 
+export { type AnalysedEntry, analyse } from './analyse.js';
 export { type CaptureEntry, captureOf, formatCapture, parseCapture } from './capture.js';
 export {
   COMMANDS,

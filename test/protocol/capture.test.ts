@@ -1,7 +1,16 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type CaptureEntry, captureOf, formatCapture, parseCapture } from '../../src/protocol/index.js';
+import {
+  analyse,
+  type CaptureEntry,
+  captureOf,
+  encodeReply,
+  encodeRequest,
+  formatCapture,
+  parseCapture,
+} from '../../src/protocol/index.js';
 import { fromHex } from '../tools/bytes.js';
+import { B536 } from './vectors.js';
 
 const example: CaptureEntry[] = [
   { time: 0, direction: 'out', bytes: fromHex('00 00 00 00 00 03 6b 6b 45') },
@@ -121,5 +130,58 @@ describe('what cannot be a capture', () => {
     expect(captureOf(entries).map(({ time }) => time)).toEqual([0, 30, 30]);
     expect(parseCapture(formatCapture(captureOf(entries)))).toEqual(captureOf(entries));
     expect(captureOf([])).toEqual([]);
+  });
+});
+
+describe('analyse()', () => {
+  const seen = (entries: readonly CaptureEntry[]) =>
+    analyse(entries).map(({ message, answers }) => [message?.name, answers]);
+  const out = (time: number, bytes: Uint8Array): CaptureEntry => ({
+    time,
+    direction: 'out',
+    bytes: Uint8Array.from(bytes),
+  });
+  const came = (time: number, bytes: Uint8Array): CaptureEntry => ({ ...out(time, bytes), direction: 'in' });
+
+  it('reads each frame, and says which request a reply answers', () => {
+    const times = Array.from({ length: 11 }, (_, slot) => 100 * slot);
+    const reply = encodeReply({ name: 'GETTIMERS', times });
+    const misprint = encodeReply({ name: 'SETTIMERS', times });
+    const entries = [
+      came(0, reply),
+      out(10, encodeRequest({ name: 'GETSWVER' })),
+      came(20, encodeReply({ name: 'GETSWVER', identity: B536 })),
+      out(30, encodeRequest({ name: 'GETTIMERS' })),
+      out(40, encodeRequest({ name: 'GETTIMERS' })),
+      came(50, misprint.subarray(0, 9)),
+      came(60, misprint.subarray(9)),
+      came(70, reply),
+      out(80, encodeRequest({ name: 'GETMEMORY' })),
+      came(90, reply),
+    ];
+    expect(seen(entries)).toEqual([
+      ['GETTIMERS', null],
+      ['GETSWVER', null],
+      ['GETSWVER', 1],
+      ['GETTIMERS', null],
+      ['GETTIMERS', null],
+      ['GETTIMERS', 4],
+      ['GETTIMERS', null],
+      ['GETMEMORY', null],
+      ['GETTIMERS', null],
+    ]);
+    expect(analyse(entries)[5]).toMatchObject({ time: 60, direction: 'in', bytes: misprint, message: { times } });
+  });
+
+  it('tells bytes of no frame, frames that fell silent, and messages that cannot be read', () => {
+    const [cutOff, noise, unread] = analyse([
+      came(0, fromHex('00 00 00 00 00 0c 6c 42')),
+      came(100, fromHex('ff')),
+      came(200, fromHex('00 00 00 00 00 04 68 01 69 45')),
+    ]);
+    expect(cutOff).toMatchObject({ time: 0, frame: null, rejected: 'silence', message: null });
+    expect(noise).toMatchObject({ time: 100, frame: null, rejected: 'noise' });
+    // Positions without an identity have no layout.
+    expect(unread).toMatchObject({ frame: { code: 0x68 }, rejected: null, message: null, answers: null });
   });
 });

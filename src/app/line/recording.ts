@@ -1,10 +1,9 @@
-import type { LineEntry } from '../../client/index.js';
 import {
+  analyse,
   type CaptureEntry,
   COMMANDS,
   CodecError,
   captureOf,
-  FrameDecoder,
   formatCapture,
   parseCapture,
 } from '../../protocol/index.js';
@@ -33,11 +32,6 @@ export interface RecordingFault {
 
 /** The largest file that is read, in bytes: hours of a busy line. */
 const LARGEST = 10_000_000;
-/** Milliseconds without a byte after which an unfinished frame is given up. */
-const SILENCE = 60;
-/** The letters that may come with a bare checksum: see row 5 of docs/protocol.md. */
-const BARE = [COMMANDS.GETLOWRPM.reply, COMMANDS.SETMEMORY.request, COMMANDS.SETLOWRPM.request];
-
 export async function readRecording(file: File): Promise<Recording | RecordingFault> {
   const read = file.size > LARGEST ? null : await textOfFile(file);
   return read && 'text' in read ? parseRecording(plainName(file.name), read.text) : { line: null };
@@ -54,37 +48,12 @@ export function parseRecording(name: string, text: string): Recording | Recordin
     return { line: line === 1 ? null : line };
   }
   if (entries.length === 0) return { line: null };
-  const records = recordsOf(entries);
+  const record = recorder();
+  const records = analyse(entries).map((entry) => record({ ...entry, error: null }));
   const { request, reply } = COMMANDS.GETSWVER;
   const asked = records.findIndex(({ frame }) => frame?.code === request);
   const said = asked >= 0 && records.slice(asked).some(({ frame, layout }) => frame?.code === reply && layout.identity);
   return { name, entries, records, replayable: said };
-}
-
-/** Finds the frames in the recorded bytes, whatever pieces they came in. */
-function recordsOf(entries: readonly CaptureEntry[]): LineRecord[] {
-  const records: LineRecord[] = [];
-  const record = recorder();
-  let now = 0;
-  const listen = (direction: 'out' | 'in') => {
-    const keep = (part: Pick<LineEntry, 'bytes' | 'frame' | 'rejected'>): void =>
-      void records.push(record({ time: now, direction, error: null, ...part }));
-    const decoder = new FrameDecoder({
-      quirks: { bareChecksum: BARE },
-      onFrame: (frame, bytes) => keep({ bytes, frame, rejected: null }),
-      onRejected: ({ reason, bytes }) => keep({ bytes, frame: null, rejected: reason }),
-    });
-    return { decoder, heard: 0 };
-  };
-  const ears = { out: listen('out'), in: listen('in') };
-  for (const { time, direction, bytes } of entries) {
-    for (const { decoder, heard } of Object.values(ears)) if (time - heard > SILENCE) decoder.idle();
-    now = time;
-    ears[direction].heard = time;
-    ears[direction].decoder.push(bytes);
-  }
-  for (const { decoder } of Object.values(ears)) decoder.idle();
-  return records;
 }
 
 /**
