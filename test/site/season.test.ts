@@ -341,7 +341,8 @@ test('a season of three models is flown, and a lost device comes back on another
   await first.fly(FLIGHTS.ridge, 90, 'Turda');
   await first.disconnect();
 
-  // Lancer comes back, and is recognised.
+  // Lancer comes back, and is recognised. Connect would come back to the simulated timer of the Ridge.
+  await app.button(en.header.closeProgram).click();
   await first.hold(lancer);
   await app.connect();
   await app.text(/^This is Lancer 07, as seen /).waitFor();
