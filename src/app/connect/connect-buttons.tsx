@@ -18,15 +18,15 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
   // A changed program has its own way to the timer.
   const leads = large || session.editor.changes.value.length === 0;
-  const isSimulated = session.simulated.value;
-  const choice = failed || isSimulated || session.link.ports.value.length > 0;
+  const isHeld = session.timer.holdsSimulated;
+  const choice = failed || isHeld || session.link.ports.value.length > 0;
   const connect = part !== 'rest' && !session.link.unavailable && (
     <button
       type="button"
       class={large ? 'primary large' : leads ? 'primary' : ''}
       data-lead="connect"
       disabled={session.engaged.value}
-      onClick={() => void (isSimulated && !large ? session.timer.comeBack() : session.timer.connect())}
+      onClick={() => void (isHeld && !large ? session.timer.comeBack() : session.timer.connect())}
     >
       {session.connection.value ? program.read : header.connect}
     </button>

@@ -99,6 +99,11 @@ export class TimerAccess {
     return SIMULATED_CLASSES.find((each) => each === timerClass);
   }
 
+  /** Whether the program on the screen came from a simulated timer that still holds what was written to it. */
+  get holdsSimulated(): boolean {
+    return this.simulated !== undefined && this.#hasSimulated;
+  }
+
   /** Connects to a timer like the one from which the program on the screen came. */
   async comeBack(): Promise<void> {
     const { simulated } = this;
