@@ -118,10 +118,9 @@ export class TimerLink {
   /**
    * Connects to a port. Ends any other connection, or attempt, first.
    * @param settings default: those remembered for this port, else `DEFAULT_SETTINGS`.
-   * @param knownRate the rate at which a timer has answered there, in bits a second. Default: the one remembered for
-   * this port.
-   * @param signal gives the attempt up, as {@link stop} does. It no longer counts once the link has settled, or once
-   * another call has taken over.
+   * @param options `knownRate`: the rate at which a timer has answered there, in bits a second. Default: the one
+   * remembered for this port. `signal`: gives the attempt up, as {@link stop} does. It no longer counts once the link
+   * has settled, or once another call has taken over.
    * @returns once the link has settled: it is `on`, `waiting`, `away` or `off`.
    */
   async connect(
