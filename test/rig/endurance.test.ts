@@ -2,6 +2,7 @@ import { env, stdout } from 'node:process';
 import type { CDPSession } from 'playwright';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
+import { COMMANDS, type CommandName } from '../../src/protocol/index.js';
 import { Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 
@@ -110,8 +111,9 @@ test(`connected, read and disconnected ${CYCLES} times, the page holds no more t
 
   const all = FIRST + CYCLES;
   // Once to connect, once after the reading.
-  expect(rig.timer.core.answered.filter(({ name }) => name === 'GETSWVER')).toHaveLength(2 * all);
-  expect(rig.timer.core.answered.filter(({ name }) => name === 'GETSERVOPOS')).toHaveLength(all);
+  const asked = (name: CommandName): number[] => rig.requests.filter((code) => code === COMMANDS[name].request);
+  expect(asked('GETSWVER')).toHaveLength(2 * all);
+  expect(asked('GETSERVOPOS')).toHaveLength(all);
   await expect.poll(() => rig.sessions, { timeout: 60_000 }).toEqual({ opened: all, closed: all });
   expect(held.at(-1)?.get('object'), 'the snapshot was understood').toBeGreaterThan(1000);
   expect(
