@@ -80,10 +80,12 @@ export function pointerListeners(table: TableModel) {
      */
     onClick: ({ target }: MouseEvent): void => {
       if (!wasWhole || !(target instanceof HTMLInputElement)) return;
-      // Chromium moves the caret out of a selection only after the event.
+      const { value } = target;
+      // Chromium moves the caret out of a selection only after the event. A key that was heard before keeps its place.
       setTimeout(() => {
-        const { selectionStart: caret, selectionEnd, value } = target;
-        if (caret === selectionEnd && (caret === 0 || caret === value.length)) target.select();
+        const { selectionStart: caret, selectionEnd } = target;
+        const isAtEnd = caret === selectionEnd && (caret === 0 || caret === value.length);
+        if (isAtEnd && target.value === value) target.select();
       });
     },
     onPointerDown: (event: TargetedPointerEvent<HTMLTableElement>): void => {

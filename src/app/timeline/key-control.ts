@@ -62,6 +62,8 @@ export class KeyControl {
     if (value === null || !onEdit) return null;
     return () => {
       this.#model.ask(null);
+      // While a key is held, the pointer may select another servo, and this is a handle of that one.
+      if (this.#edit && fieldKey(this.#edit.field) !== fieldKey(field)) this.up();
       this.#edit ??= new DragEdit(now, field, onEdit);
       if (value !== valueAt(program, field)) this.#edit.move(value);
     };

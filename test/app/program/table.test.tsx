@@ -590,6 +590,20 @@ describe('what is typed next replaces the whole text', () => {
     expect([input.value, marked('DT time')]).toEqual(['3:00', whole]);
   });
 
+  it('but not what was typed at once after it', async () => {
+    await connected();
+    const input = field('Function 2, S1');
+    input.focus();
+    fireEvent.mouseDown(input, { button: 0 });
+    input.setSelectionRange(2, 2);
+    fireEvent.click(input);
+    // A slow device hears the key before anything that waits.
+    fireEvent.input(input, { target: { value: '7' } });
+    input.setSelectionRange(1, 1);
+    await idle();
+    expect([input.value, marked('Function 2, S1')]).toEqual(['7', false]);
+  });
+
   it('but not after a click of somebody who edits the text', async () => {
     await connected();
     const input = field('DT time');

@@ -423,6 +423,18 @@ describe('the keyboard', () => {
     expect(log).toEqual(['move-time 18100', 'move-time 18200', 'move-time 18300', 'move-time 18300.']);
   });
 
+  it('leaves a servo alone when another one is selected while a key is held', async () => {
+    const { current } = shown();
+    const step = handle('Function 2, S1') as SVGElement;
+    await act(() => step.focus());
+    await act(() => void fireEvent.keyDown(step, { key: 'ArrowUp' }));
+    await choose('S2');
+    const target = document.activeElement as Element;
+    await act(() => void fireEvent.keyDown(target, { key: 'ArrowUp', repeat: true }));
+    await act(() => void fireEvent.keyUp(target, { key: 'ArrowUp' }));
+    expect(current.value.positions.map((row) => row[2])).toEqual([13, 23, 32]);
+  });
+
   it('puts back with Escape while a key is held, else leaves the handles', async () => {
     const { log } = shown();
     const dt = handle('DT time');
