@@ -70,6 +70,8 @@ export default defineConfig({
           ...parts,
           name: 'parts',
           environment: 'happy-dom',
+          // Newer Nodes have a storage of their own, which stands in the way of happy-dom's.
+          execArgv: 'localStorage' in globalThis ? ['--no-experimental-webstorage'] : [],
           setupFiles: ['test/tools/seed.js', 'test/app/setup.ts'],
           exclude: ['**/*.browser.test.ts'],
           // The files share modules and a document: setup.ts leaves nothing behind from one to the next.
