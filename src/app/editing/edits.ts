@@ -101,6 +101,40 @@ export function stepValue(program: TimerProgram, field: ProgramField, by: number
   return { name: { code: 'change', params: { field: key } }, group: groupOf('step', key), values };
 }
 
+/** What of a servo a step moves. */
+interface StepOfServo {
+  readonly servo: number;
+  /** How many steps up; negative: down. */
+  readonly by: number;
+  /** The first slot that moves with it, up to DT. 0 is the start: all of them. */
+  readonly from: number;
+}
+
+/**
+ * Steps all positions of a servo, as after its surface was mounted anew. Where one cannot go as far, it stops as in
+ * {@link stepValue}, and {@link stopsOf} tells that before.
+ */
+export function stepServo(program: TimerProgram, step: StepOfServo): Edit {
+  const values = positionsOf(program, step).flatMap(({ field }) => nextStep(program, field, step.by));
+  return { name: { code: 'step-servo', params: { ...step } }, values };
+}
+
+/** Where positions stop on the way of {@link stepServo}, and the slots of those. */
+export function stopsOf(program: TimerProgram, step: StepOfServo): ReadonlyMap<number, readonly number[]> {
+  const stops = new Map<number, number[]>();
+  for (const { field, value } of positionsOf(program, step)) {
+    const [next = { value }] = nextStep(program, field, step.by);
+    if (next.value !== value + step.by) stops.set(next.value, [...(stops.get(next.value) ?? []), field.slot]);
+  }
+  return stops;
+}
+
+/** The positions of a servo from a slot on. */
+export function positionsOf(program: TimerProgram, { servo, from }: Omit<StepOfServo, 'by'>): readonly CellValue[] {
+  const positions = program.positions[servo] ?? [];
+  return positions.flatMap((value, slot) => (slot < from ? [] : [{ field: { kind: 'position', servo, slot }, value }]));
+}
+
 /** @returns an empty list when there is no step to take. */
 function nextStep(program: TimerProgram, field: ProgramField, by: number): FieldValue[] {
   const before = valueAt(program, field);

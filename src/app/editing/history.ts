@@ -1,12 +1,22 @@
 /** The steps that can be done to a program and undone. messages/ has the names that a pilot reads. */
-export const STEP_CODES = ['change', 'shift', 'paste', 'fill', 'revert-all', 'open', 'keep-tried'] as const;
+export const STEP_CODES = [
+  'change',
+  'shift',
+  'step-servo',
+  'paste',
+  'fill',
+  'revert-all',
+  'open',
+  'keep-tried',
+] as const;
 
 export type StepCode = (typeof STEP_CODES)[number];
 
 /**
  * The name of a step. Its parameters, where it has any:
  * - `field`, the key of a field; or `slot`, counted from 0: what a `change` changed, if not a range
- * - `by`, hundredths of a second
+ * - `by`, hundredths of a second; of a servo, steps
+ * - `servo`, counted from 0, and `from`, the first slot in which it moves
  * - `count`, how many values it changed
  * - `name`, that of the setting that was opened
  */

@@ -11,6 +11,7 @@ type Params = Readonly<Record<string, string>>;
 const steps: Record<StepCode, (params: Params) => string> = {
   change: ({ what }) => `change of ${what}`,
   shift: ({ what, by }) => `shift from ${what} by ${by}`,
+  'step-servo': ({ what, steps, from }) => `${what} by ${steps}${from === '' ? '' : `, from ${from}`}`,
   paste: ({ count }) => `paste of ${count}`,
   fill: ({ count }) => `fill down of ${count}`,
   'revert-all': () => 'putting back everything',
@@ -80,7 +81,22 @@ export const edits = {
       fillDown: 'Fill down',
       clipboardClosed: 'There is nothing to paste that this page may see. Tap the first field and paste there.',
     },
-    rowTools: (row: string) => `Tools for ${row}`,
+    /** Of a row or a servo. */
+    tools: (name: string) => `Tools for ${name}`,
+  },
+  /** All positions of a servo. */
+  stepServo: {
+    title: (servo: string) => `All positions of ${servo}`,
+    now: (lowest: number, highest: number) => `Now ${lowest === highest ? lowest : `${lowest} to ${highest}`}`,
+    by: 'By, in steps',
+    step: 'Step',
+    signed: (steps: number) => `${steps < 0 ? '−' : '+'}${Math.abs(steps)}`,
+    which: 'Which',
+    all: 'All functions',
+    from: (slot: string) => `From ${slot} on`,
+    /** What would not go as far. */
+    stops: (steps: string, what: string, count: number, at: number) =>
+      `${steps}: ${what} ${count === 1 ? 'stops' : 'stop'} at ${at}.`,
   },
   shift: {
     open: 'Shift…',

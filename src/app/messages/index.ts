@@ -74,6 +74,19 @@ export function slotInSentence(identity: Identity, slot: number): string {
   return inSentence(slotLabel(identity, slot));
 }
 
+/** Several slots, in one line: “start, functions 5 to 9, DT”. @param first the name of slot 0. */
+export function slotsText({ functions }: Identity, slots: readonly number[], first: string): string {
+  const { program, edits } = messages.value;
+  const between = slots.filter((slot) => slot > 0 && slot < functions);
+  return [
+    slots.includes(0) && first,
+    between.length > 0 && edits.shift.functions(between),
+    slots.includes(functions) && program.dt,
+  ]
+    .filter(Boolean)
+    .join(', ');
+}
+
 function inSentence(name: string): string {
   return /^[A-Z][a-z]/.test(name) ? name.charAt(0).toLowerCase() + name.slice(1) : name;
 }
@@ -229,10 +242,12 @@ export function valueText(identity: Identity, field: ProgramField, value: number
 /** The name of a step: “shift from function 3 by 0.50 s”. */
 export function stepText(identity: Identity, { code, params }: StepName): string {
   const { edits, seconds } = messages.value;
-  const { by, count } = params;
+  const { by, count, from } = params;
   return edits.steps[code]({
     what: subjectText(identity, params),
     by: seconds(formatInterval(Number(by))),
+    steps: edits.stepServo.signed(Number(by)),
+    from: from ? slotInSentence(identity, Number(from)) : '',
     count: edits.cells(Number(count)),
   });
 }
@@ -244,7 +259,7 @@ function subjectText(identity: Identity, params: StepName['params']): string {
   const found = fieldsOf(identity).find((each) => fieldKey(each) === field);
   if (found) return fieldInSentence(identity, found);
   if (typeof slot === 'number') return slotInSentence(identity, slot);
-  // In a draft of an earlier version: one that was changed, or copied to.
+  // In a draft of an earlier version also one that was changed, or copied to.
   if (typeof servo === 'number') return servoName(servo);
   return typeof count === 'number' ? edits.cells(count) : edits.opened(String(name));
 }

@@ -59,7 +59,7 @@ export function ProgramTable({ session, bench, follow, marked, tools }: ProgramT
           >
             <caption class="visually-hidden">{program.tableCaption}</caption>
             <TableHead
-              servos={servos}
+              {...{ table, tools, identity, servos }}
               onSwitch={() => {
                 intervals.value = !intervals.value;
               }}

@@ -6,18 +6,26 @@ import type { StepName } from '../editing/history.js';
 import { parseInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
 
-/** The tools of a row: which row has them open, and how far to shift, which stays the same from row to row. */
+/**
+ * What has its tools open: the slot of a row; `start`, which has no time, so that 0 is the motor stop of a Q; or a
+ * servo.
+ */
+export type ToolsPlace = number | 'start' | `servo-${number}`;
+
+/**
+ * The tools of a row or a servo: which has them open, and how far to shift a row, which stays the same from row to row.
+ */
 export class RowTools {
   readonly #editor: Editor;
-  readonly #open = signal<number | 'start' | null>(null);
+  readonly #open = signal<ToolsPlace | null>(null);
   readonly #amount = signal('0.10');
   readonly #moveDt = signal(false);
   /** The program when the tools were opened. */
   readonly #before = signal<TimerProgram | null>(null);
   readonly #problem = signal<string | null>(null);
 
-  /** The slot whose tools are open. 0 is the motor stop of a Q; `start` is the start, which has no time. */
-  readonly open: ReadonlySignal<number | 'start' | null> = this.#open;
+  /** Whose tools are open. */
+  readonly open: ReadonlySignal<ToolsPlace | null> = this.#open;
   /** How far to shift, as it was typed. */
   readonly amount: ReadonlySignal<string> = this.#amount;
   readonly moveDt: ReadonlySignal<boolean> = this.#moveDt;
@@ -43,9 +51,9 @@ export class RowTools {
     this.#editor = editor;
   }
 
-  show(slot: number | 'start'): void {
+  show(place: ToolsPlace): void {
     batch(() => {
-      this.#open.value = slot;
+      this.#open.value = place;
       this.#before.value = this.#editor.working.peek();
       this.#problem.value = null;
     });

@@ -1,17 +1,19 @@
 import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
+import { FIRST_SERVO_COLUMN } from '../editing/grid.js';
 import { messages } from '../messages/index.js';
 import { servoColour } from '../timeline/servo-colour.js';
+import { ServoMenu, type ServoMenuProps } from './servo-menu.js';
 import './table-head.css';
 
-interface TableHeadProps {
+interface TableHeadProps extends Omit<ServoMenuProps, 'servo'> {
   readonly servos: readonly number[];
   /** Where there is room for only one of the two, shows the other one. */
   readonly onSwitch: () => void;
 }
 
 /** The headings of the columns, with units. */
-export function TableHead({ servos, onSwitch }: TableHeadProps) {
+export function TableHead({ servos, onSwitch, ...menu }: TableHeadProps) {
   const { program, edits, servoName } = messages.value;
   const { table } = edits;
   return (
@@ -30,8 +32,16 @@ export function TableHead({ servos, onSwitch }: TableHeadProps) {
           {table.interval}
         </TimeHead>
         {servos.map((servo) => (
-          <th scope="col" class="servo" style={servoColour(servo)} key={servo} aria-label={servoName(servo)}>
+          <th
+            scope="col"
+            class="servo"
+            style={servoColour(servo)}
+            key={servo}
+            aria-label={servoName(servo)}
+            data-cell={FIRST_SERVO_COLUMN + servo}
+          >
             {servoName(servo)}
+            <ServoMenu {...menu} servo={servo} />
           </th>
         ))}
       </tr>

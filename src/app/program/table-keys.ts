@@ -3,7 +3,7 @@ import { gridColumns } from '../editing/grid.js';
 import { cellAt, cellOf } from './table-cells.js';
 import type { TableModel } from './table-model.js';
 
-/** The column with the tools of the rows, left of the times. */
+/** The column with the tools of the rows, left of the times. Those of the servos are above their positions. */
 const OPENERS = -1;
 
 const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]>> = {
@@ -15,8 +15,8 @@ const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]
 
 /**
  * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Tab goes to the buttons of
- * the range, Ctrl+D fills down, Alt with an arrow steps, with Shift ten steps at once. Left and right first move inside
- * a text to its end.
+ * the range, Ctrl+D fills down, Ctrl+Up goes to the heading and keeps the range, Alt with an arrow steps, with Shift
+ * ten steps at once. Left and right first move inside a text to its end.
  */
 export function onTableKey(event: KeyboardEvent, table: TableModel): void {
   const { target, key } = event;
@@ -42,6 +42,13 @@ export function onTableKey(event: KeyboardEvent, table: TableModel): void {
   }
   if (event.altKey || !cellOf(target)) return;
   if (event.ctrlKey || event.metaKey) {
+    const heading =
+      key === 'ArrowUp' && !event.shiftKey ? openerAt(target.closest('table')?.rows[0], columnOf(target)) : null;
+    if (heading) {
+      event.preventDefault();
+      heading.focus();
+      return;
+    }
     if (shortcutLetter(event) !== 'd' || event.shiftKey) return;
     event.preventDefault();
     table.fillDown();
@@ -105,10 +112,10 @@ function extend(
  */
 function moveFocus(event: KeyboardEvent, from: Element, [down, right]: readonly [number, number]): void {
   let row = from.closest('tr');
-  let column = Number(from.closest('td')?.getAttribute('data-cell') ?? OPENERS);
+  let column = columnOf(from);
   const columns = row?.closest('table')?.querySelectorAll('thead th').length ?? 0;
   for (;;) {
-    if (down !== 0) row = rowBeside(row, down);
+    if (row && down !== 0) row = rowBeside(row, down);
     column += right;
     if (!row || column < OPENERS || column >= columns) {
       // As in the cell that it would have gone to, what is typed next replaces the text.
@@ -116,9 +123,7 @@ function moveFocus(event: KeyboardEvent, from: Element, [down, right]: readonly 
       if (from instanceof HTMLInputElement) from.select();
       return;
     }
-    const found = row.querySelector<HTMLElement>(
-      column === OPENERS ? '.row-opener' : `td[data-cell="${column}"] input`,
-    );
+    const found = openerAt(row, column) ?? row.querySelector<HTMLElement>(`td[data-cell="${column}"] input`);
     found?.focus();
     if (!found || document.activeElement !== found) continue;
     event.preventDefault();
@@ -126,9 +131,20 @@ function moveFocus(event: KeyboardEvent, from: Element, [down, right]: readonly 
   }
 }
 
-/** The next row of the program in this direction. */
-function rowBeside(row: Element | null, down: number): HTMLTableRowElement | null {
-  const next = down > 0 ? row?.nextElementSibling : row?.previousElementSibling;
-  if (!(next instanceof HTMLTableRowElement)) return null;
-  return next.hasAttribute('data-slot') ? next : rowBeside(next, down);
+/** The grid column of an element; that of the tools of the rows where it is in none. */
+function columnOf(element: Element): number {
+  return Number(element.closest('[data-cell]')?.getAttribute('data-cell') ?? OPENERS);
+}
+
+/** What opens the tools of a heading. */
+function openerAt(row: Element | undefined, column: number): HTMLElement | null {
+  const heading = column === OPENERS ? 'th[scope="row"]' : `th[data-cell="${column}"]`;
+  return row?.querySelector<HTMLElement>(`${heading} .row-opener`) ?? null;
+}
+
+/** The next row of the program in this direction, or the headings above the first one. */
+function rowBeside(row: HTMLTableRowElement, down: number): HTMLTableRowElement | null {
+  const rows = [...(row.closest('table')?.rows ?? [])];
+  const known = rows.filter((each) => each === row || each.matches('thead > tr, [data-slot]'));
+  return known[known.indexOf(row) + down] ?? null;
 }

@@ -562,7 +562,7 @@ describe('what is typed next replaces the whole text', () => {
     ['ArrowDown', 'DT, S1'],
     ['Enter', 'DT, S1'],
     ['ArrowRight', 'Function 2, S3'],
-    ['ArrowUp', 'Start, S2'],
+    ['ArrowUp', 'Motor stop time'],
   ])('after %s at the edge: %s', async (pressed, name) => {
     await connected();
     field(name).focus();

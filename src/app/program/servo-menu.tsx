@@ -1,0 +1,123 @@
+import { useSignal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
+import type { Identity } from '../../protocol/index.js';
+import { positionsOf, stepServo, stopsOf } from '../editing/edits.js';
+import { parseSteps } from '../editing/units.js';
+import { messages, obstacleText, slotInSentence, slotsText } from '../messages/index.js';
+import { Problem } from '../ui/problem.js';
+import { SegmentChoice } from '../ui/segment-choice.js';
+import type { RowTools } from './row-tools.js';
+import type { TableModel } from './table-model.js';
+import { type OpenMenu, PanelFoot, ToolsMenu, ToolsPanel } from './tools-menu.js';
+
+export interface ServoMenuProps {
+  readonly table: TableModel;
+  readonly tools: RowTools;
+  readonly identity: Identity;
+  readonly servo: number;
+}
+
+/** The menu at the heading of a servo: all its positions by a step, as after its surface was mounted anew. */
+export function ServoMenu(props: ServoMenuProps) {
+  return (
+    <ToolsMenu tools={props.tools} at={`servo-${props.servo}`} name={messages.value.servoName(props.servo)}>
+      {(menu) => <ServoPanel {...props} menu={menu} />}
+    </ToolsMenu>
+  );
+}
+
+function ServoPanel({ table, identity, servo, menu }: ServoMenuProps & { readonly menu: OpenMenu }) {
+  const { edits, servoName, unreadable } = messages.value;
+  const { stepServo: words } = edits;
+  const typed = useSignal('');
+  const problem = useSignal<string | null>(null);
+  const scope = useSignal<'all' | 'from'>('all');
+  // As it was when the tools were opened: a digit that is typed here ends the range.
+  const selected = useMemo(() => {
+    const { top = 0 } = table.selection.range.peek() ?? {};
+    // The cell may be of a longer program.
+    return top <= identity.functions ? top : 0;
+  }, [table, identity]);
+  const working = table.editor.working.value;
+  if (!working) return null;
+  const from = scope.value === 'from' ? selected : 0;
+  const parsed = parseSteps(typed.value.replace(/^\s*\+/, ''));
+  const wanted = 'value' in parsed ? parsed.value : 0;
+  const positions = positionsOf(working, { servo, from }).map(({ value }) => value);
+  const step = (by: number): void => {
+    const obstacle = table.editor.apply(stepServo(working, { servo, by, from }));
+    problem.value = obstacle && `${edits.nothingDone} ${obstacleText(identity, obstacle)}`;
+  };
+  return (
+    <ToolsPanel
+      menu={menu}
+      title={words.title(servoName(servo))}
+      onSubmit={() => {
+        if ('value' in parsed) step(parsed.value);
+        else problem.value = unreadable[parsed.unreadable];
+      }}
+    >
+      <p class="hint row-panel-moved" role="status">
+        {words.now(Math.min(...positions), Math.max(...positions))}
+      </p>
+      <div class="shift-fields step-fields">
+        {[-1, 1].map((by) => (
+          <button type="button" key={by} onClick={() => step(by)}>
+            {words.signed(by)}
+          </button>
+        ))}
+        <label>
+          <span class="visually-hidden">{words.by}</span>
+          <input
+            type="text"
+            autocomplete="off"
+            value={typed.value}
+            onInput={({ currentTarget }) => {
+              typed.value = currentTarget.value;
+              problem.value = null;
+            }}
+          />
+        </label>
+        <button type="submit">{words.step}</button>
+      </div>
+      <Problem text={problem.value} />
+      {[...new Set([-1, 1, wanted])].map((by) => (
+        <Stops key={by} {...{ identity, by }} stops={stopsOf(working, { servo, by, from })} />
+      ))}
+      {selected > 0 && (
+        <SegmentChoice
+          name="step-servo"
+          title={words.which}
+          choices={['all', 'from'] as const}
+          names={{ all: words.all, from: words.from(slotInSentence(identity, selected)) }}
+          chosen={scope.value}
+          onChoose={(choice) => {
+            scope.value = choice;
+          }}
+        />
+      )}
+      <PanelFoot menu={menu} />
+    </ToolsPanel>
+  );
+}
+
+interface StopsProps {
+  readonly identity: Identity;
+  readonly by: number;
+  /** The slots that stop, by where. */
+  readonly stops: ReadonlyMap<number, readonly number[]>;
+}
+
+/** What would not go as far, said before it is done. */
+function Stops({ identity, by, stops }: StopsProps) {
+  const { stepServo: words } = messages.value.edits;
+  return (
+    <>
+      {[...stops].map(([at, slots]) => (
+        <p class="stops" key={at}>
+          {words.stops(words.signed(by), slotsText(identity, slots, slotInSentence(identity, 0)), slots.length, at)}
+        </p>
+      ))}
+    </>
+  );
+}
