@@ -1,9 +1,10 @@
 import { useEffect } from 'preact/hooks';
 import { takeDroppedFiles } from './browser/dropped-files.js';
-import { backupKey, COMPARE, SCREEN, settingKey } from './compare/choice.js';
+import { backupKey, COMPARE, SCREEN, settingKey, versionKey } from './compare/choice.js';
 import { CompareButton } from './compare/compare-button.js';
 import { FLIGHTS } from './flights/flight-filter.js';
 import { FlightsSection } from './flights/flights-section.js';
+import { EarlierVersions } from './library/earlier-versions.js';
 import { ExportButton, LibraryFileButtons } from './library/files/file-buttons.js';
 import { LibraryView } from './library/library-view.js';
 import type { Places } from './library/places.js';
@@ -43,8 +44,8 @@ function placesOf(models: AppModels): Places {
     printOrder.choose(keys);
     views.show('print');
   };
-  const sideBySide = (first: string): void => {
-    comparedPair.show(first, null);
+  const sideBySide = (first: string, second: string | null = null): void => {
+    comparedPair.show(first, second);
     views.show('library', COMPARE);
   };
   return {
@@ -100,8 +101,15 @@ function placesOf(models: AppModels): Places {
         />
       </>
     ),
-    settingSections: ({ key, setting }) => (
-      <FlightsSection {...flightsOf} of={{ kind: 'setting', id: key, name: setting.name }} />
+    settingSections: (record) => (
+      <>
+        <EarlierVersions
+          session={session}
+          record={record}
+          onCompare={({ until }) => sideBySide(versionKey(record.key, until), settingKey(record.key))}
+        />
+        <FlightsSection {...flightsOf} of={{ kind: 'setting', id: record.key, name: record.setting.name }} />
+      </>
     ),
   };
 }

@@ -2,7 +2,7 @@
 
 export { type ManualRange, manualRange } from './check.js';
 export { changeRequests } from './difference.js';
-export { LIMITS, requireFlight, requireLibrary, requireModel, requireSetting } from './library.js';
+export { LIMITS, requireFlight, requireLibrary, requireModel, requireSetting, requireVersion } from './library.js';
 export { FILE_FORMAT, FILE_VERSION, MAX_FILE } from './library-file.js';
 export { requireShape, sameKind } from './program.js';
 export * from './public.js';

@@ -4,13 +4,16 @@ import { placeInText, readJson, writeJson } from './json-text.js';
 import {
   entries,
   type Flight,
+  LIMITS,
   type Library,
   type Model,
   requireFlight,
   requireLibrary,
   requireModel,
   requireSetting,
+  requireVersion,
   type Setting,
+  type SettingVersion,
 } from './library.js';
 import type { TimerProgram } from './program.js';
 import { flag, LAST_DATE, list, type Raw, record, text, whole } from './require.js';
@@ -41,6 +44,8 @@ export interface EntryFacts {
   readonly changedAt?: number;
   /** For a model: what the memories of its timer held when they were last verified. At most 255. */
   readonly verified?: readonly VerifiedMemory[];
+  /** For a setting: what it held before, the latest first. At most 20. */
+  readonly versions?: readonly SettingVersion[];
 }
 /** The facts of each entry of a library, by the entry itself. */
 export type FactsOf = ReadonlyMap<Model | Setting | Flight, EntryFacts>;
@@ -98,7 +103,7 @@ function toFile({ library, facts, writtenAt, writtenBy }: Content): object {
     program: programToFile(program),
   });
   const written = (entry: Entry): object => {
-    const { changedAt, verified } = facts.get(entry) ?? {};
+    const { changedAt, verified, versions } = facts.get(entry) ?? {};
     return {
       ...entry,
       ...('program' in entry && held(entry)),
@@ -108,6 +113,9 @@ function toFile({ library, facts, writtenAt, writtenBy }: Content): object {
           ...held(each),
           ...(each.simulated !== undefined && { simulated: each.simulated }),
         })),
+      }),
+      ...(versions && {
+        versions: versions.map((each) => ({ until: dateToFile(each.until), ...held(each), from: each.from })),
       }),
     };
   };
@@ -188,15 +196,22 @@ function withHeld(raw: unknown, path: string): Raw<VerifiedMemory> & Pick<Verifi
   return { ...of, at, program: programFromFile(of.program, `${path}.program`) };
 }
 
-function factsOf({ verified, changedAt }: Raw<EntryFacts>, path: string, kind: Kind): EntryFacts {
+function factsOf({ verified, versions, changedAt }: Raw<EntryFacts>, path: string, kind: Kind): EntryFacts {
   const memory = (raw: unknown, index: number): VerifiedMemory => {
     const place = `${path}.verified[${index}]`;
     const { at, program, simulated } = withHeld(raw, place);
     return { at, program, ...(simulated !== undefined && { simulated: flag(simulated, `${place}.simulated`) }) };
   };
+  const version = (raw: unknown, index: number): SettingVersion => {
+    const place = `${path}.versions[${index}]`;
+    const of = record<SettingVersion>(raw, place);
+    return requireVersion({ ...withHeld(of, place), until: dateFromFile(of.until, `${place}.until`) }, place);
+  };
   return {
     ...(kind === 'models' &&
       verified !== undefined && { verified: list(verified, `${path}.verified`, MOST_VERIFIED).map(memory) }),
+    ...(kind === 'settings' &&
+      versions !== undefined && { versions: list(versions, `${path}.versions`, LIMITS.versions).map(version) }),
     ...(changedAt !== undefined && { changedAt: dateFromFile(changedAt, `${path}.changedAt`) }),
   };
 }

@@ -95,6 +95,12 @@ export interface Setting {
   readonly archived: boolean;
 }
 
+/** What a setting held before a save replaced it. */
+export interface SettingVersion extends Pick<Setting, 'at' | 'program' | 'from'> {
+  /** Until when the setting held it, in milliseconds since 1970: it was saved over at that moment. */
+  readonly until: number;
+}
+
 /** One flight in the pilot's log. It holds a copy of the program that was flown, so that it never changes. */
 export interface Flight {
   /** Unique and never changed, as in {@link Model.id}. */
@@ -147,6 +153,7 @@ export const LIMITS = {
   note: 5000,
   tag: 30,
   tags: 20,
+  versions: 20,
   place: 100,
   round: 30,
 } as const;
@@ -189,6 +196,17 @@ export function requireSetting(value: unknown, path = 'setting'): Setting {
     program: requireProgram(of.program, `${path}.program`),
     from: word(of.from, `${path}.from`, SOURCES),
     archived: flag(of.archived, `${path}.archived`),
+  };
+}
+
+/** Makes sure that a value is an earlier version of a setting; see {@link requireModel}. */
+export function requireVersion(value: unknown, path = 'version'): SettingVersion {
+  const of = record<SettingVersion>(value, path);
+  return {
+    until: date(of.until, `${path}.until`),
+    at: date(of.at, `${path}.at`),
+    program: requireProgram(of.program, `${path}.program`),
+    from: word(of.from, `${path}.from`, SOURCES),
   };
 }
 

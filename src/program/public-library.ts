@@ -13,6 +13,7 @@ export {
   type ServoUse,
   type Setting,
   type SettingSource,
+  type SettingVersion,
   SOURCES,
 } from './library.js';
 export {

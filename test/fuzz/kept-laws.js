@@ -17,7 +17,7 @@ const schema = JSON.parse(readFileSync(new URL('../../public/library.schema.json
 const BEYOND_SCHEMA = [
   /^(wrong-count|duplicate|bad-identity) /,
   /^unknown-word .*\.(slot|memory)$/,
-  /^wrong-type .*(At|\.at)$/,
+  /^wrong-type .*(At|\.at|\.until)$/,
   // Above the other end of the servo.
   /^out-of-range .*\.low$/,
 ];
@@ -39,7 +39,8 @@ const some = fc.oneof(
 );
 const date = fc.integer({ min: 0, max: 4_000_000_000_000 });
 const head = fc.record({ writtenAt: date, writtenBy: words(200) });
-/** @type {fc.Arbitrary<import('../../src/program/index.js').EntryFacts>} */
+/** @typedef {import('../../src/program/index.js').EntryFacts} EntryFacts */
+/** @type {fc.Arbitrary<EntryFacts>} */
 const facts = fc.record(
   {
     verified: fc.array(
@@ -49,10 +50,36 @@ const facts = fc.record(
       ),
       { maxLength: 2 },
     ),
+    versions: fc.array(
+      fc.record(
+        { until: date, at: date, program, from: fc.constantFrom(.../** @type {const} */ (['typed', 'timer', 'link'])) },
+        { noNullPrototype: true },
+      ),
+      { maxLength: 2 },
+    ),
     changedAt: date,
   },
   { requiredKeys: [], noNullPrototype: true },
 );
+
+/**
+ * What is known of the entries of a library: of each kind what its entries may have.
+ * @param {import('../../src/program/index.js').Library} of @param {readonly EntryFacts[]} known
+ */
+function factsOf({ models, settings, flights }, known) {
+  /** @type {Map<any, EntryFacts>} */
+  const given = new Map();
+  for (const [at, entry] of [...models, ...settings, ...flights].entries()) {
+    const { verified, versions, ...rest } = known[at] ?? {};
+    const fact = {
+      ...(verified && at < models.length && { verified }),
+      ...(versions && settings.some((each) => each === entry) && { versions }),
+      ...rest,
+    };
+    if (Object.keys(fact).length > 0) given.set(entry, fact);
+  }
+  return given;
+}
 
 /** @param {Keeping} keeping */
 function reading({ parseLibraryFile, formatLibraryFile, requireLibrary, CodecError }) {
@@ -89,12 +116,7 @@ export const KEPT_LAWS = {
   'file: a library comes back as it was, with what is known of it': (keeping) =>
     fc.property(some, head, fc.array(facts), fc.constantFrom('\n', '\r\n', '\r'), (of, by, known, end) => {
       const all = [...of.models, ...of.settings, ...of.flights];
-      /** @type {Map<any, import('../../src/program/index.js').EntryFacts>} */
-      const given = new Map();
-      for (const [at, entry] of all.entries()) {
-        const fact = at < of.models.length ? known[at] : { changedAt: at };
-        if (fact && Object.keys(fact).length > 0) given.set(entry, fact);
-      }
+      const given = factsOf(of, known);
       const text = keeping.formatLibraryFile(of, { ...by, facts: given });
       const file = keeping.parseLibraryFile(`\ufeff${text.replaceAll('\n', end)}`);
       const read = [...file.library.models, ...file.library.settings, ...file.library.flights];
@@ -108,15 +130,15 @@ export const KEPT_LAWS = {
 
   'file: a text that was damaged is right or refused with its place': (keeping) => {
     const read = reading(keeping);
-    return fc.property(some, head, textDamage, (of, by, damage) => {
-      read(damage(keeping.formatLibraryFile(of, by)));
+    return fc.property(some, head, fc.array(facts), textDamage, (of, by, known, damage) => {
+      read(damage(keeping.formatLibraryFile(of, { ...by, facts: factsOf(of, known) })));
     });
   },
 
   'file: values that were changed are right or refused, and the schema says the same': (keeping) => {
     const read = reading(keeping);
-    return fc.property(some, head, valueDamage, (of, by, damage) => {
-      const value = damage(JSON.parse(keeping.formatLibraryFile(of, by)));
+    return fc.property(some, head, fc.array(facts), valueDamage, (of, by, known, damage) => {
+      const value = damage(JSON.parse(keeping.formatLibraryFile(of, { ...by, facts: factsOf(of, known) })));
       const found = read(JSON.stringify(value));
       const broken = breach(schema, value);
       if (typeof found !== 'string')

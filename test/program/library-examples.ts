@@ -1,4 +1,4 @@
-import type { Flight, Model, Setting, TimerProgram } from '../../src/program/index.js';
+import type { Flight, Model, Setting, SettingVersion, TimerProgram } from '../../src/program/index.js';
 
 const PROGRAM: TimerProgram = {
   identity: { timerClass: 'Q', firmware: '536', functions: 4, memories: 4, servos: 2 },
@@ -35,6 +35,14 @@ export const SETTING: Setting = {
   program: PROGRAM,
   from: 'timer',
   archived: false,
+};
+
+/** What it held before: DT was half a minute longer. */
+export const VERSION: SettingVersion = {
+  until: 1_794_999_000_000,
+  at: 1_794_900_000_000,
+  program: { ...PROGRAM, times: PROGRAM.times.with(4, 21_000) },
+  from: 'typed',
 };
 
 export const FLIGHT: Flight = {

@@ -10,10 +10,11 @@ import {
   MAX_FILE,
   type Model,
   parseLibraryFile,
+  type Setting,
 } from '../../src/program/index.js';
 import { CodecError } from '../../src/protocol/index.js';
 import { breach } from './json-schema.js';
-import { FLIGHT, MODEL, SETTING } from './library-examples.js';
+import { FLIGHT, MODEL, SETTING, VERSION } from './library-examples.js';
 
 const LIBRARY: Library = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
 const HEAD = { writtenAt: 1_795_000_000_000, writtenBy: 'Sidus Timer 0.2.0' };
@@ -271,6 +272,37 @@ describe('a library file', () => {
     const text = formatLibraryFile(LIBRARY, { ...HEAD, facts });
     expect(change(text)).not.toBe(text);
     expect(refused(change(text)).replace(/ \d+:\d+$/, '')).toBe(expected);
+  });
+
+  const versioned = (count: number): string =>
+    formatLibraryFile(LIBRARY, {
+      ...HEAD,
+      facts: new Map<Setting, EntryFacts>([[SETTING, { versions: Array.from({ length: count }, () => VERSION) }]]),
+    });
+
+  it.each([0, 1, 20])('carries %i earlier versions of a setting, and its schema says so', (count) => {
+    const text = versioned(count);
+    const { facts, library, ignored } = parseLibraryFile(text);
+    expect([...facts.values()]).toEqual([{ versions: Array.from({ length: count }, () => VERSION) }]);
+    expect([library, ignored]).toEqual([LIBRARY, []]);
+    expect(breach(schema, JSON.parse(text))).toBeUndefined();
+  });
+
+  it.each<[string, string | RegExp, string, string]>([
+    ['are no list', /"versions": \[.*?\n {6}\]/s, '"versions": 5', 'wrong-type settings[0].versions'],
+    ['are no objects', '"versions": [', '"versions": [5, ', 'wrong-type settings[0].versions[0]'],
+    ['have no end', '"until"', '"till"', 'wrong-type settings[0].versions[0].until'],
+    ['end on a day', '"until": "', '"until": "on ', 'wrong-type settings[0].versions[0].until'],
+    ['come from nowhere', '"from": "typed"', '"from": "air"', 'unknown-word settings[0].versions[0].from'],
+  ])('with versions that %s is refused with the place, and the schema refuses it, too', (_, from, to, expected) => {
+    const text = versioned(1).replace(from, to);
+    expect(refused(text).replace(/ \d+:\d+$/, '')).toBe(expected);
+    expect(breach(schema, JSON.parse(text))).toMatch(/^settings\[0\]\.versions/);
+  });
+
+  it('with 21 versions of a setting is refused, by the schema, too', () => {
+    expect(refused(versioned(21))).toMatch(/^wrong-count settings\[0\]\.versions /);
+    expect(breach(schema, JSON.parse(versioned(21)))).toBe('settings[0].versions: maxItems');
   });
 
   it('lists what the reading leaves out inside a program, by its place', () => {

@@ -7,6 +7,8 @@ export const SCREEN = 'screen';
 /** @param memory counted from 0. */
 export const memoryKey = (memory: number): string => `timer/${memory}`;
 export const settingKey = (id: string): string => `setting/${id}`;
+/** The key of an earlier version of a setting. */
+export const versionKey = (id: string, until: number): string => `version/${id}/${until}`;
 export const backupKey = (key: string): string => `backup/${key}`;
 
 /** Which two programs are compared. Outlasts the page of the comparison. */

@@ -1,8 +1,8 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { type Change, differences } from '../../program/index.js';
-import { comparingMessages } from '../messages/en-compare.js';
+import { comparingMessages, versions } from '../messages/en-compare.js';
 import { obstacles } from '../messages/en-library.js';
-import { clockText, dayText, fieldInSentence, figureText, messages } from '../messages/index.js';
+import { clockText, dateText, dayText, fieldInSentence, figureText, messages } from '../messages/index.js';
 import { BackHead } from '../ui/back-head.js';
 import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
@@ -122,6 +122,7 @@ function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
   const groups = [
     { name: words.groups.now, of: sides.filter(({ kind }) => kind === 'screen' || kind === 'timer') },
     { name: words.groups.settings, of: sides.filter(({ kind }) => kind === 'setting') },
+    { name: versions.title, of: sides.filter(({ kind }) => kind === 'version') },
     { name: backups.title, of: sides.filter(({ kind }) => kind === 'backup') },
   ];
   return (
@@ -162,6 +163,8 @@ export function sideName(session: Session, side: Side): string {
     const { setting } = side.record;
     return words.setting(library.models.get(setting.model)?.model.name ?? null, setting.name);
   }
+  if (side.kind === 'version')
+    return words.setting(side.record.setting.name, versions.until(dateText(side.version.until)));
   const { program, savedAt, model } = side.backup;
   const memory = program.memory === null ? recovery.unknownMemory : memoryName(program.memory);
   return words.backup(memory, dayText(savedAt), library.models.get(model ?? null)?.model.name ?? null);

@@ -1,17 +1,18 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
-import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { fieldKey, type ProgramField, type SettingVersion, type TimerProgram, valueAt } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import { isOfOneShape } from '../editing/shape.js';
 import type { Backup, SettingRecord } from '../storage/index.js';
 import type { Held } from '../timer/standing.js';
 import type { Session } from '../work/session.js';
-import { backupKey, type ComparedPair, memoryKey, SCREEN, settingKey } from './choice.js';
+import { backupKey, type ComparedPair, memoryKey, SCREEN, settingKey, versionKey } from './choice.js';
 
 /** A program that can be compared: on the screen, with all changes; as last read from the connected timer; kept. */
 export type Side = { readonly key: string; readonly program: TimerProgram } & (
   | { readonly kind: 'screen' }
   | { readonly kind: 'timer'; readonly held: Held & { readonly memory: number } }
   | { readonly kind: 'setting'; readonly record: SettingRecord }
+  | { readonly kind: 'version'; readonly record: SettingRecord; readonly version: SettingVersion }
   | { readonly kind: 'backup'; readonly backup: Backup }
 );
 
@@ -33,7 +34,7 @@ export class Compare {
   constructor(parts: CompareParts, pair: ComparedPair) {
     this.#parts = parts;
     this.#pair = pair;
-    this.sides = computed(() => sidesOf(parts));
+    this.sides = computed(() => sidesOf(parts, [pair.first.value, pair.second.value]));
     // A program that is gone gives way to one that is there.
     this.first = computed(() => chosen(this.sides.value, this.#pair.first.value));
     this.others = computed(() => {
@@ -72,15 +73,32 @@ export class Compare {
   }
 }
 
-function sidesOf({ editor, standings, library, backups, connection }: CompareParts): Side[] {
+/** @param chosen the keys of both sides: only settings that stand there show their earlier versions. */
+function sidesOf(
+  { editor, standings, library, backups, connection }: CompareParts,
+  chosen: readonly (string | null)[],
+): Side[] {
   const working = editor.working.value;
   const read = connection.value ? standings.readMemories().filter(({ known }) => known.state === 'read') : [];
+  const settings = library.settings.list.value;
+  const shown = settings.filter(({ key }) => chosen.some((each) => each?.split('/')[1] === key));
   return [
     ...(working ? [{ kind: 'screen', key: SCREEN, program: working } as const] : []),
     ...read.map((held): Side => ({ kind: 'timer', key: memoryKey(held.memory), held, program: held.program })),
-    ...library.settings.list.value.map((record): Side => {
+    ...settings.map((record): Side => {
       return { kind: 'setting', key: settingKey(record.key), record, program: record.setting.program };
     }),
+    ...shown.flatMap((record) =>
+      (record.versions ?? []).map((version): Side => {
+        return {
+          kind: 'version',
+          key: versionKey(record.key, version.until),
+          record,
+          version,
+          program: version.program,
+        };
+      }),
+    ),
     ...backups.list.value.map((backup): Side => {
       return { kind: 'backup', key: backupKey(backup.key), backup, program: backup.program };
     }),

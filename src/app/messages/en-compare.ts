@@ -29,5 +29,16 @@ const modelBackups = {
   now: 'now',
 };
 
+/** What a saved program held before it was saved over. */
+export const versions = {
+  title: 'Earlier versions',
+  until: (when: string) => `Until\u00a0${when}`,
+  /** @param change the first value that was changed then: “DT: 3:00 min → 3:30 min”. @param more how many others. */
+  changed: (change: string, more: number) => `then ${change}${more === 0 ? '' : ` and ${more}\u00a0more`}`,
+  otherLayout: 'then values for another timer',
+  same: 'The saved program holds this now.',
+  goBack: 'Go back to this',
+};
+
 /** Comparisons. The parts of the page that show them load these sentences. */
 export const comparingMessages = { compare, modelBackups };

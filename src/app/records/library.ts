@@ -3,6 +3,7 @@ import type { Flight, Model, Setting } from '../../program/index.js';
 import type { Change, FlightRecord, LibraryChange, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
 import { Collection, changeTime } from './collection.js';
 import { withPlainNames } from './plain-names.js';
+import { versionsAfter } from './versions.js';
 
 /** How many records at most are changed in one step of the storage. */
 const AT_A_TIME = 200;
@@ -126,10 +127,12 @@ export class Library {
     for (const each of [this.models, this.settings, this.flights]) each.undoRemove();
   }
 
-  /** Saves a new setting, or a changed one. @returns its record. */
-  async keepSetting(setting: Setting): Promise<SettingRecord> {
-    const changedAt = changeTime(this.settings.get(setting.id));
-    const record = { key: setting.id, setting: withPlainNames(setting), changedAt };
+  /** Saves a new setting, or a changed one, whose values before stay as a version. @returns its record. */
+  async keepSetting(setting: Setting, changes: Partial<SettingRecord> = {}): Promise<SettingRecord> {
+    const before = this.settings.get(setting.id);
+    const changedAt = changeTime(before);
+    const versions = versionsAfter(before, setting.program, changedAt);
+    const record = { key: setting.id, versions, ...changes, setting: withPlainNames(setting), changedAt };
     await this.settings.save(record);
     return record;
   }

@@ -1,11 +1,13 @@
 import * as v from 'valibot';
 import {
+  LIMITS,
   type Model,
   requireFlight,
   requireModel,
   requireProgram,
   requireSetting,
   requireShape,
+  requireVersion,
   type ServoUse,
   sameLayout,
   type TimerProgram,
@@ -214,8 +216,18 @@ export const modelSchema = v.object({
 });
 export type ModelRecord = v.InferOutput<typeof modelSchema>;
 
+const versions = v.pipe(v.array(checked((value) => requireVersion(value))), v.maxLength(LIMITS.versions));
 /** A setting of the library, by its id. */
-export const settingSchema = v.object({ key, setting: checked(requireSetting), changedAt: date });
+export const settingSchema = v.object({
+  key,
+  setting: checked(requireSetting),
+  changedAt: date,
+  /**
+   * What it held before, the latest first; older records have none. If they cannot be read, the setting must not be
+   * lost.
+   */
+  versions: v.optional(v.fallback(v.optional(versions), undefined)),
+});
 export type SettingRecord = v.InferOutput<typeof settingSchema>;
 
 /** A flight of the log, by its id. */

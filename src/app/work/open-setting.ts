@@ -1,10 +1,17 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
-import { requireProgram, type Setting, sameLayout, type TimerProgram } from '../../program/index.js';
+import {
+  requireProgram,
+  type Setting,
+  type SettingVersion,
+  sameLayout,
+  type TimerProgram,
+} from '../../program/index.js';
 import { changesSince } from '../editing/content.js';
 import { type Owner, replaceAll } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { isOfOneShape } from '../editing/shape.js';
 import { type Library, newId } from '../records/library.js';
+import type { SettingRecord } from '../storage/index.js';
 import type { Standings } from '../timer/standing.js';
 import type { Drafts } from './drafts.js';
 import type { OnScreen } from './on-screen.js';
@@ -41,7 +48,9 @@ export interface Unsaved {
 interface LastSave {
   readonly setting: Setting;
   /** What it has replaced; null when it was a new one. */
-  readonly replaced: Setting | null;
+  readonly replaced: SettingRecord | null;
+  /** Whether the screen has followed: it had no changes of its own. */
+  readonly followed: boolean;
   /** Whose the values on the screen were before. */
   readonly before: Owner;
 }
@@ -141,6 +150,16 @@ export class OpenSetting {
     return await this.#keep(setting);
   }
 
+  /**
+   * Saves an earlier version of a setting over it. If the screen shows that setting without changes, it follows; what
+   * was typed stays.
+   */
+  async goBack(setting: Setting, { program, at, from }: SettingVersion): Promise<void> {
+    const back = { ...setting, program, at, from };
+    if (this.#parts.origin.setting.peek()?.id !== setting.id) await this.#parts.library.keepSetting(back);
+    else await this.#keep(back, this.#canFollow(program));
+  }
+
   /** Brings the values of the open setting back to the screen, as one step. */
   loadAgain(): void {
     const { editor, origin } = this.#parts;
@@ -174,13 +193,20 @@ export class OpenSetting {
     return this.savable.peek() ? this.#parts.origin.program.peek() : null;
   }
 
-  async #keep(setting: Setting): Promise<boolean> {
+  /** Whether the screen shows the open setting as it is saved, and can show this program in its place. */
+  #canFollow(program: TimerProgram): boolean {
+    const { changes, unreadable } = this.unsaved.peek() ?? { changes: 1, unreadable: 0 };
+    return changes + unreadable === 0 && this.obstacle(program) === null;
+  }
+
+  async #keep(setting: Setting, followed = false): Promise<boolean> {
     const { library, editor } = this.#parts;
     const before = { of: editor.of.peek(), backupOf: editor.backupOf.peek() };
-    const replaced = library.settings.get(setting.id)?.setting ?? null;
+    const replaced = library.settings.get(setting.id) ?? null;
     const keeping = library.keepSetting(setting);
     editor.saved(ownerBy(setting));
-    this.#last.value = { setting, replaced, before };
+    if (followed) this.loadAgain();
+    this.#last.value = { setting, replaced, followed, before };
     await keeping;
     return !library.settings.unsaved.peek().has(setting.id);
   }
@@ -191,9 +217,12 @@ export class OpenSetting {
     const last = this.#last.peek();
     if (!last || !this.undoable.peek()) return;
     this.#last.value = null;
-    if (last.replaced) void library.keepSetting(last.replaced);
+    const { setting, versions } = last.replaced ?? {};
+    const follows = last.followed && setting !== undefined && this.#canFollow(setting.program);
+    if (setting) void library.keepSetting(setting, { versions });
     else library.settings.remove(last.setting.id);
-    editor.saved(last.replaced ? ownerBy(last.replaced) : last.before);
+    editor.saved(setting ? ownerBy(setting) : last.before);
+    if (follows) this.loadAgain();
   }
 }
 

@@ -77,7 +77,7 @@ function Row({ session, of, backup, isFirst, following, onLoad, onCompare, onRes
   const figures = keyFigures(program).map((figure) => `${figure.label} ${figure.text}`);
   const about = [dateText(savedAt), words.reasons[reason], simulated ? header.simulated : ''];
   return (
-    <li class="row backup">
+    <li class="row kept-row">
       <p>
         <strong>{title}</strong> {dotted(figures)}{' '}
         <span class="hint">{dotted([...about, record ? differsText(session, record, backup) : ''])}</span>

@@ -38,7 +38,7 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
     const { container, unmount } = render(
       <BackupList {...{ session }} of={record} following={true} onLoad={() => {}} onCompare={() => {}} />,
     );
-    const text = [...container.querySelectorAll('.backup')].at(-1)?.textContent ?? '';
+    const text = [...container.querySelectorAll('.kept-row')].at(-1)?.textContent ?? '';
     unmount();
     return text;
   };

@@ -181,7 +181,7 @@ describe('the backups of a model', () => {
     await bench.session.backups.add(CALM, 'write', false);
     bench.models.views.show('library', 'lancer');
     await idle(0);
-    const rows = [...document.querySelectorAll('.backup')].map(({ textContent }) => textContent);
+    const rows = [...document.querySelectorAll('.kept-row')].map(({ textContent }) => textContent);
     expect(rows).toHaveLength(2);
     expect(rows[0]).toContain(whole(modelBackups.same(modelBackups.now)));
     expect(rows[1]).toContain(modelBackups.differs(3, modelBackups.now));
@@ -196,7 +196,7 @@ describe('the backups of a model', () => {
     await bench.session.backups.save({ ...backup, model: 'lancer' });
     bench.models.views.show('library', 'lancer');
     await idle(0);
-    expect(document.querySelector('.backup')?.textContent).toContain(modelBackups.differs(3, ''));
+    expect(document.querySelector('.kept-row')?.textContent).toContain(modelBackups.differs(3, ''));
     fireEvent.click(screen.getByRole('button', { name: /^Open: M1/ }));
     await idle(0);
     expect([bench.editor.madeAt.value === null, bench.editor.working.value?.times[10]]).toEqual([false, 24_000]);

@@ -1,9 +1,11 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it, onTestFinished, vi } from 'vitest';
+import { comparingMessages, versions } from '../../../src/app/messages/en-compare.js';
 import { libraryMessages } from '../../../src/app/messages/en-library.js';
-import { messages } from '../../../src/app/messages/index.js';
+import { dateText, messages } from '../../../src/app/messages/index.js';
 import { SHAPES } from '../../../src/app/ui/shapes.js';
-import { idle } from '../bench/bench.js';
+import type { Setting } from '../../../src/program/index.js';
+import { idle, run } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
 import { stored } from './stored.js';
 
@@ -196,4 +198,33 @@ it('a phone saves a program from what the strip opens', async () => {
   fireEvent.click(document.querySelector('.strip-more') as HTMLElement);
   await idle();
   expect(screen.getByRole('button', { name: libraryMessages.save.asNew })).toBeTruthy();
+});
+
+it('the earlier versions of a program say until when and what was changed, are compared and come back', async () => {
+  const app = await at('model-0/setting-0');
+  const { settings } = app.session.library;
+  expect(screen.queryByText(versions.title)).toBeNull();
+  const setting = settings.get('setting-0')?.setting as Setting;
+  const { program } = setting;
+  const changed = { ...program, times: program.times.with(10, 21_000), idleThrottle: 25 };
+  await run(app.session.library.keepSetting({ ...setting, program: changed }));
+  await idle(0);
+  const rows = () =>
+    [...(screen.getByText(versions.title).parentElement?.querySelectorAll('li') ?? [])].map((row) =>
+      row.textContent?.replaceAll('\u00a0', ' '),
+    );
+  const [until = 0] = settings.get('setting-0')?.versions?.map((each) => each.until) ?? [];
+  const name = versions.until(dateText(until));
+  expect(rows()).toEqual([
+    `${name.replaceAll('\u00a0', ' ')} then DT: 3:00 min → 3:30 min and 1 moreCompare…${versions.goBack}`,
+  ]);
+  await press(messages.value.of(comparingMessages.compare.open, name));
+  const chosen = screen.getAllByRole<HTMLSelectElement>('combobox').map((each) => each.selectedOptions[0]?.textContent);
+  expect(chosen).toEqual([`fly-off 0 · ${name}`, 'Lancer 01 · fly-off 0']);
+  app.models.views.show('library', 'model-0/setting-0');
+  await idle(0);
+  await press(messages.value.of(versions.goBack, name));
+  expect(settings.get('setting-0')?.setting).toEqual(setting);
+  expect(rows()).toHaveLength(2);
+  expect(rows()[1], 'it is what the setting holds').toContain(versions.same);
 });

@@ -1,8 +1,14 @@
 import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 import { stepText } from '../../../src/app/messages/index.js';
-import { backupSchema, draftSchema, modelSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
-import { MODEL } from '../../program/library-examples.js';
+import {
+  backupSchema,
+  draftSchema,
+  modelSchema,
+  settingSchema,
+  unfinishedSchema,
+} from '../../../src/app/storage/records.js';
+import { MODEL, SETTING, VERSION } from '../../program/library-examples.js';
 import { programOf } from '../programs.js';
 
 const PROGRAM = programOf('Q', [1000, 0, 100, 18000]);
@@ -159,5 +165,19 @@ describe('a model', () => {
   it.each([null, {}, [null], [{ ...use, low: '95', high: 20 }], [{ ...use, low: 131, high: 20 }]])(
     'with servos %o is none',
     (servos) => expect(v.is(modelSchema, stored(servos))).toBe(false),
+  );
+});
+
+describe('the record of a setting', () => {
+  const stored = { key: SETTING.id, changedAt: 1, setting: SETTING };
+
+  it('of an earlier version of the page has no versions, and is read as it is', () => {
+    expect(v.parse(settingSchema, stored)).toEqual(stored);
+    expect(v.parse(settingSchema, { ...stored, versions: [VERSION] })).toEqual({ ...stored, versions: [VERSION] });
+  });
+
+  it.each([[5], [[{ ...VERSION, until: 'today' }]], [Array.from({ length: 21 }, () => VERSION)]])(
+    'whose versions cannot be read is not lost (%#)',
+    (versions) => expect(v.parse(settingSchema, { ...stored, versions })).toEqual(stored),
   );
 });

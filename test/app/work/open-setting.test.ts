@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { newProgram, USUAL_LAYOUT } from '../../../src/app/editing/new-program.js';
 import { emptyModel } from '../../../src/app/records/library.js';
 import type { SettingRecord } from '../../../src/app/storage/index.js';
-import type { Setting, TimerProgram } from '../../../src/program/index.js';
+import type { Setting, SettingVersion, TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
 
 const DT = { kind: 'time', slot: 10 } as const;
@@ -136,6 +136,101 @@ describe('a setting that is opened without a timer', () => {
     bench.store.broken = false;
     await run(library.keepAgain());
     expect([library.kept.value, dtOf(bench, 'calm')]).toEqual([true, 12000]);
+  });
+});
+
+/** The DT of the setting, and of its versions, in seconds. */
+const dtsOf = ({ session }: AppBench, id: string): readonly number[] => {
+  const record = session.library.settings.get(id);
+  const programs = [record?.setting, ...(record?.versions ?? [])].map((each) => each?.program.times[10] ?? 0);
+  return programs.map((time) => time / 100);
+};
+
+async function savedWith(bench: AppBench, ...dts: readonly string[]): Promise<void> {
+  for (const dt of dts) {
+    type(bench, DT, dt);
+    await run(bench.session.opened.save());
+  }
+}
+
+/** Goes back to one of the versions, by its place in the list. */
+async function backTo(bench: AppBench, id: string, at: number): Promise<void> {
+  const record = bench.session.library.settings.get(id) as SettingRecord;
+  await run(bench.session.opened.goBack(record.setting, record.versions?.[at] as SettingVersion));
+}
+
+describe('the versions of a setting', () => {
+  it('are what each save replaced, with its source and the moment; the screen may take the save back', async () => {
+    const bench = await opened(settingOf('calm'));
+    const before = Date.now();
+    await savedWith(bench, '2:00', '1:30');
+    expect(dtsOf(bench, 'calm')).toEqual([90, 120, 180]);
+    const { changedAt, versions = [] } = bench.store.settings.records.get('calm') as SettingRecord;
+    expect(versions.map(({ at, from }) => [at === 5, from])).toEqual([
+      [false, 'typed'],
+      [true, 'typed'],
+    ]);
+    expect(versions[0]?.until).toBe(changedAt);
+    expect(versions[1]?.until).toBeGreaterThanOrEqual(before);
+    bench.session.opened.undoSave();
+    expect(dtsOf(bench, 'calm')).toEqual([120, 180]);
+  });
+
+  it('are not kept by a save that changes no value, such as that of a name', async () => {
+    const bench = await opened(settingOf('calm'));
+    const { library } = bench.session;
+    await run(bench.session.opened.save());
+    await run(library.keepSetting({ ...settingOf('calm'), name: 'calmer' }));
+    expect(library.settings.get('calm')).toMatchObject({ setting: { name: 'calmer' } });
+    expect(library.settings.get('calm')?.versions).toBeUndefined();
+  });
+
+  it('are twenty at most: the oldest goes first', async () => {
+    const bench = await opened(settingOf('calm'));
+    await savedWith(bench, ...Array.from({ length: 21 }, (_, at) => String(60 + at)));
+    expect(dtsOf(bench, 'calm')).toEqual(Array.from({ length: 21 }, (_, at) => 80 - at));
+  });
+
+  it('come back by a save, which keeps what it replaces; the screen follows, also when that is taken back', async () => {
+    const bench = await opened(settingOf('calm'));
+    await savedWith(bench, '2:00');
+    await backTo(bench, 'calm', 0);
+    expect([dtsOf(bench, 'calm'), bench.editor.textOf(DT)]).toEqual([[180, 120, 180], '3:00']);
+    expect(bench.session.library.settings.get('calm')?.setting.at, 'the date of its values').toBe(5);
+    bench.session.opened.undoSave();
+    expect([dtsOf(bench, 'calm'), bench.editor.textOf(DT)]).toEqual([[120, 180], '2:00']);
+    expect(bench.session.opened.unsaved.value?.changes).toBe(0);
+  });
+
+  it('leave on the screen what is not saved, and what belongs to something else', async () => {
+    const bench = await opened(settingOf('calm'), settingOf('wind'));
+    await savedWith(bench, '2:00');
+    type(bench, S2, '70');
+    await backTo(bench, 'calm', 0);
+    expect([dtsOf(bench, 'calm')[0], bench.editor.textOf(DT), bench.editor.textOf(S2)]).toEqual([180, '2:00', '70']);
+    expect(bench.session.opened.unsaved.value?.changes).toBe(2);
+    await run(bench.session.opened.show(settingOf('wind')));
+    await backTo(bench, 'calm', 0);
+    expect([dtsOf(bench, 'calm')[0], names(bench)[1], bench.editor.textOf(DT)]).toEqual([120, 'wind', '3:00']);
+  });
+
+  it('do not move servos that follow', async () => {
+    const bench = await connectedBench({ store: stored(settingOf('calm')) });
+    await run(bench.session.opened.show(settingOf('calm')));
+    await savedWith(bench, '2:00');
+    bench.session.safety.confirm();
+    await run(bench.bench.moveTo(4));
+    await run(bench.follow.start());
+    await backTo(bench, 'calm', 0);
+    expect([dtsOf(bench, 'calm')[0], bench.editor.textOf(DT)]).toEqual([180, '2:00']);
+  });
+
+  it('come back with a setting whose deletion is undone', async () => {
+    const bench = await opened(settingOf('calm'));
+    await savedWith(bench, '2:00');
+    bench.session.library.settings.remove('calm');
+    bench.session.library.undoRemove();
+    expect(dtsOf(bench, 'calm')).toEqual([120, 180]);
   });
 });
 

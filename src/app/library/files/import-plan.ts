@@ -7,6 +7,7 @@ import {
   type Setting,
 } from '../../../program/index.js';
 import { beginningOf, withPlainNames } from '../../records/plain-names.js';
+import { versionsWith } from '../../records/versions.js';
 import { type Change, type FlightRecord, isSame, type ModelRecord, type SettingRecord } from '../../storage/index.js';
 import { programKey } from '../../timer/record-keys.js';
 
@@ -111,6 +112,7 @@ export function takenOf({ entries }: Group, way: Way): readonly Entry[] {
 export function recordsOf(groups: readonly Group[], way: Way, held: Records, newId: () => string): Records {
   const records = { models: [] as ModelRecord[], settings: [] as SettingRecord[], flights: [] as FlightRecord[] };
   const heldModels = byKey(held.models);
+  const heldSettings = byKey(held.settings);
   for (const entry of groups.flatMap((group) => takenOf(group, way))) {
     const { kind, changedAt, facts } = entry;
     const isCopy = way === 'both' && differs(entry);
@@ -126,7 +128,8 @@ export function recordsOf(groups: readonly Group[], way: Way, held: Records, new
       const verified = latest([...(heldModels.get(key)?.verified ?? []), ...(facts.verified ?? [])]);
       records.models.push({ key, model: content, changedAt, verified });
     } else if ('tags' in content) {
-      records.settings.push({ key, setting: content, changedAt });
+      const versions = versionsWith(facts.versions, heldSettings.get(key), content.program);
+      records.settings.push({ key, setting: content, changedAt, ...(versions && { versions }) });
     } else {
       records.flights.push({ key, flight: content, changedAt });
     }

@@ -44,7 +44,12 @@ export function textOf(
   if (all.length === 0) return 'nothing';
   const facts = all.map((record) => {
     const isKnown = isAll && 'verified' in record && record.verified.length > 0;
-    return [contentOf(record), { ...(isKnown && { verified: record.verified }), changedAt: record.changedAt }] as const;
+    const known = {
+      ...(isKnown && { verified: record.verified }),
+      ...('versions' in record && record.versions && { versions: record.versions }),
+      changedAt: record.changedAt,
+    };
+    return [contentOf(record), known] as const;
   });
   const library = {
     models: models.map(({ model }) => model),

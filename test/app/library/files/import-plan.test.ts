@@ -12,9 +12,9 @@ import {
 } from '../../../../src/app/library/files/import-plan.js';
 import { partOf, textOf } from '../../../../src/app/library/files/library-text.js';
 import { withPlainNames } from '../../../../src/app/records/plain-names.js';
-import { type LibraryFile, parseLibraryFile } from '../../../../src/program/index.js';
+import { type LibraryFile, parseLibraryFile, type SettingVersion } from '../../../../src/program/index.js';
 import { library } from '../../../fuzz/kept.js';
-import { FLIGHT, MODEL, SETTING } from '../../../program/library-examples.js';
+import { FLIGHT, MODEL, SETTING, VERSION } from '../../../program/library-examples.js';
 
 const HELD: Records = {
   models: [{ key: MODEL.id, model: MODEL, changedAt: 1000, verified: [{ program: SETTING.program, at: 10 }] }],
@@ -76,6 +76,40 @@ describe('what a file would bring', () => {
       [null, ''],
     ]);
     expect(groupsOf(fileOf({ ...NOTHING, flights: HELD.flights }), NOTHING)[0]?.name).toBe('Lancer 07');
+  });
+});
+
+describe('the versions of a setting', () => {
+  const dt = (seconds: number) => ({ ...SETTING.program, times: SETTING.program.times.with(4, seconds * 100) });
+  const at = (until: number, seconds: number): SettingVersion => ({ ...VERSION, until, program: dt(seconds) });
+  const held = (seconds: number, changedAt: number, ...versions: SettingVersion[]): Records => ({
+    ...NOTHING,
+    settings: [{ key: SETTING.id, setting: { ...SETTING, program: dt(seconds) }, changedAt, versions }],
+  });
+  const dts = ({ settings }: Records) => settings[0]?.versions?.map(({ program }) => (program.times[4] ?? 0) / 100);
+
+  it('go into every file, and come to a device that has nothing', () => {
+    const records = held(60, 1000, at(1000, 70), at(900, 80));
+    for (const isAll of [true, false]) expect(imported(fileOf(records, isAll), NOTHING, 'newer')).toEqual(records);
+  });
+
+  it.each([
+    ['of a device that had it before', held(70, 900), [70, 80]],
+    ['of a device that went its own way', held(50, 900, at(900, 70), at(800, 40)), [50, 70, 70, 80, 40]],
+    ['of a device that has another name for it', held(60, 900, at(700, 30)), [70, 80, 30]],
+  ])('are joined with those %s, with what the import replaces', (_, here, expected) => {
+    const before = { ...here, settings: here.settings.map((each) => ({ ...each })) };
+    const file = fileOf(held(60, 1001, at(1000, 70), at(850, 80)));
+    for (const each of file.library.settings) Object.assign(each, { note: 'new' });
+    const put = imported(file, before, 'newer');
+    expect(dts(put)).toEqual(expected);
+    expect(undoOf(put.settings, before.settings, put.settings)).toEqual({ put: before.settings, gone: [] });
+    expect(dts(imported(file, before, 'both')), 'a copy has those of the file alone').toEqual([70, 80]);
+  });
+
+  it('stay with an import from a page that knows none, which replaces what is here', () => {
+    const file = fileOf({ ...NOTHING, settings: [{ key: SETTING.id, setting: SETTING, changedAt: 1001 }] });
+    expect(dts(imported(file, held(60, 1000, at(1000, 70)), 'newer'))).toEqual([60, 70]);
   });
 });
 
