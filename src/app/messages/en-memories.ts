@@ -40,8 +40,10 @@ export const memories = {
   copy: (from: string, to: string) => `Copy ${from} to ${to}`,
   restore: 'Restore a backup',
   restoreAll: (count: number) => `Restore all ${count}…`,
-  /** What a copy and a restore do. */
+  /** What a copy, a restore, and a write into a memory that does not fly next do. */
   plans: {
+    screen: (to: string, keepsThrottle: boolean) =>
+      `${to} will hold the times and positions on the screen. What ${to} holds now is backed up first.${keepsThrottle ? ' The idle throttle stays as it is.' : ''}`,
     copy: (from: string, to: string) =>
       `${to} will hold the times and positions of ${from}, as read just now. What ${to} holds now is backed up first.`,
     restore: (names: string, time: string) =>

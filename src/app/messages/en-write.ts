@@ -5,6 +5,8 @@ import { plural } from './plural.js';
 export const write = {
   title: 'Write to the timer',
   lead: (memory: string) => `This is what changes in ${memory}. Everything else stays as it is.`,
+  /** Names the choice of a memory. */
+  target: 'Write to',
   nothing: 'Nothing differs. The timer is read back and compared.',
   field: 'Value',
   from: 'Timer holds',

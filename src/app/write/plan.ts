@@ -11,6 +11,7 @@ import {
 import type { TimerConnection } from '../../serial/index.js';
 import type { Crossing } from '../records/crossing.js';
 import type { Backup } from '../storage/index.js';
+import type { RoundTrip } from '../work/interrupted-jobs.js';
 
 /** What a write is to do. */
 export type Plan = { readonly kind: 'edits' } | MemoriesPlan;
@@ -19,6 +20,8 @@ export type Plan = { readonly kind: 'edits' } | MemoriesPlan;
 export type MemoriesPlan =
   /** Copies the content of a memory, read for this purpose, into another one. */
   | { readonly kind: 'copy'; readonly from: number; readonly to: number }
+  /** The same with the program on the screen, with its changes, in place of what a memory holds. */
+  | { readonly kind: 'screen'; readonly program: TimerProgram; readonly to: number }
   | { readonly kind: 'restore'; readonly backups: readonly Backup[] };
 
 /** What will be written into one memory, as the dialog shows it. */
@@ -99,6 +102,16 @@ export function isGood({ stopped, ends }: Outcome): boolean {
   return stopped === null && ends.every(({ state }) => state === 'verified');
 }
 
+/** Whether it writes what is on the screen: what is copied or restored was in a memory before. */
+export function isOfScreen({ kind }: Plan): boolean {
+  return kind === 'edits' || kind === 'screen';
+}
+
+/** What the record of its round trip calls it. */
+export function tripOf({ kind }: MemoriesPlan): RoundTrip {
+  return { job: kind === 'restore' ? 'restore' : 'copy', memory: null };
+}
+
 /** The memories to read before it is known what a plan would change. Those that it writes come first. */
 export function memoriesOf(plan: MemoriesPlan): readonly number[] {
   return plan.kind === 'copy' ? [...targetsOf(plan), plan.from] : targetsOf(plan);
@@ -106,7 +119,7 @@ export function memoriesOf(plan: MemoriesPlan): readonly number[] {
 
 /** The memories into which a plan writes. */
 export function targetsOf(plan: MemoriesPlan): readonly number[] {
-  if (plan.kind === 'copy') return [plan.to];
+  if (plan.kind !== 'restore') return [plan.to];
   return plan.backups.flatMap(({ program: { memory } }) => (memory === null ? [] : [memory]));
 }
 
@@ -119,10 +132,14 @@ export function changesBy(plan: MemoriesPlan, programs: readonly TimerProgram[])
   const pairs = targetsOf(plan).map((memory, index) => {
     const before = programs[index] as TimerProgram;
     const goal =
-      plan.kind === 'copy'
-        ? // Whether the idle throttle belongs to a memory is not known: it is left as it is.
-          { ...(programs.at(-1) as TimerProgram), memory, idleThrottle: null }
-        : (plan.backups.find(({ program }) => program.memory === memory) as Backup).program;
+      plan.kind === 'restore'
+        ? (plan.backups.find(({ program }) => program.memory === memory) as Backup).program
+        : // Whether the idle throttle belongs to a memory is not known: it is left as it is.
+          {
+            ...(plan.kind === 'screen' ? plan.program : (programs.at(-1) as TimerProgram)),
+            memory,
+            idleThrottle: null,
+          };
     return { memory, before, goal };
   });
   if (!pairs.every(({ before, goal }) => sameKind(before.identity, goal.identity))) return null;

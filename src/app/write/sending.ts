@@ -6,7 +6,15 @@ import type { TimerConnection } from '../../serial/index.js';
 import type { JobContext } from '../timer/job-runner.js';
 import type { Session } from '../work/session.js';
 import { NotedRoundTrip, type RoundTripParts } from './noted-round-trip.js';
-import type { MemoriesPlan, MemoryChange, MemoryEnd, Outcome, Review } from './plan.js';
+import {
+  isOfScreen,
+  type MemoriesPlan,
+  type MemoryChange,
+  type MemoryEnd,
+  type Outcome,
+  type Review,
+  tripOf,
+} from './plan.js';
 
 export type SendingParts = RoundTripParts & Pick<Session, 'knowledge' | 'recognition' | 'servoMoves' | 'link'>;
 
@@ -96,13 +104,13 @@ export class Sending {
     const { knowledge, reader, servoMoves } = this.#parts;
     const { connection, changes } = this.#review;
     const { client, identity } = connection;
-    const trip = new NotedRoundTrip(this.#parts, { job: plan.kind, memory: null });
+    const trip = new NotedRoundTrip(this.#parts, tripOf(plan));
     const goals = changes.map(({ goal }) => goal);
     const moveServos = servoMoves.take();
     const { memories, stopped, original } = await client.writeMemories(goals, {
       ...options,
       // What was in a memory or is kept is copied as it is; the pilot has seen each change.
-      despite: goals.flatMap((goal) => checkProgram(goal).map(({ code }) => code)),
+      despite: isOfScreen(plan) ? this.#despite : goals.flatMap((goal) => checkProgram(goal).map(({ code }) => code)),
       baselines: changes.map(({ before }) => before),
       moveServos,
       onOriginal: (original) => trip.leave(identity, original),

@@ -26,6 +26,8 @@ import { Difference } from './difference.js';
 import {
   type Done,
   isGood,
+  isOfScreen,
+  type MemoriesPlan,
   type MemoryChange,
   type MemoryEnd,
   type Outcome,
@@ -38,6 +40,7 @@ import { UncertainNote } from './uncertain-note.js';
 import { nextFlightText } from './unfinished-text.js';
 import { ValueTable } from './value-table.js';
 import type { WriteJob } from './write-job.js';
+import { WriteTo } from './write-to.js';
 import './write-dialog.css';
 
 interface WriteDialogProps {
@@ -83,9 +86,9 @@ export function WriteDialog({ session, write, after }: WriteDialogProps) {
 
 function titleOf(session: Session, plan: Plan): string {
   const { write, memories } = messages.value;
-  if (plan.kind === 'edits') return write.title;
-  if (plan.kind === 'restore') return memories.restore;
-  return memories.copy(memoryText(session, plan.from), memoryText(session, plan.to));
+  if (isOfScreen(plan)) return write.title;
+  if (plan.kind === 'copy') return memories.copy(memoryText(session, plan.from), memoryText(session, plan.to));
+  return memories.restore;
 }
 
 /** “Reading M3”. */
@@ -143,10 +146,11 @@ function ReviewStep({ session, write, review }: ReviewProps) {
       {isEdits && <Conflicts editor={session.editor} />}
       <Refusals session={session} changes={changes} />
       {crossing && <CrossingCheck crossing={crossing} write={write} />}
-      {isEdits && <Serious write={write} identity={changes[0]?.goal.identity} />}
+      {isOfScreen(plan) && <Serious write={write} identity={changes[0]?.goal.identity} />}
       {session.servoMoves.needed && all.some(({ field }) => field.kind === 'position') && (
         <MoveServosCheck servoMoves={session.servoMoves} />
       )}
+      {isOfScreen(plan) && <WriteTo session={session} write={write} chosen={changes[0]?.memory ?? null} />}
       {(!isEdits || all.length > 0) && <p>{leadOf(session, review)}</p>}
       {changes.map((change) => (
         <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />
@@ -267,12 +271,20 @@ function leadOf(session: Session, { plan, changes, model }: Review): string {
   if (plan.kind === 'edits') return write.lead(whereText(session, changes[0]?.memory ?? null, model));
   const { editor, nextFlight } = session;
   const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
-  const names = changes.map(({ memory }) => whereText(session, memory, null));
-  const does =
-    plan.kind === 'copy'
-      ? words.plans.copy(memoryText(session, plan.from), memoryText(session, plan.to))
-      : words.plans.restore(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
+  const does = doesOf(session, plan, changes, model);
   return current === null ? does : `${does} ${words.atEnd(memoryText(session, current))}`;
+}
+
+function doesOf(session: Session, plan: MemoriesPlan, changes: Review['changes'], model: Model | null): string {
+  const { plans } = messages.value.memories;
+  if (plan.kind === 'copy') return plans.copy(memoryText(session, plan.from), memoryText(session, plan.to));
+  if (plan.kind === 'screen') {
+    const { idleThrottle } = plan.program;
+    const isLeft = idleThrottle !== null && idleThrottle !== changes[0]?.before.idleThrottle;
+    return plans.screen(whereText(session, plan.to, model), isLeft);
+  }
+  const names = changes.map(({ memory }) => whereText(session, memory, null));
+  return plans.restore(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
 }
 
 /** @param folded whether it is one of several: then DT and motor stop stand here, and the rest is folded away. */

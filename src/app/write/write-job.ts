@@ -9,6 +9,7 @@ import {
   changesBy,
   type Done,
   isGood,
+  isOfScreen,
   type MemoriesPlan,
   type MemoryEnd,
   memoriesOf,
@@ -17,6 +18,7 @@ import {
   type Review,
   refusalsOf,
   targetsOf,
+  tripOf,
   type WriteStep,
 } from './plan.js';
 import { Sending, type SendingParts } from './sending.js';
@@ -56,7 +58,7 @@ export class WriteJob {
     if (value?.step !== 'review' || isRefused(value)) return [];
     const isNeeded = {
       model: value.crossing !== null,
-      warnings: value.plan.kind === 'edits' && this.serious.value.length > 0,
+      warnings: isOfScreen(value.plan) && this.serious.value.length > 0,
       safety: !this.#parts.safety.confirmed.value,
     };
     return (['model', 'warnings', 'safety'] as const).filter((tick) => isNeeded[tick] && !this.ticked.value.has(tick));
@@ -67,8 +69,8 @@ export class WriteJob {
     return value?.step === 'review' && !isRefused(value) && this.unticked.value.length === 0;
   });
   readonly #parts: WriteParts;
-  /** Answers what the dialog asks. */
-  #answer: (goOn: boolean) => void = () => {};
+  /** Answers what the dialog asks: whether to go on, or another plan to show in its place. */
+  #answer: (said: boolean | Plan) => void = () => {};
 
   constructor(parts: WriteParts) {
     this.#parts = parts;
@@ -93,11 +95,14 @@ export class WriteJob {
     if (this.#current.value || !this.#parts.runner.ready.value) return;
     let step = await this.#compare(plan, null);
     while (step) {
-      const { step: asked } = step;
-      if (!(await this.#ask(step))) return;
-      if (asked === 'done') this.#show(null);
-      step =
-        step.step === 'done' ? await this.#compare(plan, null) : (this.#movedSince(step) ?? (await this.#run(step)));
+      const said = await this.#ask(step);
+      if (said === false) return;
+      if (said === true && step.step === 'review') step = this.#movedSince(step) ?? (await this.#run(step));
+      else {
+        const next = said === true ? step.plan : said;
+        this.#show(step.step === 'done' ? null : { step: 'running', plan: next });
+        step = await this.#compare(next, null);
+      }
     }
     this.#show(null);
   }
@@ -105,6 +110,12 @@ export class WriteJob {
   /** The pilot goes on: writes what is shown, or after the result shows what still differs. */
   goOn(): void {
     if (this.current.value?.step === 'done' || this.ready.value) this.#answer(true);
+  }
+
+  /** The pilot wants what is on the screen in this memory, counted from 0: shows what would change there. */
+  writeTo(memory: number): void {
+    const program = this.#parts.editor.working.value;
+    if (program) this.#answer(memory === program.memory ? EDITS : { kind: 'screen', program, to: memory });
   }
 
   /** Whether the dialog has to stay open, whatever key is pressed. */
@@ -130,7 +141,7 @@ export class WriteJob {
   }
 
   /** Shows it, and waits for what the pilot says. */
-  #ask(step: Review | Done): Promise<boolean> {
+  #ask(step: Review | Done): Promise<boolean | Plan> {
     batch(() => {
       this.#ticked.value = new Set();
       this.#parts.servoMoves.ask();
@@ -143,8 +154,9 @@ export class WriteJob {
 
   /** What a plan would change, by a fresh reading; null when nothing is to be shown. */
   async #compare(plan: Plan, moved: Review['moved']): Promise<Review | Done | null> {
-    if (plan.kind !== 'edits') return await this.#compareMemories(plan, moved);
     const { editor, reader } = this.#parts;
+    if (plan.kind === 'screen' && editor.blocked.value) return null;
+    if (plan.kind !== 'edits') return await this.#compareMemories(plan, moved);
     const memory = editor.working.value?.memory;
     if (editor.blocked.value || !(await reader.read()) || editor.blocked.value) return null;
     // Another memory may be current now. The edits are kept, and the pilot was told.
@@ -163,10 +175,10 @@ export class WriteJob {
   }
 
   async #compareMemories(plan: MemoriesPlan, moved: Review['moved']): Promise<Review | Done | null> {
-    const { runner, connection, reader } = this.#parts;
+    const { runner, connection, reader, editor } = this.#parts;
     const began = connection.value;
     this.#show({ step: 'running', plan });
-    const trip = new NotedRoundTrip(this.#parts, { job: plan.kind, memory: null });
+    const trip = new NotedRoundTrip(this.#parts, tripOf(plan));
     const end = await runner.perform('memories', async (on, options) => {
       const changes = changesBy(plan, await trip.read(on, { ...options, memories: memoriesOf(plan) }));
       if (!changes) throw new TimerError('other-timer', 'a backup is of another kind');
@@ -180,18 +192,28 @@ export class WriteJob {
     }
     await reader.readIfOpen();
     if (!began || connection.value !== began) return null;
+    // The screen shows another memory by now. The edits are kept, and the pilot was told.
+    if (plan.kind === 'screen' && editor.working.value?.memory !== plan.program.memory) return null;
     return { step: 'review', plan, connection: began, changes: end.value, ...this.#whose(plan), moved };
   }
 
   /** What is to be shown again, because it is no longer as it was shown; null when it is. */
   #movedSince(review: Review): Review | null {
     const { editor } = this.#parts;
-    if (review.plan.kind === 'edits') {
-      const [shown] = review.changes;
+    const { plan } = review;
+    const [shown] = review.changes;
+    if (plan.kind === 'edits') {
       const isAsShown = editor.baseline.value === shown?.before && editor.working.value === shown?.goal;
       if (!isAsShown || editor.blocked.value) return this.#edits('edits');
     }
-    const now = this.#whose(review.plan);
+    const now = this.#whose(plan);
+    if (plan.kind === 'screen' && shown) {
+      const program = editor.working.value ?? plan.program;
+      const isAsShown = differences(plan.program, program).length === 0 && !editor.blocked.value;
+      const again = { ...plan, program };
+      const changes = changesBy(again, [shown.before]);
+      if (!isAsShown && changes) return { ...review, ...now, plan: again, changes, moved: 'edits' };
+    }
     const isSame = sameModel(now.model, review.model) && sameCrossing(now.crossing, review.crossing);
     return isSame ? null : { ...review, ...now, moved: 'model' };
   }
@@ -243,7 +265,7 @@ export class WriteJob {
   /** The model of the timer, for a write of what is on the screen, and whether the values are of another one. */
   #whose(plan: Plan): Pick<Review, 'model' | 'crossing'> {
     const { origin } = this.#parts;
-    if (plan.kind === 'edits') return { model: origin.timer.value, crossing: origin.crossing.value };
+    if (isOfScreen(plan)) return { model: origin.timer.value, crossing: origin.crossing.value };
     const of = plan.kind === 'restore' ? plan.backups.find(({ model }) => model !== undefined)?.model : undefined;
     return { model: null, crossing: origin.crossingFrom(of ?? null) };
   }
