@@ -1,6 +1,23 @@
 import { expect, inject, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
-import { newPage } from './page.js';
+import { AppPage } from './app-page.js';
+import { newPage, PHONE } from './page.js';
+
+const ANDROID =
+  'Mozilla/5.0 (Linux; Android 17; Pixel 8) AppleWebKit/537.36 (KHTML, like Gecko) Chrome/149.0.0.0 Mobile Safari/537.36';
+
+test.each([
+  [390, 844],
+  [360, 740],
+])('a first visit on a phone of %i by %i has both ways to a timer in sight', async (width, height) => {
+  const app = await AppPage.open({ ...PHONE, userAgent: ANDROID, viewport: { width, height }, bench: {} });
+  await app.page.getByText(en.start.android).waitFor();
+  const ways = [en.header.connect, ...['F1Q', 'F1B', 'F1E'].map(en.start.simulated)];
+  for (const name of ways) {
+    const box = await app.button(name).boundingBox();
+    expect(box && box.y + box.height, name).toBeLessThanOrEqual(height);
+  }
+});
 
 test('a storage of a newer version has its own sentence', async () => {
   const page = await newPage();

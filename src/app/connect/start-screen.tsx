@@ -20,8 +20,8 @@ interface StartScreenProps {
 }
 
 /**
- * The start, before anything was read:
- * Connect with its three steps, what this device keeps, and what works without a timer.
+ * The start, before anything was read: Connect with its three steps, what works without a timer, and what this device
+ * keeps. On a phone, both ways to a timer are in sight at once.
  */
 export function StartScreen({ session, installation, platform }: StartScreenProps) {
   const { start, link } = messages.value;
@@ -43,6 +43,7 @@ export function StartScreen({ session, installation, platform }: StartScreenProp
               <div class="buttons">
                 <ConnectButtons session={session} large />
               </div>
+              {platform.system === 'android' && <p class="hint">{start.android}</p>}
               {platform.browser === 'firefox' && <p class="hint">{start.firefox}</p>}
               <StepList
                 steps={[start.adapter, link.stages.steps.switch, link.stages.steps.near].map((text) => ({ text }))}
@@ -53,8 +54,8 @@ export function StartScreen({ session, installation, platform }: StartScreenProp
         <KeptPicture session={session} />
       </div>
       <div class="start-cards">
-        <KeptCard session={session} />
         <Simulated session={session} />
+        <KeptCard session={session} />
       </div>
       <OnThisDevice installation={installation} />
     </div>

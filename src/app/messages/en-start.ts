@@ -1,3 +1,4 @@
+import { FIRST_VERSIONS } from '../browser/platform.js';
 import { plural } from './plural.js';
 
 /** The start, before anything was read. The words for waiting are in en-link.ts. */
@@ -6,6 +7,8 @@ export const start = {
   lead: 'Read what it holds, change it, write it, and see it verified. Nothing leaves this device.',
   adapter: 'Plug in the adapter',
   firefox: 'Firefox asks for a permission first, and for the port each time this page is loaded.',
+  /** What a phone can connect to. */
+  android: `A phone connects over Bluetooth; a cable needs Android ${FIRST_VERSIONS.androidCable} and Chrome ${FIRST_VERSIONS.android}.`,
   readyOffline: 'Ready offline',
   install: 'Install',
   /** The program in the picture. */

@@ -6,6 +6,7 @@ import { NARROW } from '../../../src/app/ui/shapes.js';
 import { idle, reloaded, run } from '../bench/bench.js';
 import { connected, drawn, field, goTo, opened, press, table, type } from '../screen.js';
 
+const ANDROID = platformOf({ userAgent: 'Mozilla/5.0 (Linux; Android 17; K) Chrome/149.0.0.0 Mobile Safari/537.36' });
 const FIREFOX = platformOf({ userAgent: 'Mozilla/5.0 (X11; Linux x86_64; rv:153.0) Gecko/20100101 Firefox/153.0' });
 
 function card(name: string) {
@@ -201,5 +202,13 @@ describe('Firefox', () => {
     cleanup();
     await opened({ platform: FIREFOX });
     expect(screen.getByText(en.start.firefox)).toBeTruthy();
+  });
+
+  it('says what a phone can connect to, and only there', async () => {
+    await opened();
+    expect(screen.queryByText(en.start.android)).toBeNull();
+    cleanup();
+    await opened({ platform: ANDROID });
+    expect(screen.getByText(en.start.android)).toBeTruthy();
   });
 });
