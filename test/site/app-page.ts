@@ -319,7 +319,7 @@ export class AppPage {
     const older = this.line.getByRole('button', { name: /^Show \d+ more$/ });
     while (await older.isVisible()) await older.click();
     const names = await this.line
-      .locator('.line-rows .out .name')
+      .locator('.line-rows .out b')
       .evaluateAll((all) => all.map(({ textContent }) => textContent ?? '').reverse());
     await this.page.evaluate((hash) => location.assign(hash || '#program'), before);
     await this.line.waitFor({ state: 'hidden' });
