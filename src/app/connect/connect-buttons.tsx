@@ -10,7 +10,7 @@ interface ConnectButtonsProps {
 
 /**
  * Connect, or Read after a failed first reading. Choose another adapter, for when the last one is wrong. With a program
- * on the screen, also the way back to the start. To a simulated timer Connect comes back: it holds what was written.
+ * on the screen, also the way back to the start. Without an adapter Connect comes back to what a simulated timer holds.
  */
 export function ConnectButtons({ session, large = false, part }: ConnectButtonsProps) {
   const { header, program } = messages.value;
@@ -18,15 +18,15 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
   // A changed program has its own way to the timer.
   const leads = large || session.editor.changes.value.length === 0;
-  const isHeld = session.timer.holdsSimulated;
-  const choice = failed || isHeld || session.link.ports.value.length > 0;
+  const isBack = session.timer.holdsSimulated && session.link.ports.value.length === 0;
+  const choice = failed || isBack || session.link.ports.value.length > 0;
   const connect = part !== 'rest' && !session.link.unavailable && (
     <button
       type="button"
       class={large ? 'primary large' : leads ? 'primary' : ''}
       data-lead="connect"
       disabled={session.engaged.value}
-      onClick={() => void (isHeld && !large ? session.timer.comeBack() : session.timer.connect())}
+      onClick={() => void (isBack ? session.timer.comeBack() : session.timer.connect())}
     >
       {session.connection.value ? program.read : header.connect}
     </button>

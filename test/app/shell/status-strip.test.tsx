@@ -185,3 +185,11 @@ it('Connect comes back to a simulated timer, and another adapter can be chosen',
   await press(en.header.connect);
   expect([app.session.link.state.value.status, app.session.link.simulated.value]).toEqual(['on', true]);
 });
+
+it('Connect goes to a real timer that is plugged in, also when a simulated one was tried before', async () => {
+  const app = await opened({ plug: { granted: true } });
+  await press('Try a simulated F1Q timer');
+  await press(en.header.disconnect);
+  await press(en.header.connect);
+  expect([app.session.link.state.value.status, app.session.link.simulated.value]).toEqual(['on', false]);
+});
