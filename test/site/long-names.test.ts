@@ -1,3 +1,4 @@
+import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { exampleMemories } from '../../src/simulator/index.js';
@@ -74,4 +75,6 @@ test('on a desktop the question which model it is stands above long names, not s
   const line = app.page.locator('.model-line');
   await line.waitFor();
   expect(await line.evaluate((each) => each.getBoundingClientRect().height)).toBeLessThan(120);
+  const left = (place: Locator) => place.evaluate((each) => each.getBoundingClientRect().left);
+  expect(await left(line), 'it begins where the strip begins').toBe(await left(app.page.locator('.strip .brand')));
 });

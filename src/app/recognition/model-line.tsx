@@ -13,24 +13,26 @@ export function ModelLine({ recognition }: { readonly recognition: Recognition }
   if (!found || found.kind === 'said' || !recognition.tells.value) return null;
   const picks = picksOf(found);
   return (
-    <div class="notice model-line">
-      <p>{saidOf(found)}</p>
-      <div class="buttons">
-        {picks.slice(0, BUTTONS).map(({ model }) => (
-          <button type="button" key={model.id} onClick={() => recognition.say(model)}>
-            {found.kind === 'like' ? words.yes(model.name) : model.name}
+    <div class="notices">
+      <div class="notice model-line">
+        <p>{saidOf(found)}</p>
+        <div class="buttons">
+          {picks.slice(0, BUTTONS).map(({ model }) => (
+            <button type="button" key={model.id} onClick={() => recognition.say(model)}>
+              {found.kind === 'like' ? words.yes(model.name) : model.name}
+            </button>
+          ))}
+          <button
+            type="button"
+            class={picks.length > 0 || found.kind === 'same' ? 'quiet' : ''}
+            onClick={() => recognition.choose()}
+          >
+            {words.choose}
           </button>
-        ))}
-        <button
-          type="button"
-          class={picks.length > 0 || found.kind === 'same' ? 'quiet' : ''}
-          onClick={() => recognition.choose()}
-        >
-          {words.choose}
-        </button>
-        <button type="button" class={found.kind === 'same' ? '' : 'quiet'} onClick={() => recognition.notNow()}>
-          {found.kind === 'same' ? words.ok : messages.value.notNow}
-        </button>
+          <button type="button" class={found.kind === 'same' ? '' : 'quiet'} onClick={() => recognition.notNow()}>
+            {found.kind === 'same' ? words.ok : messages.value.notNow}
+          </button>
+        </div>
       </div>
     </div>
   );
