@@ -35,7 +35,7 @@ export function TableHead({ servos, onSwitch, ...menu }: TableHeadProps) {
           <th
             scope="col"
             class="servo"
-            style={servoColour(servo)}
+            {...servoColour(servo)}
             key={servo}
             aria-label={servoName(servo)}
             data-cell={FIRST_SERVO_COLUMN + servo}

@@ -66,5 +66,5 @@ function Dot({ flags, stages, servo, slot }: Geometry & { readonly servo: number
   const roomy = flags[slot - 1]?.roomy ?? true;
   const passed = stages[slot]?.passing === 'passed';
   const classes = `dot ${passed ? 'passed' : ''} ${roomy ? '' : 'small'}`;
-  return <circle class={classes} style={servoColour(servo)} r={roomy ? 6 : 3} />;
+  return <circle class={classes} {...servoColour(servo)} r={roomy ? 6 : 3} />;
 }

@@ -72,10 +72,10 @@ export function Lines({ program, stages, layout, front = null, first = 0 }: Line
     <>
       {program.positions.flatMap((_, lane) => {
         const { line, back } = lineOf(program, stages, lane, layout);
-        const style = servoColour(first + lane);
+        const colour = servoColour(first + lane);
         return [
-          <path key={lane} {...{ style }} class={`servo-line ${lane === front ? 'front' : ''}`} d={line} />,
-          back !== '' && <path key={`${lane} back`} {...{ style }} class="servo-line back" d={back} />,
+          <path key={lane} {...colour} class={`servo-line ${lane === front ? 'front' : ''}`} d={line} />,
+          back !== '' && <path key={`${lane} back`} {...colour} class="servo-line back" d={back} />,
         ];
       })}
     </>
@@ -157,12 +157,7 @@ function LaneNames({ layout, front, first, names }: Geometry) {
         const narrow = name && name.length > NAME_FITS && { textLength: left - 8, lengthAdjust: 'spacingAndGlyphs' };
         return (
           <g key={from}>
-            <text
-              style={servoColour(first + lane)}
-              x={isPaper ? 0 : 8}
-              y={y}
-              dy={isPaper && name ? '-0.15em' : '0.35em'}
-            >
+            <text {...servoColour(first + lane)} x={isPaper ? 0 : 8} y={y} dy={isPaper && name ? '-0.15em' : '0.35em'}>
               {servoName(first + lane)}
             </text>
             {name && (isPaper || height >= WORD_ROOM) && (
@@ -315,7 +310,7 @@ export function Crosshair({ layout, program, timeNow }: Geometry & { readonly ti
         const y = layout.y(servo, row[slot] ?? 0);
         const { from, until } = layout.lanes[servo] ?? { from: top, until: bottom };
         return (
-          <g key={servo} style={servoColour(servo)}>
+          <g key={servo} {...servoColour(servo)}>
             <circle cy={y} r={4} />
             <text
               class={`figure ${side}`}

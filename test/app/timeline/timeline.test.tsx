@@ -55,7 +55,9 @@ function placeOf(element: Element): { clientX: number; clientY: number } {
 
 /** Where the name of a servo stands, which lies in its lane. */
 function heightOf(servo: string): number {
-  const name = [...document.querySelectorAll('.lane-names [style]')].find(({ textContent }) => textContent === servo);
+  const name = [...document.querySelectorAll('.lane-names [data-servo]')].find(
+    ({ textContent }) => textContent === servo,
+  );
   return picture().getBoundingClientRect().top + Number(name?.getAttribute('y'));
 }
 

@@ -69,7 +69,7 @@ export function FlightPreview({ program, player, named, onName }: FlightPreviewP
           </div>
           <ul class={uses.length > MANY ? 'many' : ''}>
             {uses.map((use, servo) => (
-              <li key={servoName(servo)} style={servoColour(servo)}>
+              <li key={servoName(servo)} {...servoColour(servo)}>
                 <b>{servoName(servo)}</b> <span class="duty">{dutyName(use)}</span>{' '}
                 <span class="stands">{program.positions[servo]?.[slot]}</span>
               </li>

@@ -45,7 +45,7 @@ function FromTheSide({ turned: { rudder, tailplane, wing }, propeller, motorRuns
       <path class="body" d="M266 66C270 74 277 79 285 80V67Z" />
       <path
         class={rudder ? 'surface' : 'body'}
-        style={servoColour(rudder?.servo ?? null)}
+        {...servoColour(rudder?.servo ?? null)}
         d="M285 43H288C293 49 295 57 294 65C294 72 292 77 288 80H285Z"
       />
       <path class="body" d="M46 66C54 60 78 58.5 104 59L150 61L284 64.4V66.6L150 70.5L104 72.5C78 73 54 72 46 66Z" />
@@ -90,7 +90,7 @@ interface HingedProps {
 
 function Hinged({ name, turned, x, y, reach, children }: HingedProps) {
   return (
-    <g transform={`translate(${x} ${y})`} style={servoColour(turned?.servo ?? null)}>
+    <g transform={`translate(${x} ${y})`} {...servoColour(turned?.servo ?? null)}>
       {turned && <path class="straight" d={`M0 0H${reach}`} />}
       <g
         class={turned ? 'surface' : 'body'}

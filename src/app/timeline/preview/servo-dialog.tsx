@@ -84,7 +84,7 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
   const name = servoName(servo);
   const isSurface = SURFACES.some((surface) => surface === use.duty);
   return (
-    <fieldset class="row servo-row" style={servoColour(servo)}>
+    <fieldset class="row servo-row" {...servoColour(servo)}>
       <legend>{name}</legend>
       <Select
         name={words.duty(name)}
