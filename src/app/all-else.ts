@@ -6,6 +6,7 @@ export { BenchPanel } from './bench/bench-panel.js';
 export { ComparePage } from './compare/compare-page.js';
 export { Dialogs } from './dialogs.js';
 export { FlightsView } from './flights/flights-view.js';
+export { FlyingThis } from './flights/flying-this.js';
 export { filesOf, LibraryFileNotice } from './library-files.js';
 export { LibraryPage } from './library-page.js';
 export { LinePanel } from './line/line-panel.js';

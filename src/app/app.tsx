@@ -50,7 +50,16 @@ export function App({ models }: { readonly models: AppModels }) {
   // Where a view asks for a timer.
   const connect = <ConnectButtons session={session} part="first" />;
   const view: Record<View, () => preact.JSX.Element> = {
-    program: () => (hasProgram ? <parts.Program {...models} onPrint={printProgram} /> : <StartScreen {...models} />),
+    program: () =>
+      hasProgram ? (
+        <parts.Program
+          {...models}
+          onPrint={printProgram}
+          flying={<parts.FlyingThis session={session} log={models.flights} />}
+        />
+      ) : (
+        <StartScreen {...models} />
+      ),
     memories: () => (
       <parts.Memories
         {...models}

@@ -26,7 +26,7 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
   return (
     <>
       <WriteDialog session={session} write={write} after={after} />
-      <FlightDialog session={session} log={flights} />
+      <FlightDialog session={session} log={flights} onProgram={() => views.show('program')} />
       <LeaveDialog session={session} leaving={leaving} />
       <ModelDialog recognition={session.recognition} />
       <SaveDialog session={session} saveSetting={saveSetting} />

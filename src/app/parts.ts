@@ -12,6 +12,8 @@ export const Memories = allElse.part(({ MemoriesPage }) => MemoriesPage);
 export const Bench = allElse.part(({ BenchPanel }) => BenchPanel);
 export const Library = allElse.part(({ LibraryPage }) => LibraryPage);
 export const Flights = allElse.part(({ FlightsView }) => FlightsView);
+/** For the program view. */
+export const FlyingThis = allElse.part(({ FlyingThis: Part }) => Part, { silent: true });
 export const Compare = allElse.part(({ ComparePage }) => ComparePage);
 export const Line = allElse.part(({ LinePanel }) => LinePanel);
 export const Settings = allElse.part(({ SettingsView }) => SettingsView);

@@ -6,6 +6,7 @@ import { dtText, messages } from '../messages/index.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
 import { Choice } from '../ui/choice.js';
 import { Modal } from '../ui/modal.js';
+import { OpenButton } from '../ui/open-button.js';
 import { Problem } from '../ui/problem.js';
 import { TimeQuestion } from '../ui/time-question.js';
 import type { Session } from '../work/session.js';
@@ -20,10 +21,12 @@ import './flight-dialog.css';
 interface FlightDialogProps {
   readonly session: Session;
   readonly log: FlightLog;
+  /** Shows the program that was opened. */
+  readonly onProgram: () => void;
 }
 
 /** A form for one flight, for cold hands. What pilots note first stands first. */
-export function FlightDialog({ session, log }: FlightDialogProps) {
+export function FlightDialog({ session, log, onProgram }: FlightDialogProps) {
   const { form: words } = flightMessages;
   const { flights, models } = session.library;
   const key = log.filling.value;
@@ -34,7 +37,7 @@ export function FlightDialog({ session, log }: FlightDialogProps) {
   }, [key, models, flights]);
   return (
     <Modal open={isHere} title={words.title} onEscape={() => log.close()}>
-      {key !== null && isHere && <Form key={key} id={key} session={session} log={log} />}
+      {key !== null && isHere && <Form key={key} id={key} {...{ session, log, onProgram }} />}
     </Modal>
   );
 }
@@ -44,7 +47,7 @@ interface FormProps extends FlightDialogProps {
   readonly id: string;
 }
 
-function Form({ id, session, log }: FormProps) {
+function Form({ id, session, log, onProgram }: FormProps) {
   const { form: words, flying } = flightMessages;
   const { delete: remove, done: doneLabel, label, noModel } = messages.value;
   const { flights } = session.library;
@@ -98,6 +101,15 @@ function Form({ id, session, log }: FormProps) {
         <button type="button" class="quiet" onClick={() => log.fillIn(log.flyAgain(flight))}>
           {flying.again}
         </button>
+        <OpenButton
+          label={words.open}
+          obstacle={session.opened.obstacle(flight.program)}
+          open={() => log.showFlown(flight)}
+          onProgram={() => {
+            log.close();
+            onProgram();
+          }}
+        />
       </div>
       <div class="buttons">
         <button type="submit" class="primary">
@@ -198,7 +210,7 @@ function Round({ form }: { readonly form: FlightForm }) {
 }
 
 /** A contest round with a short DT for trimming: asks before the flight, says so afterwards. */
-function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: FlightForm }) {
+function ShortDtNote({ session, log, form, id }: Omit<FormProps, 'onProgram'> & { readonly form: FlightForm }) {
   const { shortDt, memoryName } = messages.value;
   const { form: words } = flightMessages;
   const flight = form.flight.value;

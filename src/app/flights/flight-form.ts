@@ -25,7 +25,7 @@ export class FlightForm {
   readonly #texts = signal<ReadonlyMap<Field, string>>(new Map(), { name: 'flightTexts' });
   readonly #log: FlightLog;
   readonly #opened: Flight;
-  /** What was noted last on the same day: wind and temperature change slowly. */
+  /** What was noted last on the same day: wind and temperature change slowly. Rounds are those of the model. */
   readonly #before: Pick<Flight, Measure | 'round'>;
   /** The value of the field that is being typed in, from before that. */
   #resting: number | null = null;
@@ -34,7 +34,8 @@ export class FlightForm {
   constructor(log: FlightLog, opened: Flight, before: readonly Flight[]) {
     this.#log = log;
     this.#opened = opened;
-    this.#before = lastNoted(before.filter((flight) => dayOf(flight) === dayOf(opened)));
+    const today = before.filter((flight) => dayOf(flight) === dayOf(opened));
+    this.#before = { ...lastNoted(today), ...lastRound(today, opened) };
     this.flight = computed(() => ({ ...opened, ...this.#changes.value }));
     this.problems = computed(
       () =>
@@ -129,11 +130,14 @@ export class FlightForm {
 }
 
 /** The last that was noted of each, in flights with the latest first. */
-function lastNoted(flights: readonly Flight[]): Pick<Flight, Measure | 'round'> {
+function lastNoted(flights: readonly Flight[]): Pick<Flight, Measure> {
   const last = (measure: Measure): number | null =>
     flights.find((flight) => flight[measure] !== null)?.[measure] ?? null;
-  return {
-    ...{ wind: last('wind'), temperature: last('temperature'), result: last('result') },
-    round: flights.find(({ round }) => round !== '')?.round ?? '',
-  };
+  return { wind: last('wind'), temperature: last('temperature'), result: last('result') };
+}
+
+/** The last round that this model flew; of a model that has flown none, that of any: it may take over in a contest. */
+function lastRound(flights: readonly Flight[], { model }: Flight): Pick<Flight, 'round'> {
+  const rounds = flights.filter(({ round }) => round !== '');
+  return { round: (rounds.find((flight) => flight.model === model) ?? rounds[0])?.round ?? '' };
 }

@@ -1,4 +1,4 @@
-import type { Flight } from '../../program/index.js';
+import type { Flight, TimerProgram } from '../../program/index.js';
 import { foldedOf, searchFor } from '../messages/search.js';
 import { askCalendar } from '../messages/today.js';
 import type { FlightRecord } from '../storage/index.js';
@@ -52,6 +52,19 @@ export function grouped(records: readonly FlightRecord[]): readonly FlightDay[] 
     else days.set(key, { place, latest: record.flight, records: [record] });
   }
   return [...days].map(([key, day]) => ({ key, ...day }));
+}
+
+/** What the model of a flight flew before it, by the key of the flight. Of a flight without a model nobody knows. */
+export function flownBefore(records: readonly FlightRecord[]): ReadonlyMap<string, TimerProgram> {
+  const before = new Map<string, TimerProgram>();
+  const later = new Map<string, string>();
+  for (const { key, flight } of records) {
+    if (flight.model === null) continue;
+    const next = later.get(flight.model);
+    if (next !== undefined) before.set(next, flight.program);
+    later.set(flight.model, key);
+  }
+  return before;
 }
 
 export function totalsOf(records: readonly FlightRecord[]): Totals {

@@ -11,7 +11,7 @@ import type { Session } from '../work/session.js';
 import { putBackDt } from '../write/put-back.js';
 import type { WriteJob } from '../write/write-job.js';
 import { type FlightFilter, NO_FILTER } from './flight-filter.js';
-import { deviceOffset } from './flight-list.js';
+import { dayOf, deviceOffset } from './flight-list.js';
 
 /** What was flown: the program, the model and the setting. */
 type Flown = Pick<Flight, 'program' | 'model' | 'modelName' | 'setting' | 'settingName'>;
@@ -22,7 +22,17 @@ const place = v.pipe(v.string(), v.maxLength(LIMITS.place));
 
 type LogParts = Pick<
   Session,
-  'editor' | 'library' | 'nextFlight' | 'origin' | 'reader' | 'runner' | 'shortDt' | 'standing' | 'standings'
+  | 'editor'
+  | 'library'
+  | 'nextFlight'
+  | 'onScreen'
+  | 'opened'
+  | 'origin'
+  | 'reader'
+  | 'runner'
+  | 'shortDt'
+  | 'standing'
+  | 'standings'
 >;
 
 /**
@@ -134,7 +144,9 @@ export class FlightLog {
     const { library } = this.#parts;
     const flight = library.flights.get(key)?.flight;
     if (!flight) return;
-    if (changes.place !== undefined) saveSetting(PLACE, changes.place);
+    // An old flight that is corrected does not say where the next one will be.
+    const isOld = dayOf(flight) < dayOf(library.flights.list.peek()[0]?.flight ?? flight);
+    if (changes.place !== undefined && !isOld) saveSetting(PLACE, changes.place);
     await library.keepFlight({ ...flight, ...changes });
   }
 
@@ -145,12 +157,32 @@ export class FlightLog {
     this.#parts.library.flights.remove(key);
   }
 
+  /**
+   * Shows the program of a flight as it was then: the setting that it was flown with, if that still is exactly this,
+   * else its copy, as a backup of its model. Unsaved changes of that setting are one step back.
+   * @returns whether it is shown.
+   */
+  async showFlown({ program, model, setting }: Flight): Promise<boolean> {
+    const { library, opened, onScreen } = this.#parts;
+    await library.load();
+    const saved = library.settings.get(setting)?.setting;
+    if (saved && isExactly(saved.program, program)) {
+      if (!(await opened.show(saved))) return false;
+      const { changes = 0, unreadable = 0 } = opened.unsaved.peek() ?? {};
+      if (changes + unreadable > 0) opened.loadAgain();
+    } else {
+      if (opened.obstacle(program)) return false;
+      onScreen.showBackup({ program, ...(model !== null && { model }) });
+    }
+    return true;
+  }
+
   /** Whether DT can be put back for a flight: it is not flown yet, and the timer still holds its program. */
   canPutBack({ program, result }: Flight): boolean {
     const held = this.held.value;
     const { shortDt, runner, editor } = this.#parts;
     if (!held || !shortDt.held.value || result !== null || !runner.ready.value || editor.blocked.value) return false;
-    return sameLayout(held.identity, program.identity) && differences(held, program).length === 0;
+    return isExactly(held, program);
   }
 
   /** Puts DT back by a write that the pilot confirms first. Once verified, the flight gets that program. */
@@ -202,4 +234,8 @@ export class FlightLog {
   #place(): string {
     return loadSetting(PLACE, place) ?? this.#parts.library.flights.list.peek()[0]?.flight.place ?? '';
   }
+}
+
+function isExactly(one: TimerProgram, other: TimerProgram): boolean {
+  return sameLayout(one.identity, other.identity) && differences(one, other).length === 0;
 }

@@ -1,21 +1,26 @@
+import type { TimerProgram } from '../../program/index.js';
 import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { dtText, messages } from '../messages/index.js';
 import type { FlightRecord } from '../storage/index.js';
+import { memo } from '../ui/memo.js';
 import type { ShortDt } from '../work/short-dt.js';
 import { type FlightDay, isFull } from './flight-list.js';
-import { clockOf, dayHeading, resultText } from './flight-text.js';
+import type { FlightLog } from './flight-log.js';
+import { changedText, clockOf, dayHeading, resultText } from './flight-text.js';
 import { measureText } from './measures.js';
 import './flight-rows.css';
 
 interface FlightRowsProps {
   readonly days: readonly FlightDay[];
+  /** What the model of each flight flew before it, by the key of the flight. */
+  readonly before: ReadonlyMap<string, TimerProgram>;
   readonly shortDt: ShortDt;
-  readonly onOpen: (key: string) => void;
+  readonly log: FlightLog;
 }
 
 /** The flights by day and place. The browser skips the drawing of those far from the window. */
-export function FlightRows({ days, ...props }: FlightRowsProps) {
+export function FlightRows({ days, before, ...props }: FlightRowsProps) {
   const { totals } = flightMessages;
   return (
     <div class="stack">
@@ -29,7 +34,7 @@ export function FlightRows({ days, ...props }: FlightRowsProps) {
             </h2>
             <ul class="ruled">
               {records.map((record) => (
-                <Row key={record.key} record={record} {...props} />
+                <Row key={record.key} record={record} before={before.get(record.key)} {...props} />
               ))}
             </ul>
           </section>
@@ -39,22 +44,27 @@ export function FlightRows({ days, ...props }: FlightRowsProps) {
   );
 }
 
-interface RowProps extends Omit<FlightRowsProps, 'days'> {
+interface RowProps extends Pick<FlightRowsProps, 'shortDt' | 'log'> {
   readonly record: FlightRecord;
+  readonly before: TimerProgram | undefined;
 }
 
-function Row({ record: { key, flight }, shortDt, onOpen }: RowProps) {
+/** Only a flight that changes is drawn again: a season is long, and its programs are compared. */
+const Row = memo(RowContent);
+
+function RowContent({ record: { key, flight }, before, shortDt, log }: RowProps) {
   const { row: words } = flightMessages;
   const { wind, temperature, round, result, note, program } = flight;
   const facts = [
     round === '' ? null : words.round(round),
     wind === null ? null : words.wind(measureText(wind)),
     temperature === null ? null : words.temperature(measureText(temperature)),
+    before && changedText(before, program),
     note.split('\n')[0] || null,
   ];
   return (
     <li>
-      <button type="button" class="flight-row" onClick={() => onOpen(key)}>
+      <button type="button" class="flight-row" onClick={() => log.fillIn(key)}>
         <span class="flight-time">{clockOf(flight)}</span>
         <span class="flight-what">
           <b>{flight.modelName || messages.value.noModel}</b>

@@ -1,8 +1,10 @@
-import type { TimerProgram } from '../../program/index.js';
+import { sameLayout, type TimerProgram } from '../../program/index.js';
+import { changesSince } from '../editing/content.js';
 import { formatFigure } from '../editing/units.js';
 import { formatDate } from '../messages/date-format.js';
 import { dotted } from '../messages/dotted.js';
-import { messages } from '../messages/index.js';
+import { flightMessages } from '../messages/en-flights.js';
+import { changeText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { deviceOffset, offsetText, onClock, timeOfDay, type When } from './flight-list.js';
 
@@ -22,6 +24,19 @@ function figuresOf(program: TimerProgram): readonly string[] {
 export function heldText(program: TimerProgram): string {
   const { memory } = program;
   return dotted([memory === null ? null : messages.value.memoryName(memory), ...figuresOf(program)]);
+}
+
+/** So many changes are named; of more, only their number. */
+const NAMED = 2;
+
+/** What changed since the flight before: “DT: 3:00 min → 3:30 min”, “3 values changed”. Empty when nothing did. */
+export function changedText(before: TimerProgram, flown: TimerProgram): string {
+  const { row } = flightMessages;
+  const { identity } = flown;
+  if (!sameLayout(before.identity, identity)) return row.otherTimer;
+  const changes = changesSince(before, flown);
+  if (changes.length > NAMED) return row.changed(messages.value.edits.cells(changes.length));
+  return dotted(changes.map((change) => changeText(identity, change)));
 }
 
 /** A day as the heading of a group: “Sun 22 Nov 2026”. */

@@ -1,4 +1,4 @@
-import { useEffect, useLayoutEffect } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
 import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
@@ -7,7 +7,7 @@ import { BackHead } from '../ui/back-head.js';
 import type { Session } from '../work/session.js';
 import { FilterBar } from './filter-bar.js';
 import { NO_FILTER } from './flight-filter.js';
-import { dayOf, filtered, grouped } from './flight-list.js';
+import { dayOf, filtered, flownBefore, grouped } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { FlightRows } from './flight-rows.js';
 import { flightsCsv, marksOf } from './flights-csv.js';
@@ -38,6 +38,8 @@ export function FlightsView({ session, log }: FlightsViewProps) {
     void library.load();
   }, [library]);
   const filter = log.filter.value;
+  // Of the whole log: a filter hides flights, but they were flown.
+  const before = useMemo(() => flownBefore(list.value), [list.value]);
   const shown = filtered(list.value, filter, Date.now());
   return (
     <div class="stack gap-3 flights">
@@ -85,7 +87,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
               </button>
             </div>
           )}
-          <FlightRows days={grouped(shown)} shortDt={session.shortDt} onOpen={(key) => log.fillIn(key)} />
+          <FlightRows days={grouped(shown)} before={before} shortDt={session.shortDt} log={log} />
         </>
       )}
     </div>

@@ -9,7 +9,7 @@ import type { FlightLog } from './flight-log.js';
 import { heldText } from './flight-text.js';
 import './flying-this.css';
 
-interface FlyingThisProps {
+export interface FlyingThisProps {
   readonly session: Session;
   readonly log: FlightLog;
   /** The form of the flight is about to open. */

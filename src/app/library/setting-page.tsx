@@ -1,11 +1,11 @@
-import { useSignal } from '@preact/signals';
 import { LIMITS, type Setting } from '../../program/index.js';
-import { libraryMessages, obstacles } from '../messages/en-library.js';
+import { libraryMessages } from '../messages/en-library.js';
 import { clockText, dutyName, messages } from '../messages/index.js';
 import { plainName } from '../records/plain-names.js';
 import type { SettingRecord } from '../storage/index.js';
 import { BackHead } from '../ui/back-head.js';
 import { Choice } from '../ui/choice.js';
+import { OpenButton } from '../ui/open-button.js';
 import type { Session } from '../work/session.js';
 import { addressOf, addressPath, NO_MODEL } from './place.js';
 import type { Places } from './places.js';
@@ -74,7 +74,7 @@ export function SettingPage(props: SettingPageProps) {
       />
       <ProgramFacts program={setting.program} names={names}>
         <div class="buttons">
-          <OpenButton {...props} record={record} />
+          <OpenSetting {...props} record={record} />
           {places.settingButtons(record, model)}
         </div>
       </ProgramFacts>
@@ -126,18 +126,13 @@ export function SettingPage(props: SettingPageProps) {
   );
 }
 
-function OpenButton({ session, record, onProgram }: SettingPageProps & { readonly record: SettingRecord }) {
+function OpenSetting({ session, record, onProgram }: SettingPageProps & { readonly record: SettingRecord }) {
   const words = libraryMessages;
   const { opened } = session;
-  const failed = useSignal(false);
   const isOpen = session.origin.setting.value?.id === record.key;
   const obstacle = opened.obstacle(record.setting.program);
   const unsaved = isOpen ? opened.unsaved.value : null;
   const count = (unsaved?.changes ?? 0) + (unsaved?.unreadable ?? 0);
-  const show = async (): Promise<void> => {
-    failed.value = !(await session.opened.show(record.setting));
-    if (!failed.peek()) onProgram();
-  };
   if (isOpen) {
     return (
       <>
@@ -156,21 +151,17 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
             {words.setting.loadAgain(count)}
           </button>
         )}
-        {count > 0 && <p class="hint setting-unsaved">{words.save.state(record.setting.name, count)}</p>}
+        {count > 0 && <p class="hint whole-line">{words.save.state(record.setting.name, count)}</p>}
       </>
     );
   }
   return (
-    <>
-      <button type="button" class="primary" disabled={obstacle !== null} onClick={() => void show()}>
-        {messages.value.open}
-      </button>
-      {obstacle !== null && <p class="hint setting-unsaved">{obstacles[obstacle]}</p>}
-      {obstacle === null && failed.value && (
-        <p class="bad-text setting-unsaved" role="alert">
-          {words.setting.notShown}
-        </p>
-      )}
-    </>
+    <OpenButton
+      label={messages.value.open}
+      obstacle={obstacle}
+      primary
+      open={() => opened.show(record.setting)}
+      onProgram={onProgram}
+    />
   );
 }

@@ -25,6 +25,9 @@ export const flightMessages = {
     wind: (wind: string) => `${wind}\u00a0m/s`,
     temperature: (degrees: string) => `${degrees.replace('-', '−')}\u00a0°C`,
     noResult: 'no result',
+    /** Since the flight of the same model before. @param values such as “3 values”. */
+    changed: (values: string) => `${values} changed`,
+    otherTimer: 'another timer',
   },
   totals: {
     flights: (count: number) => plural(count, 'flight', 'flights'),
@@ -57,6 +60,7 @@ export const flightMessages = {
     noOffset: 'The time zone of the field is not known: this is the time of this device.',
     place: 'Place',
     flown: 'What was flown',
+    open: 'Open its program',
     unreadable: {
       ambiguous: 'Say what it means.',
       'not-a-number': 'Not a number.',

@@ -1,4 +1,5 @@
 import { useComputed, useSignal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
 import { useCallback, useEffect, useLayoutEffect, useMemo } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
@@ -24,13 +25,15 @@ export interface ProgramViewProps extends Omit<CommandBarProps, 'onShift' | 'pic
   readonly preferences: Preferences;
   readonly programPicture: ProgramPicture;
   readonly sharing: Sharing;
+  /** Logs a flight with what the timer holds. */
+  readonly flying: ComponentChildren;
   readonly onPrint: () => void;
 }
 
 /** The program on the screen: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramView(props: ProgramViewProps) {
   const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, sharing } = props;
-  const { onPrint } = props;
+  const { onPrint, flying } = props;
   const { program, header, about, views: words } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -40,6 +43,8 @@ export function ProgramView(props: ProgramViewProps) {
   }, []);
   // While another memory is being selected, typing would change the one that is left.
   const leaving = useComputed(() => session.runner.job.value?.kind === 'select').value;
+  const isConnected = useComputed(() => session.connection.value !== null).value;
+  const isWriting = useComputed(() => write.current.value !== null).value;
   const looking = memories.looking.value;
   const isNarrow = useQuery(NARROW).value;
   const picture = programPicture.isOpen.value;
@@ -93,6 +98,8 @@ export function ProgramView(props: ProgramViewProps) {
           <div class="of-memory" inert={leaving}>
             {!isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
             <ProgramTable {...{ session, bench, follow, marked, tools }} />
+            {/* A result of a write has it, too. Its place stays: DT above must not move while it is typed. */}
+            {isConnected && <div class="flying-place">{!isWriting && flying}</div>}
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
           </div>
         ) : (

@@ -81,7 +81,7 @@ export class OnScreen {
   }
 
   /** Takes the values of a backup as what the pilot wants. Writes nothing. */
-  showBackup({ program, model }: Backup): void {
+  showBackup({ program, model }: Pick<Backup, 'program'> & Partial<Backup>): void {
     if (this.#takes(program)) {
       const edit = replaceAll({ code: 'open', params: {} }, program);
       // It is no setting any more: to save it over one, the pilot has to say so.

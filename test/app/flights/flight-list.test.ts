@@ -6,6 +6,7 @@ import {
   dayOf,
   deviceOffset,
   filtered,
+  flownBefore,
   grouped,
   momentOf,
   nextRound,
@@ -14,8 +15,10 @@ import {
   timeOfDay,
   totalsOf,
 } from '../../../src/app/flights/flight-list.js';
-import { clockOf, dayHeading } from '../../../src/app/flights/flight-text.js';
-import { anyLog, recordOf } from './flights.js';
+import { changedText, clockOf, dayHeading } from '../../../src/app/flights/flight-text.js';
+import { withValue } from '../../../src/program/index.js';
+import { programOf } from '../programs.js';
+import { anyLog, PLAIN, recordOf } from './flights.js';
 
 const NOW = new Date(2026, 0, 18, 12).getTime();
 const anyFilter: fc.Arbitrary<FlightFilter> = fc.record({
@@ -193,4 +196,33 @@ describe('what was flown before', () => {
     ];
     expect(placesOf(log)).toEqual(['B', 'A']);
   });
+});
+
+it('says what changed since the flight of the same model before', () => {
+  const { program } = PLAIN;
+  const longer = withValue(program, { kind: 'time', slot: 4 }, 21_000);
+  const turned = withValue(longer, { kind: 'position', servo: 1, slot: 3 }, 56);
+  const log = [
+    recordOf({ id: 'all', model: 'lancer', program: programOf('Q', [900, 20, 90, 290, 18_000]) }),
+    recordOf({ id: 'turned', model: 'lancer', program: turned }),
+    recordOf({ id: 'nobody', program }),
+    recordOf({ id: 'again', model: 'lancer', program: { ...longer, memory: 2 } }),
+    recordOf({ id: 'longer', model: 'lancer', program: longer }),
+    recordOf({ id: 'other', model: 'vega', program: programOf('B', [0, 30, 18_000]) }),
+    recordOf({ id: 'first', model: 'lancer', program }),
+    recordOf({ id: 'nobody-too', program: longer }),
+    recordOf({ id: 'vega', model: 'vega', program }),
+  ];
+  const before = flownBefore(log);
+  const said = log.flatMap(({ key, flight }) => {
+    const last = before.get(key);
+    return last ? [[key, changedText(last, flight.program).replaceAll('\u00a0', ' ')]] : [];
+  });
+  expect(said).toEqual([
+    ['all', '6 values changed'],
+    ['turned', 'Function 3, S2: 23 → 56'],
+    ['again', ''],
+    ['longer', 'DT: 3:00 min → 3:30 min'],
+    ['other', 'another timer'],
+  ]);
 });

@@ -3,7 +3,7 @@ import { FlightForm } from '../../../src/app/flights/flight-form.js';
 import { emptyModel } from '../../../src/app/records/library.js';
 import type { Flight, ProgramField } from '../../../src/program/index.js';
 import { type AppBench, asked, connectedBench, goOn, idle, reloaded, review, run } from '../bench/bench.js';
-import { CALM, lancerConnected } from '../two-models.js';
+import { CALM, LANCER_HELD, lancerBench, lancerConnected, MAGPIE_HELD } from '../two-models.js';
 import { PLAIN } from './flights.js';
 
 beforeEach(() => localStorage.clear());
@@ -87,14 +87,16 @@ describe('one tap', () => {
     await idle();
     expect([latest(app).model, latest(app).modelName]).toEqual(['lancer', 'Lancer 07']);
     await app.flights.change(latest(app).id, { place: 'Gyula' });
+    await app.session.library.keepFlight({ ...PLAIN, id: 'old', at: 0 });
+    await app.flights.change('old', { place: 'Mostar' });
     await app.session.library.keepModel({ ...LANCER, name: 'Lancer 07b' });
     app.flights.flying();
     await idle();
     const names = logged(app).map(({ place, modelName }) => `${place} ${modelName}`);
-    expect(names.sort(), 'each flight keeps the name that its model had that day').toEqual([
-      'Gyula Lancer 07',
-      'Gyula Lancer 07b',
-    ]);
+    expect(
+      names.sort(),
+      'each flight keeps its name of that day; an old flight that is corrected moves no place',
+    ).toEqual(['Gyula Lancer 07', 'Gyula Lancer 07b', 'Mostar ']);
   });
 
   it('is of a setting only where the timer holds each value of it, whatever is typed', async () => {
@@ -216,6 +218,47 @@ describe('one tap', () => {
   });
 });
 
+describe('what was flown comes back to the screen', () => {
+  const dt = ({ editor }: AppBench) => editor.working.value?.times[10];
+  const shown = async (app: AppBench, flight: Partial<Flight>): Promise<boolean> =>
+    run(app.flights.showFlown({ ...PLAIN, ...flight }));
+  const longer = { ...LANCER_HELD, times: LANCER_HELD.times.map((time, slot) => (slot === 10 ? 21_000 : time)) };
+
+  it('over what the timer holds, as the copy that the flight keeps: one step to undo', async () => {
+    const app = await lancerConnected();
+    app.editor.type(DT, '4:00');
+    app.editor.leave(DT);
+    expect(await shown(app, { model: 'Lancer', setting: 'calm', program: longer })).toBe(true);
+    expect([dt(app), app.session.origin.setting.value, app.session.origin.model.value?.name]).toEqual([
+      21_000,
+      null,
+      'Lancer',
+    ]);
+    app.editor.undo();
+    expect(dt(app)).toBe(24_000);
+    expect(app.timer.core.content.times[10], 'nothing is written').toBe(LANCER_HELD.times[10]);
+  });
+
+  it('as the saved program where that still is exactly this; its unsaved changes are one step back', async () => {
+    const app = await lancerBench();
+    const flown = { model: 'Lancer', setting: 'calm', program: { ...LANCER_HELD, memory: 2 } };
+    expect(await shown(app, flown)).toBe(true);
+    expect([app.session.origin.setting.value?.id, app.editor.undoStep.value]).toEqual(['calm', null]);
+    app.editor.type(DT, '4:00');
+    app.editor.leave(DT);
+    expect(await shown(app, flown)).toBe(true);
+    expect([app.session.opened.unsaved.value?.changes, dt(app)]).toEqual([0, LANCER_HELD.times[10]]);
+    app.editor.undo();
+    expect(dt(app)).toBe(24_000);
+  });
+
+  it('not over the values of another kind of timer', async () => {
+    const app = await lancerConnected();
+    expect(await shown(app, {})).toBe(false);
+    expect(await shown(app, { program: MAGPIE_HELD })).toBe(true);
+  });
+});
+
 describe('the form of a flight', () => {
   it('keeps what can be read at once, and leaves in the field what cannot', async () => {
     const { app, form } = await opened();
@@ -273,6 +316,19 @@ describe('the form of a flight', () => {
     expect([latest(app), form.proposed.value]).toMatchObject([{ round: '4', wind: 4 }, null]);
     const { form: next } = await opened({}, [{ ...PLAIN, at: PLAIN.at - 86_400_000, round: '3', wind: 4 }]);
     expect(next.proposed.value, 'yesterday says nothing').toBeNull();
+  });
+
+  it('proposes the round of the model, and that of another one only while it has none', async () => {
+    const at = PLAIN.at - 3_600_000;
+    const before = [
+      { ...PLAIN, at, model: 'vega', round: '5', wind: 6 },
+      { ...PLAIN, at, model: 'lancer', round: '2' },
+    ];
+    const round = async (model: string) => (await opened({ model }, before)).form.proposed.value;
+    expect([await round('lancer'), await round('spare')]).toEqual([
+      { round: '3', wind: 6 },
+      { round: '6', wind: 6 },
+    ]);
   });
 
   it('asks what a result with decimals means, and has the value from before until that is said', async () => {

@@ -6,7 +6,7 @@ import { en } from '../../../src/app/messages/en.js';
 import { flightMessages } from '../../../src/app/messages/en-flights.js';
 import { emptyModel } from '../../../src/app/records/library.js';
 import { type AppBench, idle, reloaded } from '../bench/bench.js';
-import { button, connected, drawn, opened, press, type } from '../screen.js';
+import { button, connected, drawn, field, opened, press, type } from '../screen.js';
 import { PLAIN, recordOf } from './flights.js';
 
 beforeEach(() => localStorage.clear());
@@ -237,6 +237,20 @@ describe('the log', () => {
     expect(screen.getByText(flightMessages.empty.title)).toBeTruthy();
     expect(screen.queryByRole('button', { name: 'Flying this' })).toBeNull();
   });
+});
+
+it('one press beside the program on the screen logs a flight, and what it flew is opened again from the log', async () => {
+  const app = await connected();
+  await press('Flying this');
+  expect(flights(app)[0]?.program.times[10]).toBe(18_000);
+  await type('DT time', '20 s');
+  expect(screen.queryByRole('button', { name: 'Flying this' }), 'what is typed is not in the timer').toBeNull();
+  await toLog(app);
+  act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
+  await press(flightMessages.form.open);
+  expect([app.models.views.shown.value, screen.queryByRole('dialog')]).toEqual(['program', null]);
+  expect(field('DT time').value).toBe('3:00');
+  expect(app.editor.undoStep.value?.code).toBe('open');
 });
 
 describe('after a verified write', () => {
