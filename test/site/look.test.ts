@@ -124,7 +124,7 @@ describe('nothing is cut off or covered', () => {
   test('at 320 px, during a reading over a disturbed line', async () => {
     const app = await AppPage.open({ viewport: { width: 320, height: 800 }, bench: { damage: 0.1 } });
     await app.button('Connect').click();
-    await app.text(/The line is disturbed:/).waitFor();
+    await app.text(/Answers are missing or damaged:/).waitFor();
     await app.expectNoSidewaysScrolling();
   });
 });

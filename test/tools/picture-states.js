@@ -430,7 +430,7 @@ export const states = {
     bench: { granted: true, damage: 0.1 },
     reach: async (page) => {
       await press(page, 'Connect');
-      await page.getByText(/The line is disturbed:/).waitFor();
+      await page.getByText(/Answers are missing or damaged:/).waitFor();
     },
   },
   away: {

@@ -145,9 +145,9 @@ export const en = {
   parts,
   timeline,
   preview,
-  /** While a job goes on over a bad line. */
+  /** While requests of a job are repeated. A timer that fell asleep looks like a bad line: both are named. */
   disturbed: (seconds: number) =>
-    `The line is disturbed: hold the infrared head closer, out of the sun. This ends in ${seconds}\u00a0s at the latest.`,
+    `Answers are missing or damaged: is the timer awake, and the infrared head close, out of the sun? This ends in ${seconds}\u00a0s at the latest.`,
   cancel: 'Cancel',
   close: 'Close',
   copy: 'Copy',
