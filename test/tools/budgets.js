@@ -1,6 +1,6 @@
 // Holds the size of the code: lines for each folder of src and for all tests, entries for each file of messages. The
 // ceilings stand in budgets.json. Part of `npm run lint`, which prints the sums. A commit that removes something lowers
-// the ceilings with `npm run lint:lower`. To raise one, edit the file by hand and say why in the changelog.
+// the ceilings with `npm run lint:lower`. To raise one, edit the file by hand and say why in the commit.
 
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
