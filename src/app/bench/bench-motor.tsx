@@ -1,4 +1,4 @@
-import { useSignal } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import { CancelButton } from '../ui/form-buttons.js';
@@ -16,6 +16,9 @@ interface MotorProps {
 export function Motor({ session, bench }: MotorProps) {
   const { bench: words, program } = messages.value;
   const hasThrottle = typeof session.editor.working.value?.idleThrottle === 'number';
+  const waits = useComputed(() =>
+    session.editor.changes.value.some(({ field }) => field.kind === 'idleThrottle'),
+  ).value;
   const id = useId();
   return (
     <section class="stack panel">
@@ -33,7 +36,7 @@ export function Motor({ session, bench }: MotorProps) {
       {hasThrottle && (
         <>
           <Trim session={session} field={{ kind: 'idleThrottle' }} name={program.idleThrottle} />
-          <p class="hint">{words.waits}</p>
+          {waits && <p class="hint">{words.waits}</p>}
         </>
       )}
     </section>

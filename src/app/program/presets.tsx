@@ -18,7 +18,10 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
   const { edits, program } = messages.value;
   const field: ProgramField = { kind: 'time', slot };
   const params = { field: fieldKey(field) };
-  const current = useComputed(() => editor.working.value?.times[slot]).value;
+  // What is typed is no value yet: then the value before it is no longer meant.
+  const current = useComputed(() =>
+    editor.unreadable.value.has(fieldKey(field)) ? null : editor.working.value?.times[slot],
+  ).value;
   const presets = preferences.presets.value;
   if (presets.length === 0) return null;
   return (

@@ -232,6 +232,14 @@ describe('hold to unlock', () => {
   });
 });
 
+it('an idle throttle waits for Write once it is changed', async () => {
+  const app = await opened();
+  const waits = () => within(panel()).queryByText(en.bench.waits);
+  expect(waits()).toBeNull();
+  act(() => app.session.editor.type({ kind: 'idleThrottle' }, '31'));
+  expect(waits()).toBeTruthy();
+});
+
 describe('servos that follow', () => {
   const row = (name: string): HTMLElement => {
     show('program');

@@ -78,6 +78,7 @@ it.each(['99:99', '5:00x'])('a figure whose cell says %s is not valid, not the v
   const dt = () => document.querySelector('.strip-figure');
   await type('DT time', text);
   expect([dt()?.textContent?.trim(), dt()?.className]).toEqual([`DT ${en.strip.notValid}`, 'strip-figure bad']);
+  expect(document.querySelector('.presets [aria-current="true"]'), 'nor is the preset before it').toBeNull();
   await type('DT time', '5:00');
   expect(dt()?.textContent).toBe('DT 5:00 min');
 });
