@@ -19,7 +19,7 @@ export type NoteCode =
   | 'unexpected';
 
 /** Those about changes on the screen. They end with the last change. */
-export const ABOUT_CHANGES: ReadonlySet<string> = new Set<NoteCode>(['back', 'moved']);
+export const ABOUT_CHANGES: ReadonlySet<string> = new Set<NoteCode>(['back', 'moved', 'made-laid']);
 
 /** A message to the pilot, as a code. messages/ has the sentence. */
 export type Notice =

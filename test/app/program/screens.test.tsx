@@ -18,10 +18,10 @@ describe('the start', () => {
     await opened();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
       'Connect',
-      en.newProgram.title,
       'F1Q',
       'F1B',
       'F1E',
+      en.newProgram.title,
     ]);
     expect(screen.queryByRole('navigation')).toBeNull();
   });

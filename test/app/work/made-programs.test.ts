@@ -59,6 +59,7 @@ describe('a program that was made here', () => {
     expect(bench.editor.changes.value.length).toBeGreaterThan(30);
     bench.editor.undo();
     expect([bench.editor.changes.value, bench.editor.working.value]).toEqual([[], held]);
+    expect(notice(bench), 'nothing is loaded over it any more').toBeUndefined();
     await bench.session.drafts.load();
     expect(bench.session.drafts.list.value.map(({ working }) => working.positions[1]?.[3])).toEqual([70]);
   });
