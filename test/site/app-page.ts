@@ -180,8 +180,9 @@ export class AppPage {
 
   /** Opens what has no room in the strip of a phone. */
   async showFigures(): Promise<void> {
-    const figures = this.page.locator('.strip-more');
-    if ((await figures.getAttribute('aria-expanded')) === 'false') await figures.click();
+    await this.page.locator('.strip-figures').waitFor();
+    const more = this.page.locator('.strip-more[aria-expanded=false]');
+    if ((await more.count()) > 0) await more.click();
   }
 
   async trySimulated(name: 'F1Q' | 'F1B' | 'F1E'): Promise<void> {
