@@ -78,8 +78,13 @@ export function ToolsPanel({ menu: { tools, opener }, title, onSubmit, children 
     const { current } = panel;
     const row = opener.current?.closest('tr');
     if (!current) return;
+    let lower: (() => void) | null = null;
     // Where the table is narrow it would cover the values that it moves, so it lies at the lower edge.
-    const lower = row && getComputedStyle(current).position === 'fixed' ? raise(current, row) : null;
+    const place = (): void => {
+      if (row && !lower && getComputedStyle(current).position === 'fixed') lower = raise(current, row);
+    };
+    place();
+    addEventListener('resize', place);
     if (!lower) {
       // In the lower half of the window there is more room above.
       const { top = 0 } = opener.current?.getBoundingClientRect() ?? {};
@@ -97,6 +102,7 @@ export function ToolsPanel({ menu: { tools, opener }, title, onSubmit, children 
     document.addEventListener('pointerdown', away);
     return () => {
       document.removeEventListener('pointerdown', away);
+      removeEventListener('resize', place);
       lower?.();
     };
   }, [tools, opener]);
