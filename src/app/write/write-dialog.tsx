@@ -4,42 +4,23 @@ import { fieldKey, type Model, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 import { modelMessages } from '../messages/en-which-model.js';
-import {
-  clockText,
-  dateText,
-  fieldName,
-  figureText,
-  findingText,
-  messages,
-  type Said,
-  timerSaid,
-} from '../messages/index.js';
-import { keyFields, keyFigures, keyName } from '../messages/key-figures.js';
+import { dateText, fieldName, figureText, findingText, messages } from '../messages/index.js';
+import { keyFields, keyName } from '../messages/key-figures.js';
 import type { Crossing } from '../records/crossing.js';
 import { Check } from '../ui/check.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
-import { ClosingButtons, JobStep } from './dialog-steps.js';
+import { JobStep } from './dialog-steps.js';
 import { Difference } from './difference.js';
-import {
-  type Done,
-  isGood,
-  isOfScreen,
-  type MemoriesPlan,
-  type MemoryChange,
-  type MemoryEnd,
-  type Outcome,
-  type Plan,
-  type Review,
-  refusalsOf,
-} from './plan.js';
+import { isOfScreen, type MemoriesPlan, type MemoryChange, type Plan, type Review, refusalsOf } from './plan.js';
 import { StartButtons } from './start-buttons.js';
 import { UncertainNote } from './uncertain-note.js';
-import { nextFlightText } from './unfinished-text.js';
 import { ValueTable } from './value-table.js';
+import { whereText } from './where-text.js';
 import type { WriteJob } from './write-job.js';
+import { WriteResult } from './write-result.js';
 import { WriteTo } from './write-to.js';
 import './write-dialog.css';
 
@@ -76,9 +57,9 @@ export function WriteDialog({ session, write, after }: WriteDialogProps) {
         />
       )}
       {current?.step === 'done' && (
-        <Result session={session} write={write} done={current}>
+        <WriteResult session={session} write={write} done={current}>
           {write.verified.value && !current.notHeld && after}
-        </Result>
+        </WriteResult>
       )}
     </Modal>
   );
@@ -309,114 +290,4 @@ function MemoryDifference({ session, change, folded }: ChangeProps & { readonly 
       )}
     </section>
   );
-}
-
-interface ResultProps extends Pick<WriteDialogProps, 'session' | 'write'> {
-  readonly done: Done;
-  readonly children: ComponentChildren;
-}
-
-function Result({ session, write, done, children }: ResultProps) {
-  const { write: words, knowledge } = messages.value;
-  const { plan, ends, notHeld, stopped, strayed } = done;
-  const isEdits = plan.kind === 'edits';
-  const canWrite = session.runner.ready.value && !(isEdits && session.editor.blocked.value);
-  const unknown = isEdits ? words.unknown : { ...words.unknown, advice: knowledge.noFly };
-  const has = (wanted: MemoryEnd['state']): boolean => ends.some(({ state }) => state === wanted);
-  return (
-    <>
-      <div class={`notice ${isGood(done) ? 'good' : 'bad'}`} role="alert">
-        {isGood(done) && <NoticeText said={words.verified} />}
-        {has('unknown') && <NoticeText said={unknown} />}
-        {has('differs') && <NoticeText said={words.differs} />}
-        {ends.map((end) => (
-          <EndLine key={end.memory} session={session} done={done} end={end} />
-        ))}
-        {stopped && <NoticeText said={stoppedText(stopped)} />}
-        {strayed !== null && <NoticeText said={words.strayed(memoryText(session, strayed))} />}
-        {notHeld && <NoticeText said={words.move.notHeld} />}
-      </div>
-      {ends.map((end) => (
-        <EndTable key={end.memory} session={session} end={end} isOnly={ends.length === 1} />
-      ))}
-      {!isEdits && <Current session={session} />}
-      {children}
-      <ClosingButtons
-        onClose={() => write.dismiss()}
-        again={
-          notHeld || stopped?.code === 'stale'
-            ? { label: words.move.again, disabled: !canWrite, onClick: () => write.goOn() }
-            : null
-        }
-      />
-    </>
-  );
-}
-
-/** What a reading of a memory has shown, in one line. What is not known stands at the top. */
-function EndLine({ session, done: { at, model }, end }: Pick<ResultProps, 'session' | 'done'> & { end: MemoryEnd }) {
-  const { write: words, memories } = messages.value;
-  const { memory, state, change, report } = end;
-  const where = whereText(session, memory, model);
-  if (state === 'untouched') return <p>{memories.untouched(where)}</p>;
-  const held = report?.held;
-  if (state !== 'verified' || !held) return null;
-  const figures = keyFigures(held).map(({ label, text }) => `${label} ${text}`);
-  return (
-    <p>
-      <strong>{words.verdict(where, clockText(at), figures, change?.changes.length ?? 0)}</strong>
-    </p>
-  );
-}
-
-/** The values that the timer did not take, or took although nobody asked. */
-function EndTable({ session, end, isOnly }: Pick<ResultProps, 'session'> & { end: MemoryEnd; isOnly: boolean }) {
-  const { report, change, memory } = end;
-  const { write: words } = messages.value;
-  const shown = report?.values.filter(({ status, asked }) => status !== 'verified' || !asked) ?? [];
-  if (!change || shown.length === 0) return null;
-  return (
-    <>
-      {!isOnly && <h3>{whereText(session, memory, null)}</h3>}
-      <ValueTable
-        identity={change.goal.identity}
-        names={[words.wanted, words.readBack]}
-        rows={shown.map(({ field, wanted, held, status }) => ({
-          field,
-          values: [wanted, held],
-          // An unknown value has its own text already.
-          note: { unknown: null, differs: words.status.differs, verified: words.putBack }[status],
-        }))}
-        lastCounts
-      />
-    </>
-  );
-}
-
-/** Which memory flies next after the job, as soon as that is known. */
-function Current({ session }: { readonly session: Session }) {
-  const { nextFlight } = messages.value;
-  const { nextFlight: next, connection, runner, editor } = session;
-  const memory = editor.baseline.value?.memory ?? null;
-  const word = next.word.value;
-  if (runner.busy.value) return null;
-  const isKnown = connection.value && !next.open.value && memory !== null;
-  const said = word
-    ? nextFlightText(session, word, connection.value ? 'now' : 'last')
-    : isKnown
-      ? nextFlight.other(memoryText(session, memory))
-      : nextFlight.unknown;
-  return <p role="status">{said}</p>;
-}
-
-/** “M1 “calm” of Lancer 07”, as far as it is known. */
-function whereText(session: Session, memory: number | null, model: Model | null): string {
-  const name = memory === null ? messages.value.knowledge.thisMemory : memoryText(session, memory);
-  return model ? modelMessages.crossing.memoryOf(name, model.name) : name;
-}
-
-function stoppedText({ code, details }: NonNullable<Outcome['stopped']>): Said {
-  const { memories, timer, notes } = messages.value;
-  if (code === 'unexpected') return notes.unexpected;
-  return code === 'aborted' ? { ...timer.aborted, advice: memories.stopped } : timerSaid({ code, details });
 }
