@@ -1,5 +1,5 @@
 import type { PortFilter, PortInfo, PortRequestOptions } from './types.js';
-import { dictionary, sequence, unsigned } from './web-idl.js';
+import { dictionary, given, sequence, unsigned } from './web-idl.js';
 
 /** The end of every service class of the Bluetooth standard itself. */
 const BLUETOOTH_BASE_UUID = '-0000-1000-8000-00805f9b34fb';
@@ -64,24 +64,22 @@ function matches(info: PortInfo, filter: PortFilter): boolean {
 export function convertRequestOptions(options: PortRequestOptions): PortRequestOptions {
   const serviceClass = (id: unknown): number | string =>
     typeof id === 'number' || typeof id === 'bigint' ? unsigned(id, 32) : `${id}`;
+  const usbNumber = (id: unknown): number => unsigned(id, 16);
   const of = dictionary(options);
-  const { allowedBluetoothServiceClassIds: allowed } = of;
-  const allowedIds =
-    allowed === undefined ? undefined : sequence(allowed, 'allowedBluetoothServiceClassIds').map(serviceClass);
-  const { filters } = of;
   return {
-    allowedBluetoothServiceClassIds: allowedIds,
-    filters:
-      filters === undefined
-        ? undefined
-        : sequence(filters, 'filters').map((filter) => {
-            const { bluetoothServiceClassId: id, usbProductId, usbVendorId } = dictionary(filter);
-            return {
-              bluetoothServiceClassId: id === undefined ? undefined : serviceClass(id),
-              usbProductId: usbProductId === undefined ? undefined : unsigned(usbProductId, 16),
-              usbVendorId: usbVendorId === undefined ? undefined : unsigned(usbVendorId, 16),
-            };
-          }),
+    allowedBluetoothServiceClassIds: given(of.allowedBluetoothServiceClassIds, (ids) =>
+      sequence(ids, 'allowedBluetoothServiceClassIds').map(serviceClass),
+    ),
+    filters: given(of.filters, (filters) =>
+      sequence(filters, 'filters').map((filter) => {
+        const members = dictionary(filter);
+        return {
+          bluetoothServiceClassId: given(members.bluetoothServiceClassId, serviceClass),
+          usbProductId: given(members.usbProductId, usbNumber),
+          usbVendorId: given(members.usbVendorId, usbNumber),
+        };
+      }),
+    ),
   };
 }
 

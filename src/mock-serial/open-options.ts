@@ -1,5 +1,5 @@
 import type { OpenedOptions, OpenOptions } from './types.js';
-import { dictionary, integer, oneOf } from './web-idl.js';
+import { dictionary, given, integer, oneOf } from './web-idl.js';
 
 /** The limit of Chromium; the standard leaves it to the browser. */
 const MAX_BUFFER_SIZE = 16 * 1024 * 1024;
@@ -16,15 +16,13 @@ export function convertOpenOptions(options: OpenOptions): OpenedOptions {
   const of = dictionary(options);
   const { baudRate } = of;
   if (baudRate === undefined) throw new TypeError('baudRate is required.');
-  const convert = <T>(value: unknown, byDefault: T, by: (value: unknown) => T): T =>
-    value === undefined ? byDefault : by(value);
   return Object.freeze({
     baudRate: integer(baudRate, 0xffffffff, 'baudRate'),
-    bufferSize: convert(of.bufferSize, 255, (value) => integer(value, 0xffffffff, 'bufferSize')),
-    dataBits: convert(of.dataBits, 8, (value) => integer(value, 0xff, 'dataBits')),
-    flowControl: convert(of.flowControl, 'none', (value) => oneOf(value, FLOW_CONTROLS, 'flowControl')),
-    parity: convert(of.parity, 'none', (value) => oneOf(value, PARITIES, 'parity')),
-    stopBits: convert(of.stopBits, 1, (value) => integer(value, 0xff, 'stopBits')),
+    bufferSize: given(of.bufferSize, (value) => integer(value, 0xffffffff, 'bufferSize')) ?? 255,
+    dataBits: given(of.dataBits, (value) => integer(value, 0xff, 'dataBits')) ?? 8,
+    flowControl: given(of.flowControl, (value) => oneOf(value, FLOW_CONTROLS, 'flowControl')) ?? 'none',
+    parity: given(of.parity, (value) => oneOf(value, PARITIES, 'parity')) ?? 'none',
+    stopBits: given(of.stopBits, (value) => integer(value, 0xff, 'stopBits')) ?? 1,
   }) as OpenedOptions;
 }
 

@@ -4,7 +4,7 @@ import { ConnectionTarget } from './events.js';
 import type { Hardware } from './hardware.js';
 import { checkOpenOptions, convertOpenOptions } from './open-options.js';
 import type { InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } from './types.js';
-import { asInterface, dictionary } from './web-idl.js';
+import { asInterface, dictionary, given } from './web-idl.js';
 
 /**
  * A `SerialPort` of the Web Serial standard, with a `device` at its other end. `MockSerial.plug` makes one.
@@ -160,11 +160,10 @@ export class MockSerialPort extends ConnectionTarget {
 
 /** What Web IDL does to the argument of `setSignals()`. @throws TypeError */
 function converted(signals: OutputSignals): OutputSignals {
-  const flag = (value: unknown): boolean | undefined => (value === undefined ? undefined : Boolean(value));
-  const { break: breaking, dataTerminalReady, requestToSend } = dictionary(signals);
+  const of = dictionary(signals);
   return {
-    break: flag(breaking),
-    dataTerminalReady: flag(dataTerminalReady),
-    requestToSend: flag(requestToSend),
+    break: given(of.break, Boolean),
+    dataTerminalReady: given(of.dataTerminalReady, Boolean),
+    requestToSend: given(of.requestToSend, Boolean),
   };
 }

@@ -58,9 +58,7 @@ export class Transmitter {
   #heads: Uint8Array[] = [];
   #failure: { readonly error: WriteErrorKind | Error; after: number } | null = null;
 
-  /**
-   * @param deviceWaits whether the device waits for bytes that it has not been sent.
-   */
+  /** @param deviceWaits whether the device waits for bytes that it has not been sent. */
   constructor(cable: Cable, deviceWaits: () => boolean, follows: FollowsWay) {
     this.#cable = cable;
     this.#deviceWaits = deviceWaits;
@@ -250,10 +248,7 @@ export class Transmitter {
     this.#pump();
   }
 
-  /**
-   * Moves bytes from the buffer to the line. On a free cable all of them;
-   * on any other, one chunk for each read of the device.
-   */
+  /** Moves bytes from the buffer to the line: on a free cable all, on any other a chunk for each read of the device. */
   #pump(): void {
     while (this.#waiting.length > 0) {
       if (!this.#cable.free && (this.#departures.size > 0 || !this.#deviceWaits())) return;

@@ -10,6 +10,11 @@ export function dictionary<T extends object>(value: T | null | undefined): Parti
   throw new TypeError('The provided value is not an object.');
 }
 
+/** Converts a member of a dictionary that may be left out. */
+export function given<T, Converted>(value: T | undefined, by: (value: T) => Converted): Converted | undefined {
+  return value === undefined ? undefined : by(value);
+}
+
 /** Converts to a sequence, from anything that can be iterated and is not a text. @throws TypeError */
 export function sequence<T>(value: readonly T[], name: string): T[] {
   const isObject = typeof value === 'object' && value !== null;

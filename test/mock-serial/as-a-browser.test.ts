@@ -145,6 +145,7 @@ describe('ways of Chromium, each by its name', () => {
       if (lostWriteEndsStream) expect(await closed).toBe('NetworkError');
       else expect(await isPending(closed)).toBe(true);
       expect(port.writable === null).toBe(lostWriteEndsStream);
+      expect(await failure(writer.write(Uint8Array.of(1)))).toBe('NetworkError');
     },
   );
 
@@ -155,10 +156,11 @@ describe('ways of Chromium, each by its name', () => {
       const heard: string[] = [];
       serial.addEventListener('disconnect', () => heard.push('of the browser'), { once: true });
       serial.addEventListener('connect', () => heard.push('of the page'), { once: true });
+      port.addEventListener('disconnect', () => heard.push('at the port'), { once: true });
       serial.unplug(port);
       await settled();
       serial.dispatchEvent(new Event('connect'));
-      expect(heard).toEqual(onceNeverFires ? ['of the page'] : ['of the browser', 'of the page']);
+      expect(heard).toEqual(['at the port', ...(onceNeverFires ? [] : ['of the browser']), 'of the page']);
     },
   );
 
@@ -218,6 +220,15 @@ describe('ways of Chromium, each by its name', () => {
       else expect(await isPending(read)).toBe(true);
     },
   );
+
+  test('bufferNeverOverruns: bytes wait for room', async () => {
+    const { port, device } = await ported({ bufferNeverOverruns: true });
+    void device.write(counted(1000));
+    await settled();
+    const reader = reading(port);
+    expect(await collect(async () => (await reader.read()).value, 1000)).toEqual([...counted(1000)]);
+    expect(device.lost).toBe(0);
+  });
 
   test.each([true, false])('openRaisesRts %s', async (openRaisesRts) => {
     const { device } = await ported({ openRaisesRts });

@@ -45,6 +45,23 @@ export async function use(socket: WebSocket, stream: ReadableStream<Uint8Array>,
 }
 `;
 
+/** Listeners know the event and their object, as those of the platform do. What a link tells is typed, too. */
+const EVENTS = `import { MockSerial } from 'sidus-timer/mock-serial';
+import { type LinkState, TimerLink } from 'sidus-timer/serial';
+
+const serial = new MockSerial();
+const port = serial.plug();
+serial.addEventListener('connect', function (event) { void this.getPorts().then(() => event.preventDefault()); });
+port.addEventListener('disconnect', function ({ type }) { console.log(type, this.connected); }, { once: true });
+port.removeEventListener('disconnect', async ({ type }) => console.log(type.length), true);
+port.addEventListener('own', { handleEvent: ({ type }) => console.log(type.length) });
+port.onconnect = function ({ type }) { console.log(type.length, this.device); };
+// @ts-expect-error: such an event does not come
+serial.addEventListener('connect', (event: Event & { data: string }) => event.data);
+const state = ({ status }: LinkState): void => console.log(status);
+new TimerLink({ serial, onState: state, onLine: ({ bytes, direction }) => console.log(bytes.length, direction) });
+`;
+
 /** For a project with the types of Node: its streams are a port. */
 const NODE = `import { Duplex } from 'node:stream';
 import { COMMANDS, decodeReply, TimerClient } from 'sidus-timer';
@@ -99,6 +116,7 @@ function compile(tarball) {
   for (const [index, code] of everything().entries()) writeFileSync(join(where, `program-${index}.ts`), String(code));
   const typescripts = COMPILERS.map((version) => `typescript-${version}@npm:typescript@${version}`);
   npm(where, 'install', tarball, '@types/node@20.19.43', ...typescripts);
+  writeFileSync(join(where, 'events.ts'), EVENTS);
   for (const { name, lib, types } of SURROUNDINGS) {
     const options = { strict: true, noEmit: true, skipLibCheck: false, module: 'nodenext', target: 'es2022' };
     const compilerOptions = { ...options, lib, types, exactOptionalPropertyTypes: true };
