@@ -8,7 +8,15 @@ import type { Offer } from '../work/interrupted-jobs.js';
 import { memoryOf, memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import type { OpenJob } from '../work/unfinished-work.js';
-import { graveText, isHere, triedElsewhere, triedText, type Where, whereOf } from '../write/unfinished-text.js';
+import {
+  extentText,
+  graveText,
+  isHere,
+  triedElsewhere,
+  triedText,
+  type Where,
+  whereOf,
+} from '../write/unfinished-text.js';
 import type { ValueTable } from '../write/value-table.js';
 import type { WriteJob } from '../write/write-job.js';
 import { finishWrite, takeGoal } from './finish-write.js';
@@ -118,12 +126,6 @@ function offered({ session, write: job }: UnfinishedProps, offer: Offer): Entry 
     return { name: title, isGrave: false, title, said, ways: [back, otherTimer, leave] };
   }
   const { record, part, read } = offer;
-  const far = {
-    nothing: words.nothing(part.missing.length),
-    part: words.part(part.written.length, part.missing.length),
-    foreign: words.foreign(part.foreign.length),
-    all: '',
-  }[part.extent];
   const finish = (label: string, end: 'goal' | 'before'): Way => ({
     label,
     disabled: !session.runner.ready.value,
@@ -136,7 +138,7 @@ function offered({ session, write: job }: UnfinishedProps, offer: Offer): Entry 
     name: words.title,
     isGrave: false,
     title: words.title,
-    said: `${words.when(memoryOf(null, record.goal.memory), dateText(record.startedAt))} ${far}`,
+    said: `${words.when(memoryOf(null, record.goal.memory), dateText(record.startedAt))} ${extentText(part)}`,
     table: {
       identity: read.identity,
       names: [words.before, write.wanted, write.from],

@@ -67,6 +67,8 @@ export const write = {
     advice:
       'The timer could not be read back completely. Read again, then write what still differs. Your changes are kept.',
   },
+  /** Once a reading has shown what became of it. */
+  cut: (memory: string) => `The write into ${memory} was interrupted.`,
   strayed: (memory: string) => ({
     title: `${memory} became current during the write.`,
     advice: `Some of the values may be in ${memory} now. Read it, and look at all of it before you fly it.`,

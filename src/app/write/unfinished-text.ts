@@ -1,4 +1,4 @@
-import type { Change } from '../../program/index.js';
+import type { Change, PartOfWrite } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { changeText, fieldInSentence, figureText, messages, timerName } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
@@ -48,6 +48,17 @@ export function graveText(session: Session, job: OpenJob): string | null {
   if (job.kind === 'left') return leftText(session, job.record);
   if (job.kind !== 'flight') return null;
   return nextFlightText(session, job.word, session.connection.value ? 'now' : 'last');
+}
+
+/** How far an interrupted write came, by a reading. */
+export function extentText({ extent, written, missing, foreign }: PartOfWrite): string {
+  const { recovery: words, notes } = messages.value;
+  return {
+    nothing: words.nothing(missing.length),
+    part: words.part(written.length, missing.length),
+    foreign: words.foreign(foreign.length),
+    all: notes['write-completed'].advice,
+  }[extent];
 }
 
 /** “Tried: Function 4, S2: 55 → 70.” */

@@ -43,6 +43,23 @@ async function loadedAgain(bench: AppBench): Promise<AppBench> {
   return after;
 }
 
+it('the result of a write to a timer that falls asleep says so until the timer is back and read', async () => {
+  const { timer } = await connected();
+  await type('DT time', '6:00');
+  timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();
+  await write();
+  const said = (): string => screen.getByRole('dialog').textContent;
+  expect([said().includes(en.write.unknown.title), said().includes(en.timer['no-answer'].title)]).toEqual([true, true]);
+  timer.core.onAnswer = undefined;
+  timer.core.press();
+  await idle();
+  expect([said().includes(en.write.unknown.title), said().includes(en.timer['no-answer'].title)]).toEqual([
+    false,
+    false,
+  ]);
+  expect(said()).toContain(en.write.cut('M1'));
+});
+
 describe('after a write whose answer never came', () => {
   let bench: AppBench;
   beforeEach(async () => {
@@ -63,6 +80,39 @@ describe('after a write whose answer never came', () => {
     expect(document.body.textContent).not.toContain('Timer holds');
     expect(document.querySelector('.uncertain-behind .overlay')).not.toBeNull();
     expect(screen.getByText(/^Marked fields differ from what was last read/)).toBeTruthy();
+  });
+
+  it('the dialog follows the reading once the timer is back', async () => {
+    bench.adapter.replug();
+    await idle();
+    const said = screen.getByRole('dialog').textContent;
+    expect(said).toContain(
+      'The write into M1 was interrupted. The timer was read again and holds all that was to be written.',
+    );
+    expect([said?.includes(en.write.unknown.title), said?.includes(en.link.lost.title)]).toEqual([false, false]);
+    expect(screen.queryByRole('button', { name: 'Write again…' }), 'nothing is missing').toBeNull();
+  });
+
+  it('the dialog shows what is missing, and writes it in its place', async () => {
+    bench.timer.core.content.times[10] = 18_000;
+    bench.adapter.replug();
+    await idle();
+    const said = screen.getByRole('dialog').textContent;
+    expect(said).toContain('The timer holds what it held before: nothing was written, 1 change is missing.');
+    expect([said?.includes(en.write.unknown.title), said?.includes(en.link.lost.title)]).toEqual([false, false]);
+    await press('Write again…');
+    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+    await press(/^Write 1 change$/);
+    expect(screen.getByRole('alert').textContent).toContain('Verified.');
+    expect(bench.timer.core.content.times[10]).toBe(36_000);
+  });
+
+  it('the dialog still says that it is not known where the reading does not fit the write', async () => {
+    bench.timer.core.content.times[10] = 12_000;
+    bench.adapter.replug();
+    await idle();
+    const said = screen.getByRole('dialog').textContent;
+    expect([said?.includes(en.write.unknown.title), said?.includes(en.link.lost.title)]).toEqual([true, false]);
   });
 
   it('only the figures that it was to change are red; the others are as last read', async () => {
