@@ -50,6 +50,9 @@ export function Header(props: HeaderProps) {
 
 const SAID_HERE: ReadonlySet<JobKind> = new Set(['read', 'select', 'look', 'memories']);
 
+/** They have selected another memory, and first go back when they are asked to stop. */
+const GOES_BACK: ReadonlySet<JobKind> = new Set(['look', 'memories']);
+
 function JobProgress({ runner }: { readonly runner: JobRunner }) {
   const { program, write, memoryName } = messages.value;
   const job = runner.job.value;
@@ -61,6 +64,7 @@ function JobProgress({ runner }: { readonly runner: JobRunner }) {
     <ProgressLine
       label={job.kind === 'select' ? program.selecting : reading}
       progress={job.progress}
+      stopping={job.stopping ? (GOES_BACK.has(job.kind) ? write.stoppingBack : write.stopping) : null}
       onStop={() => void runner.stop()}
     />
   );

@@ -16,19 +16,22 @@ interface ProgressLineProps {
   /** Null while it is not known how much there is to do. */
   readonly progress: (Pick<Progress, 'done' | 'total'> & Partial<Pick<Progress, 'repeats' | 'endsBy'>>) | null;
   readonly onStop?: () => void;
+  /** What it does on its way to a stop, in place of the label, once it was asked to stop. */
+  readonly stopping?: string | null;
 }
 
 /** A job in progress: what it does, how far it is, and a button to stop it. */
-export function ProgressLine({ label, progress, onStop }: ProgressLineProps) {
+export function ProgressLine({ label, progress, onStop, stopping = null }: ProgressLineProps) {
   const share = progress && progress.total > 0 ? { value: progress.done, max: progress.total } : {};
   const left = disturbedFor(progress);
   return (
     <div class="row gap-4 progress-line">
-      <span role="status">{label}</span>
-      <progress aria-label={label} {...share} />
+      <span role="status">{stopping ?? label}</span>
+      <progress aria-label={stopping ?? label} {...share} />
       {left !== null && <span class="hint">{messages.value.disturbed(left)}</span>}
       {onStop && (
-        <button type="button" class="quiet" onClick={onStop}>
+        // Not disabled: it would lose the focus.
+        <button type="button" class="quiet" aria-disabled={stopping !== null} onClick={onStop}>
           {messages.value.header.stop}
         </button>
       )}

@@ -21,7 +21,7 @@ export function JobStep({ runner, label, onStop }: JobStepProps) {
   const isStopping = job?.stopping ?? false;
   return (
     <>
-      <ProgressLine label={isStopping ? write.stopping : label(progress)} progress={progress} />
+      <ProgressLine label={label(progress)} progress={progress} stopping={isStopping ? write.stopping : null} />
       <div class="buttons">
         {/* Not disabled: it would lose the focus. */}
         <button type="button" aria-disabled={isStopping} onClick={onStop}>

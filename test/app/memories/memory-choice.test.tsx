@@ -265,6 +265,26 @@ describe('Disconnect', () => {
     expect([app.session.link.state.value.status, app.timer.core.memory, selected(app)]).toEqual(['off', 0, [2, 0]]);
   });
 
+  it('during a look that no answer ends, Stop says that it first goes back, and Disconnect does not wait', async () => {
+    const app = await connected();
+    await lookAt('M3');
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') app.timer.core.sleep();
+    };
+    fireEvent.click(button('Look at M3'));
+    await idle(5000);
+    expect(screen.queryByText(en.write.stoppingBack)).toBeNull();
+    fireEvent.click(button('Stop'));
+    await idle(0);
+    expect(screen.getByText(en.write.stoppingBack).textContent).toContain('first back');
+    expect(button('Stop').getAttribute('aria-disabled')).toBe('true');
+    fireEvent.click(button('Disconnect'));
+    await idle(0);
+    fireEvent.click(dialog().getByRole('button', { name: 'Disconnect' }));
+    await idle(1000);
+    expect(app.session.link.state.value.status).toBe('off');
+  });
+
   it('says after a selection that the current memory is not known, if the timer does not say it', async () => {
     const app = await connected({ quirks: { memoryReplyEmpty: true } });
     await fly('M2');
