@@ -75,7 +75,7 @@ export function createModels({
     erase: new Erase(session, storage, erasers, reload),
     write,
     memories,
-    leaving: new Leaving(session, memories, write),
+    leaving: new Leaving(session, memories, write, () => follow.stop()),
     bench,
     follow,
     /** The view of the line, and the frame by hand. They outlast their view, as what follows does. */

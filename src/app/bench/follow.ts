@@ -303,7 +303,7 @@ export class Follow {
     if (!pending || !trial || !before || !following) return;
     // Kept before the first byte goes out: the position may be stored even without an answer.
     this.trials.set({ ...trial, touched: new Set([...trial.touched, fieldKey(field)]) });
-    const keeping = knowledge.begin(before, withValues(before, [pending]));
+    const keeping = knowledge.begin(before, withValues(before, [pending]), true);
     // Where the browser keeps nothing, the servos must not wait for it each time.
     if (following.isKept) following.isKept = await keeping;
     options.stillOn();

@@ -27,11 +27,13 @@ export class Leaving {
   readonly #parts: LeavingParts;
   readonly #memories: Memories;
   readonly #write: WriteJob;
+  readonly #stopFollowing: () => Promise<void>;
   #answer: (answer: LeavingAnswer) => void = () => {};
   #isLeaving = false;
 
-  constructor(parts: LeavingParts, memories: Memories, write: WriteJob) {
+  constructor(parts: LeavingParts, memories: Memories, write: WriteJob, stopFollowing: () => Promise<void>) {
     this.#parts = parts;
+    this.#stopFollowing = stopFollowing;
     this.#memories = memories;
     this.#write = write;
     this.question = this.#question;
@@ -50,6 +52,8 @@ export class Leaving {
     // It goes on where it is.
     if (this.#isLeaving) return;
     this.#isLeaving = true;
+    // It ends with a reading: nothing that was tried is left uncertain.
+    await this.#stopFollowing();
     if (await this.#mayLeave()) await timer.disconnect();
     this.#isLeaving = false;
   }

@@ -73,7 +73,8 @@ export function entriesOf(props: UnfinishedProps, job: OpenJob): readonly Entry[
   }
   const when = dateText(job.record.startedAt);
   const where = whereOf(job.record);
-  const said = job.kind === 'left' ? when : words.since(when);
+  const isWrite = job.kind === 'uncertain' && !job.record.tried;
+  const said = isWrite ? words.since(when) : when;
   const entry: Entry = { ...grave, said, ways: [...waysToRead(props, where), ...waysToForget(session, where)] };
   const offer = job.kind === 'uncertain' && !write.current.value ? job.offer : null;
   return [entry, ...(offer ? [offered(props, offer)] : [])];
@@ -103,7 +104,7 @@ function waysToForget({ link, knowledge }: Session, { key }: Where): readonly Wa
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
 function offered({ session, write: job }: UnfinishedProps, offer: Offer): Entry {
-  const { recovery: words, write, look, timer, memoryName } = messages.value;
+  const { recovery: words, write, bench, look, timer, memoryName } = messages.value;
   const { recovery } = session;
   const disabled = session.runner.busy.value;
   const otherTimer: Way = { label: words.otherTimer, run: () => recovery.setAside() };
@@ -134,11 +135,14 @@ function offered({ session, write: job }: UnfinishedProps, offer: Offer): Entry 
   const isForeign = part.extent === 'foreign';
   const sameTimer: Way = { ...finish(words.sameTimer, 'goal'), run: () => void takeGoal(session) };
   const before = part.extent === 'part' ? [finish(words.goBack, 'before')] : [];
+  const title = record.tried ? bench.triedIn(memoryOf(null, record.goal.memory)) : words.title;
   return {
     name: words.title,
     isGrave: false,
-    title: words.title,
-    said: `${words.when(memoryOf(null, record.goal.memory), dateText(record.startedAt))} ${extentText(part)}`,
+    title,
+    said: record.tried
+      ? extentText(part)
+      : `${words.when(memoryOf(null, record.goal.memory), dateText(record.startedAt))} ${extentText(part)}`,
     table: {
       identity: read.identity,
       names: [words.before, write.wanted, write.from],

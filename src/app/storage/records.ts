@@ -152,6 +152,8 @@ export const unfinishedSchema = v.variant('kind', [
       readAt: v.optional(v.nullable(date), null),
       /** When a fresh reading has explained what the timer holds. From then on only the offer to finish it is left. */
       seenAt: v.optional(v.nullable(date), null),
+      /** Set for a position that was sent while the servos followed: no write that could be finished. */
+      tried: v.exactOptional(v.literal(true)),
     }),
     v.check(({ before, goal }) => sameLayout(before.identity, goal.identity), 'the two are not of one layout'),
   ),

@@ -93,12 +93,13 @@ export class Knowledge {
    * that neither the state before a write nor its goal explains ends nothing: the pilot has to say whether this is
    * another timer.
    * @param verified whether it is the read back of a write and equals its goal.
-   * @returns `completed` when it shows that an interrupted write has arrived completely.
+   * @returns `completed` when it shows that an interrupted write has arrived completely; `tried` when it shows what
+   * became of a position that was sent while the servos followed.
    */
-  read(program: TimerProgram, at = Date.now(), verified = false): 'completed' | null {
+  read(program: TimerProgram, at = Date.now(), verified = false): 'completed' | 'tried' | null {
     const simulated = this.#timer.peek()?.simulated ?? false;
     const key = programKey(program, simulated);
-    let completed: 'completed' | null = null;
+    let shown: 'completed' | 'tried' | null = null;
     const before = this.#readings.peek().get(key)?.program;
     let expected = verified || !before || isSame(before, program);
     batch(() => {
@@ -109,13 +110,15 @@ export class Knowledge {
         if (extent === 'foreign') continue;
         expected = true;
         const wasUnderWay = this.#leave(record.key);
-        if (extent === 'all') void this.#records.remove(record.key);
+        if (extent === 'all' || record.tried) void this.#records.remove(record.key);
         else if (record.seenAt === null) void this.#records.save({ ...record, seenAt: at });
-        if (extent === 'all' && !wasUnderWay) completed = 'completed';
+        if (wasUnderWay) continue;
+        if (record.tried) shown = 'tried';
+        else if (extent === 'all') shown = 'completed';
       }
       this.#onRead({ program, at, expected });
     });
-    return completed;
+    return shown;
   }
 
   /**
@@ -132,9 +135,10 @@ export class Knowledge {
    * Begins a change of a memory. Wait for it before its first byte goes out. A second change of the same memory
    * replaces the first if nobody has seen the end of that; `before` must then be what the timer holds, as far as it has
    * acknowledged it.
+   * @param tried whether the servos follow, so that there is no write which could be finished.
    * @returns false when the browser does not keep the record: then only this page remembers.
    */
-  async begin(before: TimerProgram, goal: TimerProgram): Promise<boolean> {
+  async begin(before: TimerProgram, goal: TimerProgram, tried = false): Promise<boolean> {
     const simulated = this.#timer.peek()?.simulated ?? false;
     const program = programKey(before, simulated);
     const known = this.of(before.memory);
@@ -157,6 +161,7 @@ export class Knowledge {
       goal,
       readAt,
       seenAt: null,
+      ...(tried ? { tried } : {}),
     });
   }
 

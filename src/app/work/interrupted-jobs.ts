@@ -168,7 +168,7 @@ export class InterruptedJobs {
     );
     const here = writes.find((record) => memoryKey(record) === key);
     if (here) return { kind: 'write', record: here, part: partWritten(here.before, here.goal, read), read };
-    const elsewhere = writes.find((record) => record.goal.memory !== null);
+    const elsewhere = writes.find((record) => record.goal.memory !== null && !record.tried);
     return elsewhere ? { kind: 'elsewhere', record: elsewhere, memory: elsewhere.goal.memory as number } : null;
   }
 

@@ -162,10 +162,10 @@ export class Reader {
     const isBack = this.#wasAway;
     this.#wasAway = false;
     batch(() => {
-      const completed = knowledge.read(read, at);
+      const shown = knowledge.read(read, at);
       recovery.wasRead(read, simulated);
-      // The offer to finish an interrupted write explains the reading; no other message does.
-      const explained = recovery.offer.value?.kind === 'write';
+      // What was tried explains the reading, and the offer to finish an interrupted write does; no other message does.
+      const explained = shown === 'tried' || recovery.offer.value?.kind === 'write';
       if (!same) onScreen.clear();
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
@@ -174,7 +174,7 @@ export class Reader {
       nextFlight.found(read.memory);
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
       onScreen.wasRead(simulated);
-      if (completed) notices.say('write-completed');
+      if (shown === 'completed') notices.say('write-completed');
       else if (made) notices.say(laid ? 'made-laid' : 'kept');
       else if (moved && !explained) notices.say('moved');
       else if (draft && editor.dirty.value && !explained) notices.say('back');

@@ -194,6 +194,56 @@ describe('tried positions', () => {
   });
 });
 
+describe('a connection that ends while the servos follow', () => {
+  /** Function 4, S2 was tried, and no reading has shown it yet. */
+  async function tried(): Promise<AppBench> {
+    const app = await connected();
+    app.session.safety.confirm();
+    await run(app.bench.moveTo(4));
+    await run(app.follow.start());
+    await type('Function 4, S2', '70');
+    await type('Function 4, S2', '71');
+    return app;
+  }
+
+  it('because the pilot disconnects: it ends first, with a reading, and nothing was interrupted', async () => {
+    const app = await tried();
+    await press(en.header.disconnect);
+    expect(app.session.link.state.value.status).toBe('off');
+    expect([app.follow.on.value, app.session.knowledge.uncertain.value]).toEqual([false, []]);
+    expect(band()).toContain(words.triedIn(`M1 of ${OTHER}`));
+    await press(en.knowledge.connect);
+    expect(app.session.notices.current.value).toBeNull();
+    expect(band()).toContain('Tried: Function 4, S2: 55 → 71.');
+  });
+
+  it.each([true, false])('because the plug is pulled: no write was interrupted, stored or not: %s', async (stored) => {
+    const app = await tried();
+    app.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && app.adapter.unplug();
+    await type('Function 4, S2', '72');
+    app.timer.core.onAnswer = undefined;
+    if (!stored) (app.timer.core.content.positions[1] as number[])[4] = 71;
+    expect(band()).toContain(`M1 of ${OTHER} holds: function 4, S2 is 71 or 72.`);
+    expect(band()).not.toContain('interrupted');
+    app.adapter.replug();
+    await idle();
+    expect([app.session.notices.current.value, app.session.recovery.offer.value]).toEqual([null, null]);
+    expect(band()).toContain(`Tried: Function 4, S2: 55 → ${stored ? 72 : 71}.`);
+  });
+
+  it('and where another timer is there then, asks whether it is one', async () => {
+    const app = await tried();
+    app.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && app.adapter.unplug();
+    await type('Function 4, S2', '72');
+    app.timer.core.onAnswer = undefined;
+    (app.timer.core.content.positions[1] as number[])[4] = 9;
+    app.adapter.replug();
+    await idle();
+    expect(document.body.textContent).toContain(`${words.triedIn('M1')} 1 value in the timer is neither old`);
+    expect(document.body.textContent).not.toContain('interrupted');
+  });
+});
+
 describe('several unfinished jobs', () => {
   it('are one band, the worst first, the rest behind it', async () => {
     const app = await connected();
