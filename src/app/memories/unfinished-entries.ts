@@ -173,8 +173,9 @@ function tried(props: UnfinishedProps, trial: OpenTrial): Entry {
   const entry = { name: words.decide, isGrave: false, said: words.decide };
   if (trials.current.value?.before === trial.before && session.connection.value !== null) {
     const putBack = (): void => {
-      editor.apply(setValues({ code: 'open', params: {} }, trials.takeBack()));
-      void write.open();
+      const values = trials.takeBack();
+      editor.apply(setValues({ code: 'open', params: {} }, values));
+      void write.open({ kind: 'edits', only: values.map(({ field }) => field) });
     };
     const ways: Way[] = [
       { label: words.keep, look: 'primary', run: onKeep },

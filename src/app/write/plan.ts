@@ -5,16 +5,25 @@ import {
   differences,
   type Finding,
   type Model,
+  type ProgramField,
   sameKind,
   type TimerProgram,
+  valueAt,
 } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
+import { withValues } from '../editing/edit.js';
 import type { Crossing } from '../records/crossing.js';
 import type { Backup } from '../storage/index.js';
 import type { RoundTrip } from '../work/interrupted-jobs.js';
 
 /** What a write is to do. */
-export type Plan = { readonly kind: 'edits' } | MemoriesPlan;
+export type Plan = EditsPlan | MemoriesPlan;
+
+/** Writes what was edited on the screen into its memory. `only`: nothing but these fields; the other edits wait. */
+export interface EditsPlan {
+  readonly kind: 'edits';
+  readonly only?: readonly ProgramField[];
+}
 
 /** A plan for memories that need not be current. They are selected one after the other, and then the current one. */
 export type MemoriesPlan =
@@ -105,6 +114,23 @@ export function isGood({ stopped, ends }: Outcome): boolean {
 /** Whether it writes what is on the screen: what is copied or restored was in a memory before. */
 export function isOfScreen({ kind }: Plan): boolean {
   return kind === 'edits' || kind === 'screen';
+}
+
+/** Whether it puts back what this memory held, and leaves all else on the screen for another write. */
+export function isPart(plan: Plan): boolean {
+  return plan.kind === 'edits' && plan.only !== undefined;
+}
+
+/** What the timer is to hold after a write of edits. */
+export function goalOf({ only }: EditsPlan, before: TimerProgram, working: TimerProgram): TimerProgram {
+  if (!only) return working;
+  return withValues(
+    before,
+    only.flatMap((field) => {
+      const value = valueAt(working, field);
+      return value === null ? [] : [{ field, value }];
+    }),
+  );
 }
 
 /** What the record of its round trip calls it. */

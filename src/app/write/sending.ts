@@ -8,6 +8,7 @@ import type { Session } from '../work/session.js';
 import { NotedRoundTrip, type RoundTripParts } from './noted-round-trip.js';
 import {
   isOfScreen,
+  isPart,
   type MemoriesPlan,
   type MemoryChange,
   type MemoryEnd,
@@ -74,7 +75,7 @@ export class Sending {
 
   async #writeEdits(options: JobContext): Promise<Stopped> {
     const { editor, knowledge, recovery, recognition, servoMoves, link } = this.#parts;
-    const { connection, changes, model } = this.#review;
+    const { connection, changes, model, plan } = this.#review;
     const [change] = changes as [MemoryChange];
     const { before, goal, memory } = change;
     const { signal, onProgress } = options;
@@ -92,7 +93,8 @@ export class Sending {
         if (!stopped) void knowledge.ended(before);
         knowledge.read(held, Date.now(), result === 'verified');
         if (stopped) recovery.wasRead(held, isSimulated);
-        editor.wrote(held);
+        if (isPart(plan)) editor.rebase(held);
+        else editor.wrote(held);
         if (result === 'verified') recognition.wrote(model);
       }
       this.#doubt();

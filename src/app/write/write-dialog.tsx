@@ -14,7 +14,15 @@ import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import { JobStep } from './dialog-steps.js';
 import { Difference } from './difference.js';
-import { isOfScreen, type MemoriesPlan, type MemoryChange, type Plan, type Review, refusalsOf } from './plan.js';
+import {
+  isOfScreen,
+  isPart,
+  type MemoriesPlan,
+  type MemoryChange,
+  type Plan,
+  type Review,
+  refusalsOf,
+} from './plan.js';
 import { StartButtons } from './start-buttons.js';
 import { UncertainNote } from './uncertain-note.js';
 import { ValueTable } from './value-table.js';
@@ -124,14 +132,16 @@ function ReviewStep({ session, write, review }: ReviewProps) {
           <NoticeText said={{ ...timer.stale, ...(moved === 'timer' ? {} : words.moved[moved]) }} />
         </div>
       )}
-      {isEdits && <Conflicts editor={session.editor} />}
+      {isEdits && !isPart(plan) && <Conflicts editor={session.editor} />}
       <Refusals session={session} changes={changes} />
       {crossing && <CrossingCheck crossing={crossing} write={write} />}
       {isOfScreen(plan) && <Serious write={write} identity={changes[0]?.goal.identity} />}
       {session.servoMoves.needed && all.some(({ field }) => field.kind === 'position') && (
         <MoveServosCheck servoMoves={session.servoMoves} />
       )}
-      {isOfScreen(plan) && <WriteTo session={session} write={write} chosen={changes[0]?.memory ?? null} />}
+      {isOfScreen(plan) && !isPart(plan) && (
+        <WriteTo session={session} write={write} chosen={changes[0]?.memory ?? null} />
+      )}
       {(!isEdits || all.length > 0) && <p>{leadOf(session, review)}</p>}
       {changes.map((change) => (
         <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />

@@ -1,6 +1,6 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
-import { differences, type Finding, type TimerProgram } from '../../program/index.js';
+import { checkProgram, differences, type Finding, type TimerProgram } from '../../program/index.js';
 import { sameCrossing, sameModel } from '../records/crossing.js';
 import { type JobEnd, stoppedBy } from '../timer/job-runner.js';
 import type { Session } from '../work/session.js';
@@ -8,8 +8,11 @@ import { NotedRoundTrip } from './noted-round-trip.js';
 import {
   changesBy,
   type Done,
+  type EditsPlan,
+  goalOf,
   isGood,
   isOfScreen,
+  isPart,
   type MemoriesPlan,
   type MemoryEnd,
   memoriesOf,
@@ -26,7 +29,7 @@ import type { Tick } from './start-buttons.js';
 
 type WriteParts = SendingParts & Pick<Session, 'connection' | 'notices' | 'origin' | 'runner' | 'safety'>;
 
-const EDITS: Plan = { kind: 'edits' };
+const EDITS: EditsPlan = { kind: 'edits' };
 
 /**
  * Everything that changes what memories hold: writes what is on the screen, copies a memory to another one, restores
@@ -43,9 +46,15 @@ export class WriteJob {
    */
   readonly ticked: ReadonlySignal<ReadonlySet<Tick>> = this.#ticked;
   /** Of what is on the screen. What is copied or restored was in a memory before. */
-  readonly serious: ReadonlySignal<readonly Finding[]> = computed(() =>
-    this.#parts.editor.findings.value.filter(({ severity }) => severity === 'serious'),
-  );
+  readonly serious: ReadonlySignal<readonly Finding[]> = computed(() => {
+    const { value } = this.current;
+    const { editor } = this.#parts;
+    const [part] = value?.step === 'review' && isPart(value.plan) ? value.changes : [];
+    const findings = part
+      ? checkProgram(part.goal, { baseline: part.before, shortDt: editor.shortDt.value })
+      : editor.findings.value;
+    return findings.filter(({ severity }) => severity === 'serious');
+  });
   /** What the current memory was verified to hold, while that is shown; null else. */
   readonly verified: ReadonlySignal<TimerProgram | null> = computed(() => {
     const { value } = this.current;
@@ -160,18 +169,19 @@ export class WriteJob {
     const memory = editor.working.value?.memory;
     if (editor.blocked.value || !(await reader.read()) || editor.blocked.value) return null;
     // Another memory may be current now. The edits are kept, and the pilot was told.
-    return editor.working.value?.memory === memory ? this.#edits(null) : null;
+    return editor.working.value?.memory === memory ? this.#edits(plan, null) : null;
   }
 
   /** The edits as they are now. */
-  #edits(moved: Review['moved']): Review | null {
+  #edits(plan: EditsPlan, moved: Review['moved']): Review | null {
     const { editor } = this.#parts;
     const connection = this.#parts.connection.value;
     const before = editor.baseline.value;
-    const goal = editor.working.value;
-    if (!connection || !before || !goal) return null;
+    const working = editor.working.value;
+    if (!connection || !before || !working) return null;
+    const goal = goalOf(plan, before, working);
     const changes = [{ memory: goal.memory, before, goal, changes: differences(before, goal) }];
-    return { step: 'review', plan: EDITS, connection, changes, ...this.#whose(EDITS), moved };
+    return { step: 'review', plan, connection, changes, ...this.#whose(plan), moved };
   }
 
   async #compareMemories(plan: MemoriesPlan, moved: Review['moved']): Promise<Review | Done | null> {
@@ -203,8 +213,10 @@ export class WriteJob {
     const { plan } = review;
     const [shown] = review.changes;
     if (plan.kind === 'edits') {
-      const isAsShown = editor.baseline.value === shown?.before && editor.working.value === shown?.goal;
-      if (!isAsShown || editor.blocked.value) return this.#edits('edits');
+      const now = this.#edits(plan, 'edits');
+      const [change] = now?.changes ?? [];
+      const isAsShown = shown && change?.before === shown.before && differences(change.goal, shown.goal).length === 0;
+      if (!isAsShown || editor.blocked.value) return now;
     }
     const now = this.#whose(plan);
     if (plan.kind === 'screen' && shown) {
@@ -234,7 +246,7 @@ export class WriteJob {
       if (plan.kind !== 'edits' || !held) return await this.#compare(plan, 'timer');
       editor.rebase(held);
       knowledge.read(held);
-      return this.#edits('timer');
+      return this.#edits(plan, 'timer');
     }
     return await this.#result(plan, model, end, sending.outcome, sending.isStopping);
   }
@@ -265,7 +277,7 @@ export class WriteJob {
   /** The model of the timer, for a write of what is on the screen, and whether the values are of another one. */
   #whose(plan: Plan): Pick<Review, 'model' | 'crossing'> {
     const { origin } = this.#parts;
-    if (isOfScreen(plan)) return { model: origin.timer.value, crossing: origin.crossing.value };
+    if (isOfScreen(plan)) return { model: origin.timer.value, crossing: isPart(plan) ? null : origin.crossing.value };
     const of = plan.kind === 'restore' ? plan.backups.find(({ model }) => model !== undefined)?.model : undefined;
     return { model: null, crossing: origin.crossingFrom(of ?? null) };
   }

@@ -320,6 +320,25 @@ describe('servos that follow', () => {
     expect(screen.queryByRole('button', { name: 'Keep it' })).toBeNull();
   });
 
+  it('are put back alone: what else was changed goes on waiting', async () => {
+    const app = await opened();
+    const { positions } = structuredClone(app.timer.core.content);
+    await type('Idle throttle', '33');
+    await type('Function 5, S1', '9');
+    await press('Function 4');
+    await flip();
+    await type('Function 4, S2', '70');
+    await flip();
+    await press(en.bench.putBack);
+    const dialog = within(screen.getByRole('dialog', { name: en.write.title }));
+    expect(dialog.queryByRole('group', { name: en.write.target }), 'it belongs to this memory').toBeNull();
+    fireEvent.click(dialog.getByRole('button', { name: 'Write 1 change' }));
+    await idle();
+    expect(dialog.getByRole('alert').textContent).toContain('Verified.');
+    expect([app.timer.core.content.positions, app.timer.core.idleThrottle]).toEqual([positions, 30]);
+    expect(app.editor.changes.value.map(({ to }) => to)).toEqual([9, 33]);
+  });
+
   it('can be sent to the edited function by a button under its row', async () => {
     const app = await opened();
     await flip();

@@ -50,6 +50,20 @@ describe('with a short DT in the timer', () => {
     expect([status(app), screen.queryByRole('dialog')]).toEqual(['off', null]);
   });
 
+  it('puts DT back alone: what else was changed goes on waiting', async () => {
+    const app = await connected();
+    await writeDt(app, '2:45');
+    await writeDt(app, '20 s');
+    await type('Function 4, S2', '70');
+    await press('Disconnect');
+    await press('Put DT back to 2:45\u00a0min…');
+    app.session.safety.confirm();
+    await idle(0);
+    await press('Write 1 change');
+    const { times, positions } = app.timer.core.content;
+    expect([times[10], positions[1]?.[4], app.editor.changes.value.length]).toEqual([16_500, 55, 1]);
+  });
+
   it('lets the pilot fly with it or stay', async () => {
     const app = await connected();
     await writeDt(app, '20 s');
