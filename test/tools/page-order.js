@@ -46,9 +46,9 @@ const BRACKETS = new Map([
   ['program', { may: 'bench', why: 'a row of the table says where the servos stand, and offers to bring them there' }],
 ]);
 
-/** The rooms of the package that the page may use. Only one file uses the two others. */
+/** The rooms of the package that the page may use. Only one file uses the simulator. */
 const ROOMS = ['line', 'protocol', 'program', 'client', 'serial'];
-const SIMULATED = { file: 'connect/simulated-timer.ts', rooms: ['simulator', 'mock-serial'] };
+const SIMULATED = { file: 'connect/simulated-timer.ts', rooms: ['simulator'] };
 
 /**
  * Finds a written signal of a model: `model.signal.value = ...`. A component's own signal is in a

@@ -1,5 +1,4 @@
-import { type Clock, realClock } from '../../line/index.js';
-import { MockSerial, type PlugOptions } from '../../mock-serial/index.js';
+import { ByteLine, type Clock, realClock } from '../../line/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { SerialPortLike } from '../../serial/index.js';
 import { exampleMemories, ReplayTimer, type TimerCore, VirtualTimer } from '../../simulator/index.js';
@@ -29,10 +28,52 @@ const promptInBackground: Clock = {
 /** What the timer of each class holds until the page is closed: a pilot connects again to see what was written. */
 const held = new Map<SimulatedClass, TimerCore>();
 
+/** A port whose cable ends at a timer in this page. */
+class TimerPort extends EventTarget implements SerialPortLike {
+  readable: ReadableStream<Uint8Array> | null = null;
+  writable: WritableStream<Uint8Array> | null = null;
+  readonly #hasSpeed: boolean;
+  readonly #toTimer: ByteLine;
+  readonly #toPage: ByteLine;
+  #page: ReadableStreamDefaultController<Uint8Array> | null = null;
+
+  /** @param speed how fast the line is: as it was opened, or no time at all. `latency` counts in each direction. */
+  constructor(timer: VirtualTimer | ReplayTimer, speed: { readonly latency: number } | null) {
+    super();
+    this.#hasSpeed = speed !== null;
+    const line = { clock: promptInBackground, latency: speed?.latency ?? 0 };
+    const writer = timer.writable.getWriter();
+    this.#toTimer = new ByteLine((bytes) => void writer.write(bytes), line);
+    this.#toPage = new ByteLine((bytes) => this.#page?.enqueue(bytes), line);
+    void timer.readable.pipeTo(new WritableStream({ write: (bytes) => void this.#toPage.send(bytes) }));
+  }
+
+  async open({ baudRate }: Parameters<SerialPortLike['open']>[0]): Promise<void> {
+    for (const line of [this.#toTimer, this.#toPage]) line.baudRate = this.#hasSpeed ? baudRate : 0;
+    this.readable = new ReadableStream({
+      start: (page) => {
+        this.#page = page;
+      },
+      cancel: () => {
+        this.#page = null;
+      },
+    });
+    this.writable = new WritableStream({ write: (bytes) => void this.#toTimer.send(bytes) });
+  }
+
+  async close(): Promise<void> {
+    this.readable = this.writable = this.#page = null;
+    for (const line of [this.#toTimer, this.#toPage]) line.clear();
+  }
+
+  getInfo() {
+    return {};
+  }
+}
+
 /**
- * A virtual timer behind a mock port with the speed of a real line. The first of its class has example memories, each
- * later one what the one before held. It takes the same path through the code as a real timer. Only this file puts
- * simulator and mock port together.
+ * A virtual timer with the speed of a real line. The first of its class has example memories, each later one what the
+ * one before held. It takes the same path through the code as a real timer.
  */
 export function plugSimulatedTimer(timerClass: SimulatedClass): SerialPortLike {
   const clock = promptInBackground;
@@ -42,16 +83,10 @@ export function plugSimulatedTimer(timerClass: SimulatedClass): SerialPortLike {
   const { core } = timer;
   if (last) [core.memory, core.idleThrottle] = [last.memory, last.idleThrottle];
   held.set(timerClass, core);
-  return plug(timer, { clock, timing: true, latency: LATENCY / 2 });
+  return new TimerPort(timer, { latency: LATENCY / 2 });
 }
 
-/** A recorded timer behind a mock port. The port adds no time: the recording has the times of its own line. */
+/** A recorded timer. The port adds no time: the recording has the times of its own line. */
 export function plugRecording(entries: readonly CaptureEntry[]): SerialPortLike {
-  return plug(new ReplayTimer(entries), {});
-}
-
-function plug(timer: VirtualTimer | ReplayTimer, options: PlugOptions): SerialPortLike {
-  const port = new MockSerial().plug({}, { granted: true, ...options });
-  port.device.join(timer);
-  return port;
+  return new TimerPort(new ReplayTimer(entries), null);
 }
