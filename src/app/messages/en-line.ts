@@ -17,6 +17,47 @@ const names: Record<CommandName, string> = {
   SETLOWRPM: 'Write idle throttle',
 };
 
+/** Bytes that belong to no frame. */
+const rejected: Record<RejectionReason, string> = {
+  noise: 'Damaged: noise',
+  length: 'Damaged: impossible length',
+  terminator: 'Damaged: no end where it should be',
+  checksum: 'Damaged: wrong checksum',
+  silence: 'Damaged: cut off',
+};
+
+/** An error of the port, by the name that the makers of ports have for it. */
+const error: Record<LineErrorKind, string> = {
+  framing: 'Line error: framing',
+  parity: 'Line error: parity',
+  break: 'Line error: break',
+  overrun: 'Line error: overrun, bytes were lost',
+  other: 'Line error of another kind',
+};
+
+const noText = 'Its content cannot be read.';
+const noValue = 'A value in it cannot be right.';
+
+/** Why the content of a frame has no text. */
+const unreadable: Record<CodecErrorCode, string> = {
+  'wrong-length': 'Its content is longer or shorter than it should be.',
+  'unknown-command': 'What it means is not known.',
+  'unexpected-reply': 'It answers another request.',
+  'bad-identity': 'What it says of the timer cannot be right.',
+  'identity-needed': 'It can be read once the timer has said what it is.',
+  'out-of-range': noValue,
+  'not-an-integer': noValue,
+  'wrong-count': noValue,
+  'wrong-type': noValue,
+  'unknown-word': noText,
+  'bad-capture': noText,
+  'bad-file': noText,
+  'bad-link': noText,
+  'newer-version': noText,
+  'too-large': noText,
+  duplicate: noText,
+};
+
 /** The log of the line. */
 export const line = {
   empty: 'Nothing to show.',
@@ -30,9 +71,8 @@ export const line = {
   echo: (name: string, letters: string) => `${name}, echo · ${letters}`,
   unknown: (letter: string) => `Unknown letter ${letter}`,
   names,
-  /** Bytes that belong to no frame, and an error of the port. */
-  rejected: (reason: RejectionReason) => `Damaged: ${reason}`,
-  error: (kind: LineErrorKind) => `Line error: ${kind}`,
+  rejected,
+  error,
 
   position: (slot: string, servo: string, steps: number) => `${slot}, ${servo}: ${steps} steps`,
   motorStop: (time: string) => `motor stop ${time}`,
@@ -44,7 +84,7 @@ export const line = {
   idleThrottle: (value: number) => `${value}, unit unknown`,
   idleThrottleUnsaid: 'It gives no value.',
   acknowledged: 'Acknowledged.',
-  unreadable: (code: CodecErrorCode) => `Cannot be read: ${code}.`,
+  unreadable,
 
   goOn: 'Go on',
   came: (number: number) => `Paused. ${plural(number, 'entry', 'entries')} since.`,

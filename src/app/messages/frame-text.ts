@@ -17,11 +17,11 @@ import { figureText, messages, slotLabel, timerName } from './index.js';
 /** The parts of a line entry that its words need. */
 export type Seen = Pick<LineEntry, 'direction' | 'frame' | 'rejected' | 'error'>;
 
-/** The name of a line entry: “Write a position · SETSERVO”, “Damaged: checksum”. */
+/** The name of a line entry: “Write a position · SETSERVO”, “Damaged: wrong checksum”. */
 export function frameName({ direction, frame, rejected, error }: Seen): string {
   const { line } = messages.value;
-  if (error) return line.error(error);
-  if (rejected || !frame) return line.rejected(rejected ?? 'noise');
+  if (error) return line.error[error];
+  if (rejected || !frame) return line.rejected[rejected ?? 'noise'];
   const command = commandOf(frame.code);
   if (!command) return line.unknown(letterOf(frame.code));
   const wording = command.direction === 'reply' ? line.reply : direction === 'in' ? line.echo : line.request;
@@ -39,7 +39,7 @@ export function describeFrame({ frame, rejected, error }: Seen, layout: LayoutOp
     return content(frame, layout);
   } catch (refused) {
     if (!(refused instanceof CodecError)) throw refused;
-    return line.unreadable(refused.code);
+    return line.unreadable[refused.code];
   }
 }
 

@@ -84,8 +84,8 @@ describe('the rows', () => {
     session.log.add(damage('checksum', '00 00 00 00 00 03 6b 6c 45'));
     session.log.add(lineError('framing'));
     await idle();
-    expect(rows()[0]?.slice(1)).toEqual([words.in, words.error('framing'), '']);
-    expect(messagesShown()[1]).toBe(words.rejected('checksum'));
+    expect(rows()[0]?.slice(1)).toEqual([words.in, words.error.framing, '']);
+    expect(messagesShown()[1]).toBe(words.rejected.checksum);
     expect(items()[0]?.className).toBe('damaged');
     const counts = screen.getByText('7 to the timer, 7 from the timer, 1 damaged, 1 line error');
     expect(counts.textContent?.split(' '), 'a line ends only between two counts').toHaveLength(4);

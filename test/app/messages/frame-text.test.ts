@@ -62,15 +62,15 @@ describe('what a frame says', () => {
     [
       'a letter of no command',
       frameEntry('in', encodeFrame(0x7a, [1])),
-      'Unknown letter 7A: Cannot be read: unknown-command.',
+      'Unknown letter 7A: What it means is not known.',
     ],
     [
       'a content that does not fit',
       frameEntry('in', encodeFrame(0x62, [1, 2, 3])),
-      'Read times, reply · GETTIMERS: Cannot be read: wrong-length.',
+      'Read times, reply · GETTIMERS: Its content is longer or shorter than it should be.',
     ],
     ['noise', damage('noise', 'ff'), 'Damaged: noise: '],
-    ['a wrong sum', damage('checksum', '00 00 00 00 00 03 6b 6c 45'), 'Damaged: checksum: '],
+    ['a wrong sum', damage('checksum', '00 00 00 00 00 03 6b 6c 45'), 'Damaged: wrong checksum: '],
     ['an error of the line', lineError('break'), 'Line error: break: '],
   ])('%s', (_, entry, expected) => {
     expect(said(entry, { identity: Q })).toBe(expected);
@@ -96,6 +96,6 @@ describe('what a frame says', () => {
     ['a position', sent({ name: 'SETSERVO', function: 4, servo: 1, position: 70 })],
     ['a function', sent({ name: 'MOVETOFUNC', function: 4 })],
   ])('says when the timer has not yet said what it is: %s', (_, entry) => {
-    expect(describeFrame(entry, {})).toBe('Cannot be read: identity-needed.');
+    expect(describeFrame(entry, {})).toBe('It can be read once the timer has said what it is.');
   });
 });
