@@ -68,12 +68,16 @@ export type TypedText = Parsed | Ambiguous;
 const TIME = /^(?:(\d{1,4})(?::(?=[0-5]?\d(?:[.,]|$))|[.,](?=[0-5]\d[.,])))?(\d{1,6})?(?:[.,](\d*))?$/;
 const IN_UNITS = /^(?:(\d{1,4}) ?min)?(?: ?(\d*[.,]?\d*) ?(?:s|sec)?)?$/i;
 const CLOCK_IN_MINUTES = /^(\d+:[\d.,]+) ?min$/i;
+/** Minutes and seconds as on a score card: `2'30`, `2′30″`, `2m30s`. */
+const CARD = /^(\d{1,3}) ?['’′m] ?([0-5]\d(?:[.,]\d{1,2})?) ?(?:["”″s]|'')?$/i;
+/** The same with a space. Where minutes are not usual, these may be two numbers. */
+const SPACED = /^(\d{1,3}) ([0-5]\d(?:[.,]\d{1,2})?) ?(?:["”″s]|'')?$/i;
 const DECIMAL_MINUTES = /^(\d{0,4})[.,](\d{1,2}) ?min$/i;
 
 /**
  * Reads a time in hundredths of a second. Forms: `12.5`, `12,5`, `.5`, `2:05`, `2:05.5`; `2.05.5`, because the number
- * pads of some phones have no colon; and with units `20 s`, `3 min`, `2.5 min`, `2 min 30 s`, `3:00 min`. A number
- * without unit or colon is in seconds. {@link readTime} asks what a pilot may have meant.
+ * pads of some phones have no colon; and with units `20 s`, `3 min`, `2.5 min`, `2 min 30 s`, `3:00 min`, `2'30`,
+ * `2m30s`. A number without unit or colon is in seconds. {@link readTime} asks what a pilot may have meant.
  */
 export function parseTime(text: string): Parsed {
   const trimmed = plainDigits(text);
@@ -89,6 +93,8 @@ export function parseTime(text: string): Parsed {
 function withoutUnits(text: string): string {
   const clock = CLOCK_IN_MINUTES.exec(text)?.[1];
   if (clock !== undefined) return clock;
+  const [, cardMinutes, cardSeconds] = CARD.exec(text) ?? [];
+  if (cardMinutes !== undefined) return `${cardMinutes}:${cardSeconds}`;
   const [, whole, fraction = ''] = DECIMAL_MINUTES.exec(text) ?? [];
   if (whole !== undefined) return String(Number(whole) * 60 + (Number(fraction.padEnd(2, '0')) * 60) / 100);
   const [, minutes, seconds] = IN_UNITS.exec(text) ?? [];
@@ -127,12 +133,14 @@ const DT_FORMS: typeof FORMS = [
  * - for DT also `2.5`: 2 min 30 s, 2 min 50 s or 2.5 s; and `2.75`: 2 min 45 s or 2.75 s;
  * - for DT also `3`: 3 min or 3 s.
  *
- * Minutes are possible up to the longest DT, 12 min. So `20` is 20 s, and `20.30` is 20.3 s.
+ * Minutes are possible up to the longest DT, 12 min. So `20` is 20 s, and `20.30` is 20.3 s. For DT `2 30` is 2 min
+ * 30 s.
  */
 export function readTime(text: string, { isDt }: { readonly isDt: boolean }): TypedText {
-  const parsed = parseTime(text);
+  const plain = plainDigits(text);
+  const trimmed = isDt ? plain.replace(SPACED, '$1:$2') : plain;
+  const parsed = parseTime(trimmed);
   if ('unreadable' in parsed) return parsed;
-  const trimmed = plainDigits(text);
   const forms = isDt ? DT_FORMS : FORMS;
   const meant = forms.flatMap(([form, perHundredth]) => {
     const [, minutes, part = ''] = form.exec(trimmed) ?? [];

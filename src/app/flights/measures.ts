@@ -53,14 +53,9 @@ export function steppedMeasure(measure: Measure, value: number, direction: 1 | -
   return Math.min(max, Math.max(min, direction > 0 ? Math.floor(value) + 1 : Math.ceil(value) - 1));
 }
 
-/** Minutes and seconds as on a score card: `2'58`, `2′58″`, `2 58`, `2m58s`. */
-const CARD = /^(\d{1,3}) ?(?:['’′m]| (?=\d)) ?([0-5]\d(?:[.,]\d{1,2})?) ?(?:["”″s]|'')?$/i;
-
 function readResult(text: string): ReadMeasure {
-  const [, minutes, seconds] = CARD.exec(text) ?? [];
-  const card = minutes === undefined ? text : `${minutes}:${seconds}`;
-  // Whole seconds are the rule here: `230` is no question.
-  const read = /^\d*[.,]\d*$/.test(card) ? readTime(card, { isDt: true }) : parseTime(card);
+  // As where a DT is typed. But whole seconds are the rule here: `230` is no question.
+  const read = /^\d+$/.test(text) ? parseTime(text) : readTime(text, { isDt: true });
   if (!('unreadable' in read)) return { value: read.value / 100 };
   if ('either' in read) return read;
   return { unreadable: read.unreadable === 'too-fine' ? 'too-fine' : 'not-a-time' };

@@ -298,6 +298,15 @@ describe('a time that a pilot types', () => {
     ['3 s', 300, 300],
     ['2:30', 15000, 15000],
     ['2.30.0', 15000, 15000],
+    ["2'30", 15000, 15000],
+    ['2’30”', 15000, 15000],
+    ['2′30.5″', 15050, 15050],
+    ['2m30s', 15000, 15000],
+    ['2 m 30', 15000, 15000],
+    ['2 30', 15000, 'not-a-time'],
+    ['2 30.5 s', 15050, 'not-a-time'],
+    ['2 75', 'not-a-time', 'not-a-time'],
+    ["2'75", 'not-a-time', 'not-a-time'],
     ['2.305', 'too-fine', 'too-fine'],
     ['soon', 'not-a-time', 'not-a-time'],
   ])('%j is %j for DT, else %j', (text, dt, other) => {
@@ -316,6 +325,8 @@ describe('a time that a pilot types', () => {
   it('is nothing, one value, or a question whose last answer takes the text as it stands', () => {
     fc.assert(
       fc.property(texts, fc.boolean(), (text, isDt) => {
+        // A space between minutes and seconds is for DT alone: see the table.
+        if (isDt && /\d \d/.test(text)) return;
         for (const [read, exact] of [
           [readTime(text, { isDt }), parseTime(text)],
           [readInterval(text, { isDt }), parseInterval(text)],

@@ -43,6 +43,7 @@ describe('a number of a flight', () => {
     ['result', '2m30s', 150],
     ['result', '2 m 30', 150],
     ['result', '2 3', 'not-a-time'],
+    ['result', '2.30 min', '15000 or 13800'],
     ['result', "2'75", 'not-a-time'],
     ['result', '3 min', 180],
     ['result', '2 min 30 s', 150],
