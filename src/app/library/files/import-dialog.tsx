@@ -94,7 +94,7 @@ function PlanOf({ files, onTaken, answer, plan }: PlanProps) {
   const groups = plan.groups.value;
   const way = chosen.value;
   const total = groups.reduce((sum, group) => sum + takenOf(group, way).length, 0);
-  const isNothing = groups.every((group) => takenOf(group, 'both').length === 0);
+  const isNothing = groups.every((group) => WAYS.every((each) => takenOf(group, each).length === 0));
   const { shut } = files;
   return (
     <>
@@ -119,7 +119,7 @@ function PlanOf({ files, onTaken, answer, plan }: PlanProps) {
         ))}
       </ul>
       {isNothing && groups.length > 0 && <p role="status">{words.nothing}</p>}
-      {!isNothing && total === 0 && <p role="status">{words.allStays}</p>}
+      {!isNothing && total === 0 && <p role="status">{way === 'newer' ? words.allStays : words.nothing}</p>}
       <Problem text={shut && !isNothing && libraryMessages.unread} />
       <div class="buttons">
         <button type="button" class={isNothing ? '' : 'quiet'} onClick={() => answer(null)}>

@@ -100,25 +100,49 @@ function standingOf(entry: Entry['entry'], here: Entry['here'], isNewer: boolean
   return isNewer ? 'file-newer' : 'not-newer';
 }
 
+/** Whether a copy beside it says anything: one that is only in the archive, or only not, does not. */
+function isOther(entry: Entry): boolean {
+  const { entry: content, here } = entry;
+  return differs(entry) && !(here && 'archived' in here && isSame({ ...content, archived: here.archived }, here));
+}
+
+/** Whether its model is kept twice: then the second one has the programs of the file, and is not empty. */
+function isSplit({ entries }: Group, way: Way): boolean {
+  return way === 'both' && entries.some((entry) => entry.kind === 'models' && isOther(entry));
+}
+
 /** The entries to import in this way. */
-export function takenOf({ entries }: Group, way: Way): readonly Entry[] {
-  return entries.filter((entry) => (differs(entry) ? way === 'both' || entry.standing === 'file-newer' : !entry.here));
+export function takenOf(group: Group, way: Way): readonly Entry[] {
+  const isWhole = isSplit(group, way);
+  return group.entries.filter((entry) => {
+    if (isWhole && entry.kind === 'settings') return true;
+    if (!differs(entry)) return !entry.here;
+    return way === 'both' ? isOther(entry) : entry.standing === 'file-newer';
+  });
 }
 
 /**
- * The records after an import. An entry that is kept beside another one gets a new id and a new name.
+ * The records after an import. An entry that is kept beside another one gets a new id and a new name; the programs of a
+ * second model keep their names.
  * @param newId makes an id that is not in use.
  */
 export function recordsOf(groups: readonly Group[], way: Way, held: Records, newId: () => string): Records {
   const records = { models: [] as ModelRecord[], settings: [] as SettingRecord[], flights: [] as FlightRecord[] };
   const heldModels = byKey(held.models);
   const heldSettings = byKey(held.settings);
-  for (const entry of groups.flatMap((group) => takenOf(group, way))) {
+  const all = groups.flatMap((group) => {
+    const second = isSplit(group, way) ? newId() : null;
+    return takenOf(group, way).map((entry) => ({ entry, second }));
+  });
+  for (const { entry, second } of all) {
     const { kind, changedAt, facts } = entry;
-    const isCopy = way === 'both' && differs(entry);
-    const key = isCopy ? newId() : entry.entry.id;
+    const isOfSecond = second !== null && kind === 'settings';
+    const isCopy = way === 'both' && isOther(entry);
+    const fresh = kind === 'models' ? (second ?? newId()) : newId();
+    const key = isCopy || isOfSecond ? fresh : entry.entry.id;
     const content = { ...entry.entry, id: key };
-    if (isCopy && 'name' in content) {
+    if (isOfSecond && 'tags' in content) content.model = second;
+    else if (isCopy && 'name' in content) {
       const beside = [...held[kind], ...records[kind]]
         .map(contentOf)
         .filter((each) => modelOf(each) === modelOf(content));

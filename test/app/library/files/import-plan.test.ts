@@ -175,6 +175,43 @@ describe('an import', () => {
     expect(copy?.key).not.toBe(MODEL.id);
   });
 
+  it('gives the second model all programs of the file, and leaves the flights with the first', () => {
+    const windy = { ...SETTING, id: 'windy', name: 'windy' };
+    const theirs: Records = {
+      models: HELD.models.map((record) => ({ ...record, model: { ...MODEL, note: 'x' } })),
+      settings: [
+        ...changed('calm', 2000).settings,
+        { key: 'windy', setting: windy, changedAt: 2000 },
+        { key: 'fresh', setting: { ...SETTING, id: 'fresh', name: 'fresh' }, changedAt: 2000 },
+      ],
+      flights: [...HELD.flights, { key: 'f2', flight: { ...FLIGHT, id: 'f2' }, changedAt: 2000 }],
+    };
+    const held = { ...HELD, settings: [...HELD.settings, { key: 'windy', setting: windy, changedAt: 2000 }] };
+    const { models, settings, flights } = imported(fileOf(theirs), held, 'both');
+    const [copy] = models;
+    expect(settings.map(({ setting }) => [setting.model, setting.name])).toEqual(
+      ['calm', 'windy', 'fresh'].map((name) => [copy?.key, name]),
+    );
+    expect(new Set([...settings.map(({ key }) => key), SETTING.id, 'windy']).size).toBe(5);
+    expect(flights.map(({ key, flight }) => [key, flight.model])).toEqual([['f2', MODEL.id]]);
+    const [group] = groupsOf(fileOf(theirs), held);
+    expect(countOf(group ? takenOf(group, 'both') : [])).toEqual({ models: 1, settings: 3, flights: 1 });
+  });
+
+  it('makes no second model and no second program of one that is only in the archive', () => {
+    const theirs: Records = {
+      models: HELD.models.map((record) => ({ ...record, model: { ...MODEL, archived: true }, changedAt: 2000 })),
+      settings: HELD.settings.map((record) => ({
+        ...record,
+        setting: { ...SETTING, archived: true },
+        changedAt: 2000,
+      })),
+      flights: HELD.flights,
+    };
+    expect(imported(fileOf(theirs), HELD, 'both')).toEqual(NOTHING);
+    expect(imported(fileOf(theirs), HELD, 'newer').models[0]?.model.archived).toBe(true);
+  });
+
   it('recognises an entry whose name has signs that reverse the text of the file', () => {
     const turned: Records = {
       models: HELD.models.map((record) => ({
