@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import { LIMITS } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
+import { plainName } from '../records/plain-names.js';
 import { Check } from '../ui/check.js';
 import { Choice } from '../ui/choice.js';
 import { FormButtons } from '../ui/form-buttons.js';
@@ -38,11 +39,16 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
   const open = origin.setting.peek();
   const whose = origin.model.value;
   const crossed = useSignal(false);
+  const replaces = useSignal(false);
   const name = useSignal(open?.name ?? '');
   const note = useSignal('');
   const modelName = useSignal('');
   const model = useSignal(open ? (origin.model.peek()?.id ?? NONE) : (suggested(session) ?? NEW));
   const to = library.models.get(model.value)?.model;
+  // Two of one name nobody could tell apart.
+  const same = library.settings.list.value.find(
+    ({ setting }) => setting.model === (model.value || null) && setting.name === plainName(name.value),
+  )?.setting;
   const isOther = whose !== null && to !== undefined && to.id !== whose.id;
   return (
     <form
@@ -50,14 +56,17 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       onSubmit={(event) => {
         event.preventDefault();
         const under = model.value === NEW ? { name: modelName.value.trim() } : model.value || null;
-        void saveSetting.saveAs({ name: name.value.trim(), note: note.value, model: under });
+        void saveSetting.saveAs({ name: name.value.trim(), note: note.value, model: under, over: same ?? null });
       }}
     >
       <NameField
         label={words.name('program')}
         placeholder={words.namePlace}
         value={name.value}
-        onChange={(text) => (name.value = text)}
+        onChange={(text) => {
+          name.value = text;
+          replaces.value = false;
+        }}
       />
       <Choice
         label={label.model}
@@ -67,6 +76,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
         onChoose={(key) => {
           model.value = key;
           crossed.value = false;
+          replaces.value = false;
         }}
       />
       {model.value === NEW && (
@@ -91,10 +101,18 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
           {words.crossing(whose.name, to.name)}
         </Check>
       )}
+      {same && (
+        <div class="stack gap-1">
+          <p role="status">{words.taken(same.name, to?.name ?? '')}</p>
+          <Check checked={replaces.value} onChange={(on) => (replaces.value = on)}>
+            {words.replace}
+          </Check>
+        </div>
+      )}
       <Problem text={!opened.savable.value && words.notSavable} />
       <FormButtons
         label={save}
-        disabled={!opened.savable.value || (isOther && !crossed.value)}
+        disabled={!opened.savable.value || (isOther && !crossed.value) || (same !== undefined && !replaces.value)}
         onCancel={() => saveSetting.dismiss()}
       />
     </form>

@@ -1,4 +1,5 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
+import type { Setting } from '../../program/index.js';
 import { emptyModel, newId } from '../records/library.js';
 import type { Session } from '../work/session.js';
 
@@ -8,6 +9,8 @@ export interface Named {
   readonly note: string;
   /** The id of a model; null for none; or the name of a new one. */
   readonly model: string | null | { readonly name: string };
+  /** The setting of that name, which it replaces; its values stay as an earlier version. Default: none. */
+  readonly over?: Setting | null;
 }
 
 type SaveParts = Pick<Session, 'editor' | 'library' | 'opened' | 'origin' | 'recognition'>;
@@ -40,7 +43,7 @@ export class SaveSetting {
   }
 
   /** @returns once the browser has saved it, or failed to. It is in the library at once. */
-  async saveAs({ name, note, model }: Named): Promise<void> {
+  async saveAs({ name, note, model, over = null }: Named): Promise<void> {
     const { library, opened, editor, origin } = this.#parts;
     const isOfTimer = origin.isOfTimer.peek();
     const timerClass = editor.identity.peek()?.timerClass ?? null;
@@ -49,7 +52,7 @@ export class SaveSetting {
     const isNew = model !== null && typeof model === 'object';
     const id = isNew ? newId() : model;
     const keeping = isNew && id !== null ? library.keepModel(emptyModel(id, model.name, timerClass)) : null;
-    const saving = opened.saveAs({ model: id, name, note });
+    const saving = opened.saveAs({ model: id, name, note, over });
     if (isOfTimer) this.#say(id);
     await Promise.all([keeping, saving]);
   }

@@ -90,6 +90,10 @@ export const libraryMessages = {
     /** A tick: values of one model would go under the name of another. */
     crossing: (from: string, to: string) => `These are values of ${apart(from)}. Save them under ${apart(to)}.`,
     asNew: 'Save as new…',
+    /** @param model empty for none. */
+    taken: (name: string, model: string) =>
+      `There is already a program ${model === '' ? apart(name) : knowledge.ofModel(apart(name), apart(model))}. Type another name, or:`,
+    replace: 'Save over it. Its values stay as an earlier version.',
     name: (of: 'program' | 'model') => `Name of the ${of}`,
     namePlace: 'For example: fly-off, calm',
     notSavable: 'A field has no value. Correct it first.',

@@ -56,7 +56,10 @@ interface LastSave {
 }
 
 /** The name of a new setting, and where it goes. */
-export interface NewSetting extends Pick<Setting, 'model' | 'name'>, Partial<Pick<Setting, 'note' | 'tags'>> {}
+export interface NewSetting extends Pick<Setting, 'model' | 'name'>, Partial<Pick<Setting, 'note' | 'tags'>> {
+  /** The setting that it replaces, if it is not new after all. What it does not say stays as it is there. */
+  readonly over?: Setting | null;
+}
 
 /** The setting of the library that the program on the screen belongs to: opening it, and saving it. */
 export class OpenSetting {
@@ -140,14 +143,15 @@ export class OpenSetting {
   }
 
   /**
-   * Saves the program on the screen as a new setting, which is then open.
+   * Saves the program on the screen as a new setting, or over another one, which is then open.
    * @returns whether the browser has stored it. It is in the library in any case.
    */
-  async saveAs({ model, name, note = '', tags = [] }: NewSetting): Promise<boolean> {
+  async saveAs({ model, name, note = '', tags = [], over = null }: NewSetting): Promise<boolean> {
     const program = this.#program();
     if (!program) return false;
-    const setting = { id: newId(), model, name, note, tags, program, archived: false, ...this.source() };
-    return await this.#keep(setting);
+    const old = over ?? { id: newId(), note: '', tags };
+    const said = { model, name, note: note || old.note };
+    return await this.#keep({ ...old, ...said, program, archived: false, ...this.source() });
   }
 
   /**

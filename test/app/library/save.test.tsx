@@ -44,3 +44,35 @@ it('values of one model go under another only with a tick', async () => {
   const made = bench.session.library.settings.list.value.find(({ setting }) => setting.name === 'taken over');
   expect(made?.setting.model).toBe('Lancer');
 });
+
+it('a name that its model has already is saved over with a tick, or changed', async () => {
+  const bench = await drawn(await lancerConnected());
+  await run(bench.session.opened.show(WIND));
+  await idle(0);
+  await type('DT time', '2:00');
+  await press(words.asNew);
+  const dialog = within(screen.getByRole('dialog'));
+  const saves = () => dialog.getByRole<HTMLButtonElement>('button', { name: messages.value.save });
+  const tick = () => dialog.queryByRole<HTMLInputElement>('checkbox', { name: words.replace });
+  const named = async (name: string): Promise<void> => {
+    fireEvent.input(dialog.getByRole('textbox', { name: words.name('program') }), { target: { value: name } });
+    await idle(0);
+  };
+  expect(dialog.getByText(words.taken('wind', 'Magpie'))).toBeTruthy();
+  expect(saves().disabled).toBe(true);
+  await named('gusts');
+  expect([tick(), saves().disabled]).toEqual([null, false]);
+  await named(' wind ');
+  expect(saves().disabled).toBe(true);
+  fireEvent.click(tick() as HTMLInputElement);
+  await idle(0);
+  fireEvent.click(saves());
+  await idle();
+  const ofName = bench.session.library.settings.list.value.filter(({ setting }) => setting.name === 'wind');
+  expect(ofName).toMatchObject([
+    { key: WIND.id, setting: { note: WIND.note, tags: WIND.tags }, versions: [{ program: WIND.program }] },
+  ]);
+  expect(ofName[0]?.setting.program.times[10]).toBe(12_000);
+  await press(words.undo('wind'));
+  expect(savedAs(bench, 'wind')).toEqual(WIND);
+});
