@@ -44,6 +44,7 @@ export function WriteTo({ session, write, chosen }: WriteToProps) {
       names={Object.fromEntries(all.map((each) => [each, memoryName(each)]))}
       chosen={String(chosen)}
       onChoose={(each) => write.writeTo(Number(each))}
+      isSlow
     />
   );
 }

@@ -2,7 +2,7 @@ import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { type AppBench, idle, sets } from '../bench/bench.js';
-import { connected, field, press, type } from '../screen.js';
+import { connected, field, key, press, type } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
@@ -29,6 +29,34 @@ async function reviewed(): Promise<AppBench> {
   await choose('M3');
   return app;
 }
+
+it('arrow keys walk along the memories, and nothing is read before one is chosen', async () => {
+  const app = await connected();
+  await type('DT time', '4:00');
+  await press('Write 1 change…');
+  const radio = (name: string) => dialog().getByRole<HTMLInputElement>('radio', { name });
+  app.timer.core.answered.length = 0;
+  radio('M1').focus();
+  for (const [pressed, at] of [
+    ['ArrowRight', 'M2'],
+    ['ArrowDown', 'M3'],
+    ['ArrowLeft', 'M2'],
+    ['ArrowUp', 'M1'],
+    ['ArrowLeft', 'M4'],
+    ['ArrowRight', 'M1'],
+    ['ArrowRight', 'M2'],
+  ] as const) {
+    expect(fireEvent.keyDown(document.activeElement as Element, { key: pressed }), 'the browser chooses none').toBe(
+      false,
+    );
+    expect(document.activeElement).toBe(radio(at));
+  }
+  await idle();
+  expect([app.timer.core.answered.length, radio('M1').checked]).toEqual([0, true]);
+  await key('Enter');
+  expect(radio('M2').checked).toBe(true);
+  expect(text()).toContain('M2 will hold');
+});
 
 describe('writing the program on the screen to another memory', () => {
   it('shows what changes there, writes it, verifies, and comes back; the changes of M1 stay', async () => {
