@@ -1,7 +1,7 @@
 import { invalidState } from './errors.js';
 
 /** What the handler attributes accept. */
-export type EventHandler = ((event: Event) => void) | null;
+export type EventHandler = ((event: Event) => unknown) | null;
 
 const CAPTURING = 1;
 const AT_TARGET = 2;
@@ -43,7 +43,7 @@ export class ConnectionTarget extends EventTarget {
   readonly #passedBy = new EventTarget();
   /** Each listener, called on this object and not on the target of the platform that keeps it. */
   readonly #bound = new WeakMap<object, (event: Event) => void>();
-  readonly #handlers = new Map<string, unknown>();
+  readonly #handlers = new Map<string, EventHandler>();
 
   /** @param onceNeverFires see `ChromiumWays`. */
   constructor(parent: ConnectionTarget | null, onceNeverFires = false) {
@@ -54,7 +54,7 @@ export class ConnectionTarget extends EventTarget {
 
   /** The `onconnect` attribute: called for the event `connect`, when a port comes that the site may use. */
   get onconnect(): EventHandler {
-    return this.#handler('connect');
+    return this.#handlers.get('connect') ?? null;
   }
 
   set onconnect(handler: EventHandler) {
@@ -63,7 +63,7 @@ export class ConnectionTarget extends EventTarget {
 
   /** The `ondisconnect` attribute: called for the event `disconnect`, when a port goes that the site may use. */
   get ondisconnect(): EventHandler {
-    return this.#handler('disconnect');
+    return this.#handlers.get('disconnect') ?? null;
   }
 
   set ondisconnect(handler: EventHandler) {
@@ -91,7 +91,7 @@ export class ConnectionTarget extends EventTarget {
 
   /** @throws InvalidStateError when the event is being dispatched already. */
   override dispatchEvent(event: Event): boolean {
-    if (event.eventPhase !== 0) throw invalidState('The event is being dispatched.');
+    if (event.eventPhase > 0) throw invalidState('The event is being dispatched.');
     const path = this.#parent ? [this, this.#parent] : [this];
     let stopped = false;
     const stop = (): void => {
@@ -137,10 +137,6 @@ export class ConnectionTarget extends EventTarget {
       });
     this.#bound.set(listener, bound);
     return bound;
-  }
-
-  #handler(type: string): EventHandler {
-    return (this.#handlers.get(type) ?? null) as EventHandler;
   }
 
   /** A handler that replaces another keeps its place among the listeners. After null it comes last. */

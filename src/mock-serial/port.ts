@@ -20,8 +20,6 @@ export class MockSerialPort extends ConnectionTarget {
     asInterface(MockSerialPort.prototype, 'SerialPort', [...attributes, ...methods]);
   }
 
-  /** The other end of the port. */
-  readonly device: MockDevice;
   readonly #hardware: Hardware;
   /** Whether a browser would end the tab at the next touch of `readable`: see `ChromiumWays.failedCloseKills`. */
   #isDeadly = false;
@@ -32,7 +30,11 @@ export class MockSerialPort extends ConnectionTarget {
   constructor(hardware: Hardware, serial: ConnectionTarget) {
     super(serial);
     this.#hardware = hardware;
-    this.device = hardware.device;
+  }
+
+  /** The other end of the port. */
+  get device(): MockDevice {
+    return this.#hardware.device;
   }
 
   /** The `connected` attribute: whether the port is plugged in. After `forget()` it does not change any more. */

@@ -50,7 +50,6 @@ export class Receiver {
   open(capacity: number, patient: boolean, keeps = false): void {
     if (!keeps) this.close();
     this.#queue = this.#queue.filter((item) => item !== 'lost');
-    this.#backlog = this.#backlog.filter((item) => item !== 'lost');
     this.#open = true;
     this.#fatal = false;
     this.#over = false;

@@ -27,10 +27,7 @@ export class MockSerial extends ConnectionTarget {
     asInterface(MockSerial.prototype, 'Serial', ['onconnect', 'ondisconnect', 'getPorts', 'requestPort']);
   }
 
-  /**
-   * Whether `requestPort()` may ask the user, as just after a click. Its value stays: the standard does not use it up.
-   */
-  userActivation: boolean;
+  #userActivation: boolean;
   readonly #clock: Clock;
   readonly #follows: FollowsWay;
   readonly #ports = new Map<MockSerialPort, Hardware>();
@@ -43,7 +40,18 @@ export class MockSerial extends ConnectionTarget {
     super(null, follows('onceNeverFires'));
     this.#follows = follows;
     this.#clock = options.clock ?? realClock;
-    this.userActivation = options.userActivation ?? false;
+    this.#userActivation = options.userActivation ?? false;
+  }
+
+  /**
+   * Whether `requestPort()` may ask the user, as just after a click. Its value stays: the standard does not use it up.
+   */
+  get userActivation(): boolean {
+    return this.#userActivation;
+  }
+
+  set userActivation(isActive: boolean) {
+    this.#userActivation = isActive;
   }
 
   /**
@@ -111,7 +119,7 @@ export class MockSerial extends ConnectionTarget {
    */
   async requestPort(options: PortRequestOptions = {}): Promise<MockSerialPort> {
     const converted = convertRequestOptions(options);
-    if (!this.userActivation) {
+    if (!this.#userActivation) {
       throw new DOMException('Must be handling a user gesture to show a permission request.', 'SecurityError');
     }
     const isOffered = offered(converted);

@@ -53,6 +53,7 @@ export class Transmitter {
   /** The standard's [[writable]]. */
   stream: WritableStream<Uint8Array> | null = null;
   #controller: WritableStreamDefaultController | null = null;
+  #hasBegun = false;
   #operation: Operation | null = null;
   /** What the buffer had room for of each chunk when the page wrote it, in the order of the writes. */
   #heads: Uint8Array[] = [];
@@ -91,6 +92,10 @@ export class Transmitter {
       {
         start: (controller) => {
           this.#controller = controller;
+          this.#hasBegun = false;
+          queueMicrotask(() => {
+            this.#hasBegun = true;
+          });
           controller.signal.addEventListener('abort', () => this.#operation?.reject(controller.signal.reason));
         },
         write: (chunk) => this.#write(chunk),
@@ -129,16 +134,16 @@ export class Transmitter {
   }
 
   /**
-   * The stream asks for the size inside the page's `write()`. So the bytes for which there is room are copied here: the
-   * page may use its array again at once. Not ByteLengthQueuingStrategy: a chunk of the wrong type must reach the
-   * standard's own error.
+   * The stream asks for the size inside the page's `write()`. So the bytes for which there is room are copied here,
+   * once the stream has begun: the page may use its array again at once. Not ByteLengthQueuingStrategy: a chunk of the
+   * wrong type must reach the standard's own error.
    */
   #sizeOf(chunk: unknown): number {
     let bytes: Uint8Array = new Uint8Array();
     try {
       bytes = bytesOf(chunk);
     } catch {}
-    const isNext = this.#heads.length === 0 && !this.#operation;
+    const isNext = this.#hasBegun && this.#heads.length === 0 && !this.#operation;
     this.#heads.push(bytes.slice(0, isNext ? this.#capacity - this.#held : 0));
     return bytes.length;
   }
@@ -148,7 +153,12 @@ export class Transmitter {
     bytesOf(chunk);
     if (this.#spared) {
       this.#spared = false;
-      if (this.#follows('lostWriteEndsStream')) queueMicrotask(() => this.#endByItself());
+      if (!this.#follows('lostWriteEndsStream')) return;
+      this.#fatal = true;
+      queueMicrotask(() => {
+        this.abandon();
+        this.#replaceStream();
+      });
       return;
     }
     let done = 0;
@@ -162,16 +172,12 @@ export class Transmitter {
         const piece = bytes.slice(done, done + room);
         done += piece.length;
         if (this.#failure) this.#failure.after -= piece.length;
-        this.#accept(piece);
+        this.#waiting.push(piece);
+        this.#held += piece.length;
+        this.#pump();
       }
       this.#operation?.resolve();
     });
-  }
-
-  #endByItself(): void {
-    this.#fatal = true;
-    this.#controller?.error(streamError('lost'));
-    this.#replaceStream();
   }
 
   async #drain(): Promise<void> {
@@ -220,32 +226,20 @@ export class Transmitter {
 
   /** Fails the operation if the device is gone, or a test asked for a failure. */
   #failed(): boolean {
-    if (this.#gone) {
+    if (!this.#gone && this.#failure?.after !== 0) return false;
+    const error = this.#gone ? 'lost' : (this.#failure?.error as WriteErrorKind | Error);
+    if (!this.#gone) this.#failure = null;
+    if (error === 'lost') {
+      this.#gone = true;
       this.#fatal = true;
-      this.#fail(streamError('lost'));
-    } else if (this.#failure?.after === 0) {
-      const { error } = this.#failure;
-      this.#failure = null;
-      if (error === 'lost') {
-        this.#gone = true;
-        this.#fatal = true;
-      }
-      this.#fail(typeof error === 'string' ? streamError(error) : error);
-    } else {
-      return false;
     }
+    this.#fail(typeof error === 'string' ? streamError(error) : error);
     return true;
   }
 
   #fail(error: Error): void {
     this.#operation?.reject(error);
     this.#replaceStream();
-  }
-
-  #accept(bytes: Uint8Array): void {
-    this.#waiting.push(bytes);
-    this.#held += bytes.length;
-    this.#pump();
   }
 
   /** Moves bytes from the buffer to the line: on a free cable all, on any other a chunk for each read of the device. */

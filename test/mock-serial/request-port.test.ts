@@ -19,43 +19,10 @@ const SERIAL_PORT_PROFILE = '00001101-0000-1000-8000-00805f9b34fb';
 const CUSTOM = '01234567-89ab-cdef-0123-456789abcdef';
 
 describe('requestPort() method', () => {
-  test('step 3: SecurityError without user activation, whatever the filters', async () => {
-    const serial = new MockSerial();
-    serial.choose(serial.plug());
-    expect(await failure(serial.requestPort())).toBe('SecurityError');
-    expect(await failure(serial.requestPort({ filters: [{}] }))).toBe('SecurityError');
-    serial.userActivation = true;
-    await serial.requestPort();
-  });
-
   test('step 3: user activation is not used up, and the same port is the same object', async () => {
     const { serial, port } = clicked();
     expect(await serial.requestPort()).toBe(port);
     expect(await serial.requestPort()).toBe(port);
-  });
-
-  test.each([
-    ['an empty one', {}],
-    ['a product without its vendor', { usbProductId: 1 }],
-    ['a vendor beside a service class', { usbVendorId: 1, bluetoothServiceClassId: SERIAL_PORT_PROFILE }],
-    ['a product beside a service class', { usbProductId: 1, bluetoothServiceClassId: SERIAL_PORT_PROFILE }],
-    ['an invalid service class', { bluetoothServiceClassId: 'serial' }],
-    ['a service class in capitals', { bluetoothServiceClassId: CUSTOM.toUpperCase() }],
-  ])('step 4: TypeError when a filter is %s', async (_, filter) => {
-    const { serial } = clicked({ usbVendorId: 1, usbProductId: 1 });
-    expect(await failure(serial.requestPort({ filters: [{ usbVendorId: 1 }, filter] }))).toBe('TypeError');
-    expect(await serial.getPorts()).toEqual([]);
-  });
-
-  test('TypeError when an allowed service class is not valid', async () => {
-    const { serial } = clicked();
-    expect(await failure(serial.requestPort({ allowedBluetoothServiceClassIds: ['x'] }))).toBe('TypeError');
-  });
-
-  test('step 5: NotFoundError when the user chooses nothing', async () => {
-    const { serial } = clicked();
-    serial.choose(null);
-    expect(await failure(serial.requestPort())).toBe('NotFoundError');
   });
 
   test('step 5: the user may take time to choose', async () => {
@@ -148,15 +115,6 @@ describe('getPorts() method', () => {
     expect(ports[1]).toBe(remembered);
     expect((await serial.getPorts())[0]).toBe(port);
   });
-
-  test('leaves out what is unplugged', async () => {
-    const serial = new MockSerial();
-    const port = serial.plug({}, { granted: true });
-    serial.unplug(port);
-    expect(await serial.getPorts()).toEqual([]);
-    serial.replug(port, { samePort: true });
-    expect(await serial.getPorts()).toEqual([port]);
-  });
 });
 
 describe('getInfo() method', () => {
@@ -178,31 +136,6 @@ describe('getInfo() method', () => {
 });
 
 describe('forget() method', () => {
-  test('step 2: the site may no longer use the port', async () => {
-    const { serial, port } = clicked();
-    await serial.requestPort();
-    await port.forget();
-    expect(await serial.getPorts()).toEqual([]);
-  });
-
-  test('open() then fails with NetworkError, until the user chooses the port again', async () => {
-    const { serial, port } = clicked();
-    await port.forget();
-    expect(await failure(port.open({ baudRate: 9600 }))).toBe('NetworkError');
-    await serial.requestPort();
-    await port.open({ baudRate: 9600 });
-  });
-
-  test('the state is no longer open: InvalidStateError from close(), setSignals() and getSignals()', async () => {
-    const { port } = clicked();
-    await port.open({ baudRate: 9600 });
-    await port.forget();
-    expect(await failure(port.close())).toBe('InvalidStateError');
-    expect(await failure(port.setSignals({ break: true }))).toBe('InvalidStateError');
-    expect(await failure(port.getSignals())).toBe('InvalidStateError');
-    expect(port.device.signals.dataTerminalReady).toBe(false);
-  });
-
   test('notes at readable and writable: running operations fail as if the device were lost', async () => {
     const { port } = clicked();
     await port.open({ baudRate: 9600, bufferSize: 1 });
@@ -213,28 +146,5 @@ describe('forget() method', () => {
     expect(await failures).toEqual(['NetworkError', 'NetworkError']);
     expect(port.readable).toBeNull();
     expect(port.writable).toBeNull();
-  });
-
-  test('streams that nobody uses end as well', async () => {
-    const { port } = clicked();
-    await port.open({ baudRate: 9600 });
-    const reader = port.readable?.getReader();
-    const writer = port.writable?.getWriter();
-    await port.forget();
-    expect(await failure(reader?.read() as Promise<unknown>)).toBe('NetworkError');
-    expect(await failure(writer?.write(Uint8Array.of(1)) as Promise<unknown>)).toBe('NetworkError');
-  });
-
-  test('does not fire disconnect', async () => {
-    const { serial, port } = clicked();
-    await serial.requestPort();
-    let events = 0;
-    serial.ondisconnect = () => {
-      events++;
-    };
-    await port.forget();
-    serial.unplug(port);
-    await Promise.resolve();
-    expect(events).toBe(0);
   });
 });

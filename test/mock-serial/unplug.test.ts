@@ -3,28 +3,6 @@ import { MockSerial } from '../../src/mock-serial/index.js';
 import { failure, isPending, openPort, reading, settled, writing } from './helper.js';
 
 describe('an open port whose device is unplugged', () => {
-  test('readable: a read that waits fails with NetworkError; then null', async () => {
-    const { serial, port } = await openPort();
-    const read = reading(port)
-      .read()
-      .catch((error) => error);
-    await settled();
-    serial.unplug(port);
-    expect(await read).toMatchObject({ name: 'NetworkError', message: 'The device has been lost.' });
-    expect(port.readable).toBeNull();
-  });
-
-  test('readable: what had arrived is read first', async () => {
-    const { serial, port, device } = await openPort();
-    const reader = reading(port);
-    device.write([1, 2]);
-    await settled();
-    serial.unplug(port);
-    expect((await reader.read()).value).toEqual(Uint8Array.of(1, 2));
-    expect(await failure(reader.read())).toBe('NetworkError');
-    expect(port.readable).toBeNull();
-  });
-
   test('writable: a write that waits fails with NetworkError; then null', async () => {
     const { serial, port } = await openPort({ bufferSize: 1 });
     const written = failure(writing(port).write(Uint8Array.of(1, 2)));
@@ -43,41 +21,6 @@ describe('an open port whose device is unplugged', () => {
     before.serial.unplug(before.port);
     expect(await closed).toBe('NetworkError');
     expect(before.port.writable).toBeNull();
-  });
-
-  test('closes, also when a stream was fetched that nobody has used since', async () => {
-    const { serial, port } = await openPort();
-    serial.unplug(port);
-    expect(port.writable && port.readable).not.toBeNull();
-    await port.close();
-    expect([port.readable, port.writable]).toEqual([null, null]);
-  });
-
-  test('setSignals() and getSignals() fail with NetworkError', async () => {
-    const { serial, port } = await openPort();
-    serial.unplug(port);
-    expect(await failure(port.setSignals({ break: true }))).toBe('NetworkError');
-    expect(await failure(port.getSignals())).toBe('NetworkError');
-  });
-
-  test('close() works once both locks are released, open() when the device is back', async () => {
-    const { serial, port, device } = await openPort();
-    const reader = reading(port);
-    const writer = writing(port);
-    await settled();
-    serial.unplug(port);
-    expect(await failure(port.close())).toBe('TypeError');
-    reader.releaseLock();
-    expect(await failure(port.close())).toBe('TypeError');
-    writer.releaseLock();
-    await port.close();
-    expect(await failure(port.open({ baudRate: 9600 }))).toBe('NetworkError');
-    serial.replug(port, { samePort: true });
-    await port.open({ baudRate: 9600 });
-    device.write([5]);
-    expect((await reading(port).read()).value).toEqual(Uint8Array.of(5));
-    await writing(port).write(Uint8Array.of(6));
-    expect(await device.read()).toEqual(Uint8Array.of(6));
   });
 
   test('does not recover by itself when the device is back', async () => {
@@ -103,6 +46,32 @@ describe('an open port whose device is unplugged', () => {
     port.device.write([2]);
     expect((await reading(port).read()).value).toEqual(Uint8Array.of(2));
   });
+});
+
+test('a Bluetooth port stays the same object, and is known while it is off', async () => {
+  const serial = new MockSerial();
+  const port = serial.plug({ bluetoothServiceClassId: 0x1101 }, { granted: true });
+  serial.unplug(port);
+  expect(await serial.getPorts()).toEqual([port]);
+  expect(serial.replug(port)).toBe(port);
+  await port.open({ baudRate: 9600 });
+});
+
+test('events are fired only for a port that the site may use, and once', async () => {
+  const serial = new MockSerial({ userActivation: true });
+  const seen: string[] = [];
+  serial.onconnect = serial.ondisconnect = ({ type }) => seen.push(type);
+  const port = serial.plug();
+  serial.choose(port);
+  await serial.requestPort();
+  serial.replug(port, { samePort: true });
+  await settled();
+  expect(seen).toEqual([]);
+  serial.unplug(port);
+  serial.unplug(port);
+  expect(seen).toEqual([]);
+  await settled();
+  expect(seen).toEqual(['disconnect']);
 });
 
 describe('the device that is unplugged', () => {

@@ -4,15 +4,6 @@ import { collect, counted, detach, failure, isPending, openPort, settled, writin
 const DATA = counted(8);
 
 describe('writable attribute: writing', () => {
-  test('brings the bytes to the device, chunk by chunk', async () => {
-    const { port, device } = await openPort();
-    const writer = writing(port);
-    void writer.write(DATA);
-    void writer.write(Uint8Array.of(9));
-    expect(await device.read()).toEqual(DATA);
-    expect(await device.read()).toEqual(Uint8Array.of(9));
-  });
-
   test('resolves as soon as the buffer has taken the chunk', async () => {
     const { port, device } = await openPort({ bufferSize: 8 });
     const writer = writing(port);
@@ -35,20 +26,6 @@ describe('writable attribute: writing', () => {
     await port.close();
   });
 
-  test('can be piped to, and what is at the far end of a pipe closes it', async () => {
-    const { port, device } = await openPort();
-    const encoder = new TextEncoderStream();
-    const piped = encoder.readable
-      .pipeThrough(new TransformStream())
-      .pipeTo(port.writable as unknown as WritableStream<Uint8Array>);
-    const writer = encoder.writable.getWriter();
-    void writer.write('Hello world!');
-    expect(new TextDecoder().decode(await device.read())).toBe('Hello world!');
-    await writer.close();
-    await piped;
-    await port.close();
-  });
-
   test('the stream wants as many bytes as the buffer has', async () => {
     const { port } = await openPort({ bufferSize: 100 });
     expect(writing(port).desiredSize).toBe(100);
@@ -56,36 +33,6 @@ describe('writable attribute: writing', () => {
 });
 
 describe('writable attribute: chunks', () => {
-  const data = Uint8Array.of(1, 2, 3, 4);
-  test.each([
-    ['an ArrayBuffer', data.buffer, [1, 2, 3, 4]],
-    ['a view of a part', new Uint8Array(data.buffer, 1, 2), [2, 3]],
-    ['a DataView', new DataView(data.buffer, 2), [3, 4]],
-    ['an array of wider numbers', Uint16Array.of(0x0201), [1, 2]],
-  ])('can be %s', async (_, chunk, bytes) => {
-    const { port, device } = await openPort();
-    await writing(port).write(chunk as Uint8Array);
-    expect([...(await device.read())]).toEqual(bytes);
-  });
-
-  test.each([
-    ['text', 'text'],
-    ['an array of numbers', [1, 2]],
-    ['nothing', undefined],
-    ['null', null],
-    ['shared memory', new Uint8Array(new SharedArrayBuffer(4))],
-    ['what only says that it is a buffer', { [Symbol.toStringTag]: 'ArrayBuffer', byteLength: 2 }],
-  ])('TypeError when it is %s', async (_, chunk) => {
-    const { port, device } = await openPort();
-    expect(await failure(writing(port).write(chunk as Uint8Array))).toBe('TypeError');
-    expect(await isPending(device.read())).toBe(true);
-  });
-
-  test('an empty one is written at once', async () => {
-    const { port } = await openPort();
-    await writing(port).write(new Uint8Array());
-  });
-
   test.each([
     ['an array', (bytes: Uint8Array) => bytes],
     ['a DataView', (bytes: Uint8Array) => new DataView(bytes.buffer)],
@@ -196,19 +143,6 @@ describe('writable attribute: abort', () => {
     await written;
     await port.close();
     expect(port.writable).toBeNull();
-  });
-
-  test('the port can be closed while it goes on', async () => {
-    const { port } = await openPort({ bufferSize: 64 });
-    const writer = writing(port);
-    const closed = (async () => {
-      await expect(writer.write(counted(1024))).rejects.toBe('Aborting.');
-      writer.releaseLock();
-      await port.close();
-      expect(port.writable).toBeNull();
-    })();
-    await writer.abort('Aborting.');
-    await closed;
   });
 
   test('cuts closing short', async () => {

@@ -10,6 +10,7 @@ unasked. One JSON object a line. In, on standard input, whose end is the end of 
     {"do": "hangup"}                    the port fails as with a broken adapter: nothing tells that it has gone
     {"do": "mend"}                      it works again, and nothing tells that either
     {"do": "hold"}, {"do": "release"}   another program has the port open
+    {"do": "break"}, {"do": "parity"}   the page receives a break, a byte of wrong parity
     {"do": "send", "hex": "00 0f"}      bytes to the page
 Out: each of these, when it is done, as {"is": "plug"}, but for "send"; and
     {"is": "ready"}
@@ -33,6 +34,8 @@ from port import Port
 from udev import Adapter
 
 ADDRESS = ("127.0.0.1", 4173)
+# What a driver makes of them for a reader that wants marks (PARMRK).
+MARKS = {"break": b"\xff\0\0", "parity": b"\xff\0A"}
 
 
 class Desk:
@@ -62,7 +65,10 @@ class Desk:
         for line in lines:
             order = json.loads(line)
             what = order.pop("do")
-            getattr(self, what)(**order)
+            if what in MARKS:
+                self.port.damage(MARKS[what])
+            else:
+                getattr(self, what)(**order)
             if what != "send":
                 self._say(what)
 

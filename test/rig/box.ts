@@ -16,7 +16,7 @@ export interface PortSettings {
 }
 
 /** What can be ordered of the box, see box.py. */
-export type Order = 'grant' | 'plug' | 'unplug' | 'hangup' | 'mend' | 'hold' | 'release';
+export type Order = 'grant' | 'plug' | 'unplug' | 'hangup' | 'mend' | 'hold' | 'release' | 'break' | 'parity';
 
 interface BoxEvents {
   data: [bytes: Uint8Array];

@@ -241,7 +241,7 @@ export class Rig {
 }
 
 /** Starts Chromium in the box, with a home of its own. */
-function launchChromium(box: Box, home: string, screen: Screen | undefined): Promise<BrowserContext> {
+export function launchChromium(box: Box, home: string, screen: Screen | undefined): Promise<BrowserContext> {
   return chromium.launchPersistentContext(join(home, 'profile'), {
     executablePath: beside('chromium.sh'),
     headless: !screen,

@@ -11,27 +11,6 @@ const PATIENCE = { timeout: 60_000 };
 const identify = [...encodeRequest({ name: 'GETSWVER' })];
 const identity = [...fromHex('00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45')];
 
-/** Opens the port, asks, reads the answer, closes. */
-function exchange(page: Page): Promise<number[]> {
-  return page.evaluate(
-    async ({ request, size }) => {
-      const [port] = await navigator.serial.getPorts();
-      if (!port) throw new Error('no port');
-      await port.open({ baudRate: 9600 });
-      const writer = port.writable?.getWriter();
-      await writer?.write(Uint8Array.from(request));
-      writer?.releaseLock();
-      const reader = port.readable?.getReader();
-      const got: number[] = [];
-      while (got.length < size) got.push(...((await reader?.read())?.value ?? []));
-      reader?.releaseLock();
-      await port.close();
-      return got;
-    },
-    { request: identify, size: identity.length },
-  );
-}
-
 /** Notes from now on what the page is told of its ports. */
 async function listen(page: Page): Promise<() => Promise<string[]>> {
   await page.evaluate(async () => {
@@ -42,19 +21,6 @@ async function listen(page: Page): Promise<() => Promise<string[]>> {
   });
   return async () => (await page.locator('body').innerText()).match(/(dis)?connect\b/g) ?? [];
 }
-
-const ports = (page: Page) =>
-  page.evaluate(async () => (await navigator.serial.getPorts()).map((port) => port.getInfo()));
-
-test('the policy gives the page the port, and the timer answers at 9600 baud, 1 stop bit', async () => {
-  const rig = await Rig.start();
-  const page = await rig.open();
-  expect(await ports(page)).toEqual([{ usbVendorId: 0x0403, usbProductId: 0x6001 }]);
-  expect(await exchange(page)).toEqual(identity);
-  expect(rig.settings).toEqual({ baudRate: 9600, stopBits: 1, flowControl: 'none' });
-  expect(rig.passed).toEqual({ fromPage: identify, toPage: identity });
-  expect(rig.timer.core.answered).toEqual([{ name: 'GETSWVER' }]);
-});
 
 test('the plug can be pulled after any byte, and no later byte arrives', async () => {
   const rig = await Rig.start();
