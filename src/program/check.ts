@@ -76,7 +76,8 @@ const LONGEST_MOTOR_RUN = 4000;
 const SHORT_DT = 6000;
 /** A DT below this comes while the model still climbs: 180 hundredths were meant as seconds. */
 const DT_IN_CLIMB = 1000;
-const MAX_THROTTLE = 255;
+/** The largest value of each kind that the wire carries. */
+export const MAX_VALUE = { time: MAX_TIME, position: MAX_POSITION, idleThrottle: 255 };
 const USUAL_THROTTLE = 100;
 
 /**
@@ -123,7 +124,7 @@ function carried(program: TimerProgram, field: ProgramField, baseline: TimerProg
   const value = valueAt(program, field);
   if (value === null) return [];
   const kind = field.kind === 'idleThrottle' ? 'throttle' : field.kind;
-  const max = { time: MAX_TIME, position: MAX_POSITION, throttle: MAX_THROTTLE }[kind];
+  const max = MAX_VALUE[field.kind];
   if (!Number.isInteger(value)) return [{ severity: 'error', code: `${kind}-not-whole`, field, params: {} }];
   if (value >= 0 && value <= max) return [];
   if (field.kind === 'position' && baseline && valueAt(baseline, field) === value) {
@@ -229,7 +230,7 @@ function dtPositions({ identity, positions }: TimerProgram): Finding[] {
 
 function throttle({ idleThrottle }: TimerProgram): Finding[] {
   const value = idleThrottle ?? 0;
-  if (value <= USUAL_THROTTLE || value > MAX_THROTTLE) return [];
+  if (value <= USUAL_THROTTLE || value > MAX_VALUE.idleThrottle) return [];
   const params = { limit: USUAL_THROTTLE };
   return [{ severity: 'warning', code: 'throttle-unusual', field: { kind: 'idleThrottle' }, params }];
 }

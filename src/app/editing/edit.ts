@@ -2,13 +2,14 @@ import {
   type FindingCode,
   fieldKey,
   fieldsOf,
+  MAX_VALUE,
   manualRange,
   type ProgramField,
   type TimerProgram,
   valueAt,
   withValue,
 } from '../../program/index.js';
-import { type Identity, MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
+import type { Identity } from '../../protocol/index.js';
 import type { CellField } from './grid.js';
 import type { StepName } from './history.js';
 
@@ -99,10 +100,6 @@ export interface TextOption {
    */
   readonly unreadable?: Pick<ReadonlySet<string>, 'has'> | undefined;
 }
-
-const MAX_THROTTLE = 255;
-/** The largest value of each kind that the wire carries. */
-export const MAX_VALUE = { time: MAX_TIME, position: MAX_POSITION, idleThrottle: MAX_THROTTLE };
 
 /** The step of a value: for a time as in the manual, else a hundredth of a second; 1 for all others. */
 export function stepSize(identity: Identity, field: ProgramField): number {

@@ -1,11 +1,10 @@
-import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { fieldKey, MAX_VALUE, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import {
   type CellValue,
   checked,
   type Edit,
   type EditOutcome,
   type FieldValue,
-  MAX_VALUE,
   type Refusal,
   refusal,
   refusalOf,

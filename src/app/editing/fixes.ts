@@ -1,5 +1,5 @@
-import { type Finding, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import { type FieldValue, MAX_VALUE, stepSize } from './edit.js';
+import { type Finding, MAX_VALUE, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { type FieldValue, stepSize } from './edit.js';
 
 /** The findings about times that do not rise. */
 const OF_ORDER: ReadonlySet<Finding['code']> = new Set(['time-falls', 'time-repeats', 'position-never-reached']);

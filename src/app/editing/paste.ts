@@ -3,12 +3,13 @@ import {
   differences,
   type FindingCode,
   fieldKey,
+  MAX_VALUE,
   type TimerProgram,
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { MAX_CELLS, MAX_CHARACTERS, readTable, type TextCell } from './clipboard-table.js';
-import { type Edit, type FieldValue, MAX_VALUE, refusalOf, setValues, type TextOption, withValues } from './edit.js';
+import { type Edit, type FieldValue, refusalOf, setValues, type TextOption, withValues } from './edit.js';
 import { retime, startOf } from './edits.js';
 import { fieldsIn, type GridField, type GridRange, intervalAt } from './grid.js';
 import type { StepName } from './history.js';

@@ -25,11 +25,7 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
   const { label } = messages.value;
   const { library } = session;
   const { model } = record;
-  const change = (changed: Partial<Model>): void => {
-    // As it is now: a field saves its text late, perhaps when the model was deleted.
-    const now = library.models.get(record.key)?.model;
-    if (now) void library.keepModel({ ...now, ...changed });
-  };
+  const change = (changed: Partial<Model>): void => void library.changeModel(record.key, changed);
   const settings = library.settings.list.value.filter(({ setting }) => setting.model === record.key);
   return (
     <div class="stack gap-4 model-page" key={record.key}>

@@ -53,7 +53,8 @@ export const write = {
   stopping: 'Stopping after this request',
   /** A job that has selected another memory. Disconnect ends it at once. */
   stoppingBack: 'Stopping: first back to the memory from before',
-  verified: { title: 'Verified.', advice: 'The timer was read back and holds what you wrote.' },
+  /** Also where nothing was written, only compared. */
+  verified: { title: 'Verified.', advice: 'The timer was read back and holds what was shown.' },
   verdict: (memory: string, time: string, figures: readonly string[], changes: number) =>
     dotted([`${memory} verified ${time}`, ...figures, plural(changes, 'change', 'changes')]),
   asItIs: 'as it is',

@@ -109,10 +109,10 @@ export class Library {
     return record;
   }
 
-  /** What the servos of a model move. */
-  async sayServos(id: string, servos: Model['servos']): Promise<void> {
+  /** Changes facts of a model as it is now: a field saves its text late, perhaps when the model was deleted. */
+  async changeModel(id: string, changed: Partial<Model>): Promise<void> {
     const model = this.models.get(id)?.model;
-    if (model) await this.keepModel({ ...model, servos });
+    if (model) await this.keepModel({ ...model, ...changed });
   }
 
   /** Removes a model with its settings; see {@link Collection.remove}. What it holds is deleted before it. */

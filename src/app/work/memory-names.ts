@@ -32,5 +32,5 @@ export function nameMemory(session: Pick<Session, 'origin' | 'library'>, memory:
   const memoryNames = [...model.memoryNames];
   while (memoryNames.length <= memory) memoryNames.push('');
   memoryNames[memory] = given;
-  void session.library.keepModel({ ...model, memoryNames });
+  void session.library.changeModel(model.id, { memoryNames });
 }

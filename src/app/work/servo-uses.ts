@@ -13,7 +13,7 @@ interface ServoUsesParts {
   readonly editor: Pick<Editor, 'identity'>;
   readonly onScreen: Pick<OnScreen, 'simulated'>;
   readonly origin: Pick<Origin, 'named'>;
-  readonly library: Pick<Library, 'sayServos'>;
+  readonly library: Pick<Library, 'changeModel'>;
 }
 
 const step = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_POSITION));
@@ -64,7 +64,7 @@ export class ServoUses {
     const kind = this.#kind.peek();
     if (kind === null) return;
     const model = origin.named.peek();
-    if (model) void library.sayServos(model.id, uses ?? []);
+    if (model) void library.changeModel(model.id, { servos: uses ?? [] });
     // Uses that were said before the model was known are removed with it.
     if (model && uses) return;
     this.#said.value = new Map(this.#said.peek()).set(kind, uses);

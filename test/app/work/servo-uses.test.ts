@@ -13,11 +13,11 @@ const timerOf = (timerClass: string) => ({ timerClass, firmware: '536', function
 function opened(timerClass = 'Q') {
   const identity = signal<ReturnType<typeof timerOf> | null>(timerOf(timerClass));
   const named = signal<Model | null>(null);
-  const sayServos = async (_: string, servos: Model['servos']): Promise<void> => {
-    named.value = named.value && { ...named.value, servos };
+  const changeModel = async (_: string, changed: Partial<Model>): Promise<void> => {
+    named.value = named.value && { ...named.value, ...changed };
   };
   const parts = { editor: { identity }, onScreen: { simulated: signal(false) }, origin: { named } };
-  return { identity, named, uses: new ServoUses({ ...parts, library: { sayServos } }) };
+  return { identity, named, uses: new ServoUses({ ...parts, library: { changeModel } }) };
 }
 
 afterEach(() => {
