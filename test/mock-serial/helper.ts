@@ -1,19 +1,7 @@
-import {
-  type MockDevice,
-  MockSerial,
-  type MockSerialPort,
-  type OpenOptions,
-  type PlugOptions,
-} from '../../src/mock-serial/index.js';
-
-export interface OpenPort {
-  readonly serial: MockSerial;
-  readonly port: MockSerialPort;
-  readonly device: MockDevice;
-}
+import { MockSerial, type MockSerialPort, type OpenOptions, type PlugOptions } from '../../src/mock-serial/index.js';
 
 /** A port that is plugged in, granted and open. */
-export async function openPort(options: Partial<OpenOptions> = {}, plug: PlugOptions = {}): Promise<OpenPort> {
+export async function openPort(options: Partial<OpenOptions> = {}, plug: PlugOptions = {}) {
   const serial = new MockSerial();
   const port = serial.plug({ usbVendorId: 1, usbProductId: 2 }, { granted: true, ...plug });
   await port.open({ baudRate: 9600, ...options });

@@ -88,11 +88,13 @@ export const READ: readonly Probe[] = [
     await send(4);
     return next(reader());
   }),
-  opened('close() while cancel() goes on', 'done done null', async ({ port, reader, how }) => {
+  opened('close() while cancel() goes on', 'end done done null', async ({ port, reader, next, how }) => {
     const one = reader();
+    const read = next(one);
     const cancelled = how(one.cancel());
+    const said = await read;
     one.releaseLock();
-    return [await how(port.close()), await cancelled, port.readable];
+    return [said, await how(port.close()), await cancelled, port.readable];
   }),
   opened('a break: bytes, BreakError, a new stream', '[1,2] BreakError false [3]', async (lab) => {
     const { readable } = lab.port;

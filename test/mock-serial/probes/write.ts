@@ -106,6 +106,7 @@ export const WRITE: readonly Probe[] = [
   }),
   opened('close() of the port while abort() goes on', 'done done null', async ({ port, writer, how }) => {
     const one = writer();
+    one.write(new Uint8Array(1024)).catch(() => {});
     const aborted = how(one.abort());
     one.releaseLock();
     return [await how(port.close()), await aborted, port.writable];
