@@ -132,6 +132,10 @@ export interface Flight {
   readonly round: string;
   /** The flight time in seconds, 0 to 36,000; null when nobody noted it. */
   readonly result: number | null;
+  /** The longest time that counts in its round, in seconds, 1 to 36,000. Missing where the pilot has not said it. */
+  readonly maximum?: number;
+  /** True where the pilot has chosen this flight among several of its round. By default the last result counts. */
+  readonly counts?: boolean;
   /** Up to 5000 characters. */
   readonly note: string;
 }
@@ -216,7 +220,7 @@ export function requireFlight(value: unknown, path = 'flight'): Flight {
   return {
     id: id(of.id, `${path}.id`),
     at: date(of.at, `${path}.at`),
-    ...offset(of.utcOffset, `${path}.utcOffset`),
+    ...known('utcOffset', of.utcOffset, (value) => whole(value, `${path}.utcOffset`, -FARTHEST, FARTHEST)),
     place: text(of.place, `${path}.place`, LIMITS.place),
     model: optional(of.model, (given) => id(given, `${path}.model`)),
     modelName: text(of.modelName, `${path}.modelName`, LIMITS.name),
@@ -227,6 +231,8 @@ export function requireFlight(value: unknown, path = 'flight'): Flight {
     temperature: measured(of.temperature, `${path}.temperature`, -50, 60),
     round: text(of.round, `${path}.round`, LIMITS.round),
     result: measured(of.result, `${path}.result`, 0, 36_000),
+    ...known('maximum', of.maximum, (value) => measured(value, `${path}.maximum`, 1, 36_000) as number),
+    ...known('counts', of.counts, (value) => flag(value, `${path}.counts`)),
     note: text(of.note, `${path}.note`, LIMITS.note),
   };
 }
@@ -234,8 +240,9 @@ export function requireFlight(value: unknown, path = 'flight'): Flight {
 /** The farthest that a clock is from UTC, in minutes: 14 hours, on the Line Islands. */
 const FARTHEST = 840;
 
-function offset(value: unknown, path: string): Pick<Flight, 'utcOffset'> {
-  return value === undefined || value === null ? {} : { utcOffset: whole(value, path, -FARTHEST, FARTHEST) };
+/** A field that is missing where nothing is known. */
+function known<N extends string, T>(name: N, value: unknown, check: (value: unknown) => T): { [K in N]?: T } {
+  return value === undefined || value === null ? {} : ({ [name]: check(value) } as { [K in N]?: T });
 }
 
 /**

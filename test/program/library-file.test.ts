@@ -196,6 +196,18 @@ describe('a library file', () => {
     expect(Object.keys(parseLibraryFile(TEXT).library.flights[0] ?? {})).not.toContain('utcOffset');
   });
 
+  it('keeps what counts of a flight, which may be missing', () => {
+    for (const counted of [{ maximum: 180 }, { maximum: 1, counts: true }, { maximum: 36_000, counts: false }]) {
+      const flights = [{ ...FLIGHT, ...counted }];
+      const text = formatLibraryFile({ ...LIBRARY, flights }, HEAD);
+      expect(parseLibraryFile(text)).toMatchObject({ library: { flights }, ignored: [] });
+      expect(breach(schema, JSON.parse(text))).toBeUndefined();
+    }
+    const { maximum, counts } = parseLibraryFile(TEXT).library.flights[0] ?? {};
+    expect([maximum, counts]).toEqual([undefined, undefined]);
+    expect(TEXT).not.toMatch(/"maximum"|"counts"/);
+  });
+
   it('must not have an id twice', () => {
     const twice = { ...LIBRARY, settings: [SETTING, { ...SETTING, name: 'the same' }] };
     expect(() => formatLibraryFile(twice, HEAD)).toThrowError(

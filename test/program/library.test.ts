@@ -71,6 +71,10 @@ describe.each([
   [requireFlight, FLIGHT, { wind: 51 }, 'out-of-range flight.wind'],
   [requireFlight, FLIGHT, { temperature: -51 }, 'out-of-range flight.temperature'],
   [requireFlight, FLIGHT, { result: '180' }, 'wrong-type flight.result'],
+  [requireFlight, FLIGHT, { maximum: 0.5 }, 'out-of-range flight.maximum'],
+  [requireFlight, FLIGHT, { maximum: 36_001 }, 'out-of-range flight.maximum'],
+  [requireFlight, FLIGHT, { maximum: '180' }, 'wrong-type flight.maximum'],
+  [requireFlight, FLIGHT, { counts: 1 }, 'wrong-type flight.counts'],
   [requireFlight, FLIGHT, { utcOffset: 841 }, 'out-of-range flight.utcOffset'],
   [requireFlight, FLIGHT, { utcOffset: -841 }, 'out-of-range flight.utcOffset'],
   [requireFlight, FLIGHT, { utcOffset: 60.5 }, 'not-an-integer flight.utcOffset'],
@@ -90,6 +94,7 @@ test('an empty field may be missing', () => {
     expect(requireSetting({ ...SETTING, model: nothing })).toEqual({ ...SETTING, model: null });
     const alone = requireFlight({ ...FLIGHT, model: nothing, setting: nothing });
     expect(alone).toEqual({ ...FLIGHT, model: null, setting: null });
+    expect(Object.keys(requireFlight({ ...FLIGHT, maximum: nothing, counts: nothing }))).toEqual(Object.keys(FLIGHT));
     const program = { ...SETTING.program, memory: nothing, idleThrottle: nothing };
     expect(requireProgram(program)).toEqual({ ...SETTING.program, memory: null, idleThrottle: null });
   }
