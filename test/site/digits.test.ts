@@ -1,5 +1,7 @@
 import { expect, test } from 'vitest';
+import { flightMessages } from '../../src/app/messages/en-flights.js';
 import { AppPage } from './app-page.js';
+import { contestDay, fillLibrary } from './library.js';
 import { PHONE } from './page.js';
 
 const WIDTHS = [160, 195, 240, 260, 320, 360, 400];
@@ -82,4 +84,20 @@ test.each([3, 8])('no digit of a program with %i servos is cut off on any phone'
   await app.goTo('Memories');
   await app.page.locator('.memory-card').first().waitFor();
   await expectWhole(app, 'the memories');
+});
+
+test('no digit of a score card is cut off on any phone', async () => {
+  const app = await AppPage.open(PHONE);
+  const long = { round: '12', result: 1234.56, maximum: 234.56, modelName: 'W'.repeat(60) };
+  const flights = contestDay().map((record, at) =>
+    at === 0 ? { ...record, flight: { ...record.flight, ...long } } : record,
+  );
+  await fillLibrary(app, { models: [], settings: [], flights });
+  await app.page.evaluate(() => location.assign('#library/flights'));
+  await app.reload();
+  await app.button(flightMessages.score.open).click();
+  await app.field(flightMessages.score.maximum).waitFor();
+  // The rows of the log, whose figures do not break, are not the card.
+  await app.page.locator('.flight-day > ul').evaluate((rows: HTMLElement) => rows.style.setProperty('display', 'none'));
+  await expectWhole(app, 'the score card');
 });

@@ -4,7 +4,9 @@ import { en } from '../../src/app/messages/en.js';
 import { flightMessages } from '../../src/app/messages/en-flights.js';
 import { meant, readCsv } from '../app/flights/csv-reader.js';
 import { AppPage } from './app-page.js';
-import { fillLibrary } from './library.js';
+import { contestDay, fillLibrary } from './library.js';
+import { PHONE } from './page.js';
+import { pagesOf } from './pdf.js';
 
 test('a flight is logged with one tap, filled in, kept, found again and exported; a short DT is put back', async () => {
   const app = await AppPage.open({ locale: 'en-GB', timezoneId: 'Europe/Budapest' });
@@ -86,6 +88,58 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await trimmed.waitFor({ state: 'detached' });
   await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
   await trimmed.waitFor();
+});
+
+test.each([
+  ['desktop', {}],
+  ['phone', PHONE],
+])('on a %s a contest day becomes a card with its maxima, which is copied and printed', async (_, size) => {
+  const permissions = ['clipboard-read', 'clipboard-write'];
+  const app = await AppPage.open({ ...size, locale: 'de-AT', permissions });
+  const { page } = app;
+  await fillLibrary(app, { models: [], settings: [], flights: contestDay() });
+  await page.evaluate(() => location.assign('#library/flights'));
+  await app.reload();
+  const { score: words } = flightMessages;
+  await app.button(words.open).click();
+  await app.field(words.maximum).click();
+  await page.keyboard.type("3'00");
+  await page.keyboard.press('Enter');
+  await expect.poll(() => app.field(words.maximumOf('Round 2')).inputValue()).toBe('180');
+  await app.field(words.maximumOf('Round 1')).fill('4:00');
+  // Leaving the field by a tap elsewhere takes it.
+  await app.button(words.count).click();
+  await page
+    .getByRole('row', { name: /^Total/ })
+    .getByText('390', { exact: true })
+    .waitFor();
+  await app.button(words.count).click();
+  const total = page.getByRole('row', { name: /^Total/ }).getByText('411.5', { exact: true });
+  await total.waitFor();
+  await app.button(words.copy).click();
+  await page.getByText(en.copied).waitFor();
+  expect((await page.evaluate(() => navigator.clipboard.readText())).split(/\r?\n/)).toEqual([
+    'Sat, 2 May 2026',
+    'Gyula',
+    'Lancer',
+    '',
+    'Round\tResult\tMaximum\tCounted',
+    '1\t240\t240\t240',
+    '2\t150\t\tnot counted',
+    '2\t171,5\t180\t171,5',
+    '3\t\t180\tno result',
+    'Total\t\t\t411,5',
+    'Fly-off\t300\t\t300',
+  ]);
+  const [paper, ...more] = await pagesOf(await page.pdf());
+  expect(more.length, 'a day is on one page').toBe(0);
+  for (const shown of [words.total, '411.5', 'Gyula']) expect(paper?.text).toContain(shown);
+  expect(paper?.text).not.toContain(words.copy);
+
+  await app.reload();
+  await app.button(words.open).click();
+  await total.waitFor();
+  await expect.poll(() => app.field(words.maximumOf('Round 1')).inputValue()).toBe('240');
 });
 
 test('a log of 1,000 flights is scrolled to its end, where one is changed', async () => {

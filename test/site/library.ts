@@ -1,4 +1,6 @@
 import type { Records } from '../../src/app/library/files/import-plan.js';
+import type { FlightRecord } from '../../src/app/storage/index.js';
+import { programOf } from '../app/programs.js';
 import type { AppPage } from './app-page.js';
 
 /** Puts a library into the storage of the page, as if earlier visits had left it there. */
@@ -17,6 +19,18 @@ export async function fillLibrary({ page }: AppPage, records: Records): Promise<
     });
     database.close();
   }, records);
+}
+
+/** Flights of a contest: one round was flown twice, one is not filled in, and there is a fly-off. */
+export function contestDay(): FlightRecord[] {
+  const program = programOf('Q', [1000, 30, 100, 300, 18_000]);
+  const nothing = { model: null, setting: null, settingName: '', wind: null, temperature: null, note: '' };
+  return ['1 240', '2 150', '2 171.5', '3 ', 'fly-off 300'].map((text, at) => {
+    const [round = '', result] = text.split(' ');
+    const when = { at: Date.UTC(2026, 4, 2, 8 + at), utcOffset: 120, place: 'Gyula', modelName: 'Lancer' };
+    const flight = { id: `f${at}`, ...when, ...nothing, program, round, result: result ? Number(result) : null };
+    return { key: flight.id, flight, changedAt: 0 };
+  });
 }
 
 /** Chooses a file to import in the library, as a pilot does. */

@@ -515,6 +515,25 @@ export const states = {
       await press(page, 'Done');
     },
   },
+  scoreCard: {
+    title: 'The score card of a day',
+    reach: async (page) => {
+      await connect(page);
+      await goTo(page, 'library/flights');
+      for (const flown of ['1 4:00', '2 2:31', '2 2:58,5', '3 ', 'Fly-off 5:12']) {
+        const [round = '', result = ''] = flown.split(' ');
+        await press(page, 'Flying this');
+        await press(page, 'Fill in');
+        const form = page.getByRole('dialog', { name: 'Flight' });
+        await form.getByRole('textbox', { name: 'Result' }).fill(result);
+        await form.getByRole('button', { name: round, exact: true }).click();
+        await form.getByRole('button', { name: 'Done' }).click();
+      }
+      await press(page, 'Score card');
+      await enter(page, 'Maximum of each round', '3:00');
+      await enter(page, 'Maximum of Round 1', '4:00');
+    },
+  },
   print: {
     title: 'The sheet of what is on the screen',
     reach: async (page) => {

@@ -18,6 +18,8 @@ export interface FlightFilter {
   /** Words that must stand somewhere in the texts of a flight. */
   readonly text: string;
   readonly period: Period;
+  /** The key of the day and place whose score card is shown; null for none. */
+  readonly day: string | null;
 }
 
-export const NO_FILTER: FlightFilter = { of: null, text: '', period: 'all' };
+export const NO_FILTER: FlightFilter = { of: null, text: '', period: 'all', day: null };

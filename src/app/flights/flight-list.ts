@@ -30,13 +30,14 @@ export interface FlightDay {
  * @param now milliseconds since 1970, because periods end today.
  */
 export function filtered(records: readonly FlightRecord[], filter: FlightFilter, now: number): readonly FlightRecord[] {
-  const { of } = filter;
+  const { of, day } = filter;
   const from = beginOf(filter.period, now);
   const isFound = searchFor(filter.text);
   return records.filter((record) => {
     const { flight } = record;
     if (of && flight[of.kind] !== of.id) return false;
     if (flight.at < from) return false;
+    if (day !== null && dayKey(flight) !== day) return false;
     return filter.text === '' || isFound(textOf(record));
   });
 }
@@ -46,12 +47,16 @@ export function grouped(records: readonly FlightRecord[]): readonly FlightDay[] 
   const days = new Map<string, { place: string; latest: When; records: FlightRecord[] }>();
   for (const record of records) {
     const { place } = record.flight;
-    const key = `${dayOf(record.flight)} ${place}`;
+    const key = dayKey(record.flight);
     const day = days.get(key);
     if (day) day.records.push(record);
     else days.set(key, { place, latest: record.flight, records: [record] });
   }
   return [...days].map(([key, day]) => ({ key, ...day }));
+}
+
+function dayKey(flight: Flight): string {
+  return `${dayOf(flight)} ${flight.place}`;
 }
 
 /** What the model of a flight flew before it, by the key of the flight. Of a flight without a model nobody knows. */
@@ -77,8 +82,14 @@ export function totalsOf(records: readonly FlightRecord[]): Totals {
 }
 
 /** Whether it reached the maximum of a numbered round. A fly-off goes on past it. */
-export function isFull({ round, result }: Pick<Flight, 'round' | 'result'>): boolean {
-  return /^\d/.test(round.trim()) && result !== null && result >= ROUND_MAXIMUM;
+export function isFull({ round, result, maximum }: Flight, ofDay: number | null): boolean {
+  return roundNumber(round) !== null && result !== null && result >= (maximum ?? ofDay ?? ROUND_MAXIMUM);
+}
+
+/** The number of a round such as “3”, “3.” or “3/5”; null for one with letters, such as a fly-off, and for none. */
+export function roundNumber(round: string): number | null {
+  const [number] = /^\d+(?!.*\p{L})/u.exec(round.trim()) ?? [];
+  return number === undefined ? null : Number(number);
 }
 
 /** The round after one: “4” after “3”, “fly-off 2” after “fly-off 1”. Empty after one without a number. */

@@ -1,9 +1,10 @@
 import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
 import * as v from 'valibot';
-import { differences, type Flight, LIMITS, sameLayout, type TimerProgram } from '../../program/index.js';
+import { differences, type Flight, LIMITS, requireFlight, sameLayout, type TimerProgram } from '../../program/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { changesSince } from '../editing/content.js';
 import { messages } from '../messages/index.js';
+import { changeTime } from '../records/collection.js';
 import { newId } from '../records/library.js';
 import { beginningOf } from '../records/plain-names.js';
 import type { SettingRecord } from '../storage/index.js';
@@ -19,6 +20,13 @@ type Flown = Pick<Flight, 'program' | 'model' | 'modelName' | 'setting' | 'setti
 /** The setting that keeps the pilot's last place. */
 const PLACE = 'flight-place';
 const place = v.pipe(v.string(), v.maxLength(LIMITS.place));
+
+/** What counts of a flight. Null takes back what was said. */
+export interface FlightScore {
+  readonly id: string;
+  readonly maximum?: number | null;
+  readonly counts?: boolean | null;
+}
 
 type LogParts = Pick<
   Session,
@@ -148,6 +156,18 @@ export class FlightLog {
     const isOld = dayOf(flight) < dayOf(library.flights.list.peek()[0]?.flight ?? flight);
     if (changes.place !== undefined && !isOld) saveSetting(PLACE, changes.place);
     await library.keepFlight({ ...flight, ...changes });
+  }
+
+  /** Says what counts of several flights, in one step. */
+  async score(scores: readonly FlightScore[]): Promise<void> {
+    const { flights } = this.#parts.library;
+    const changed = scores.flatMap((score) => {
+      const before = flights.get(score.id);
+      return before
+        ? { ...before, flight: requireFlight({ ...before.flight, ...score }), changedAt: changeTime(before) }
+        : [];
+    });
+    await flights.save(...changed);
   }
 
   /** Removes a flight from the log. Can be undone for some seconds. */

@@ -9,6 +9,8 @@ import { type FlightDay, isFull } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { changedText, clockOf, dayHeading, resultText } from './flight-text.js';
 import { measureText } from './measures.js';
+import { scoreOf } from './score.js';
+import { ScoreCard } from './score-card.js';
 import './flight-rows.css';
 
 interface FlightRowsProps {
@@ -21,20 +23,44 @@ interface FlightRowsProps {
 
 /** The flights by day and place. The browser skips the drawing of those far from the window. */
 export function FlightRows({ days, before, ...props }: FlightRowsProps) {
-  const { totals } = flightMessages;
+  const { totals, score: words } = flightMessages;
+  const { log } = props;
+  const { day, of } = log.filter.value;
   return (
     <div class="stack">
       {days.map(({ key, latest, place, records }) => {
         const title = dotted([dayHeading(latest), place]);
+        const score = scoreOf(records.map(({ flight }) => flight));
+        const isOpen = day === key;
         return (
           <section class="flight-day" key={key} aria-label={title}>
-            <h2>
-              <span>{title}</span> {/* Of a single day, the totals above say the same. */}
-              {days.length > 1 && <small>{totals.flights(records.length)}</small>}
-            </h2>
+            <div class="row">
+              <h2>
+                <span>{title}</span> {/* Of a single day, the totals above say the same. */}
+                {days.length > 1 && <small>{totals.flights(records.length)}</small>}
+              </h2>
+              {(isOpen || records.some(({ flight }) => flight.round.trim() !== '')) && (
+                <button
+                  type="button"
+                  class="chip"
+                  aria-pressed={isOpen}
+                  // Of one model, but not of one program: a part of its flights would have a wrong total.
+                  onClick={() => log.showOnly({ of: of?.kind === 'model' ? of : null, day: isOpen ? null : key })}
+                >
+                  {words.open}
+                </button>
+              )}
+            </div>
+            {isOpen && <ScoreCard score={score} log={log} />}
             <ul class="ruled">
               {records.map((record) => (
-                <Row key={record.key} record={record} before={before.get(record.key)} {...props} />
+                <Row
+                  key={record.key}
+                  record={record}
+                  before={before.get(record.key)}
+                  ofDay={score.maximum}
+                  {...props}
+                />
               ))}
             </ul>
           </section>
@@ -47,12 +73,14 @@ export function FlightRows({ days, before, ...props }: FlightRowsProps) {
 interface RowProps extends Pick<FlightRowsProps, 'shortDt' | 'log'> {
   readonly record: FlightRecord;
   readonly before: TimerProgram | undefined;
+  /** The maximum of its day. */
+  readonly ofDay: number | null;
 }
 
 /** Only a flight that changes is drawn again: a season is long, and its programs are compared. */
 const Row = memo(RowContent);
 
-function RowContent({ record: { key, flight }, before, shortDt, log }: RowProps) {
+function RowContent({ record: { key, flight }, before, ofDay, shortDt, log }: RowProps) {
   const { row: words } = flightMessages;
   const { wind, temperature, round, result, note, program } = flight;
   const facts = [
@@ -75,7 +103,7 @@ function RowContent({ record: { key, flight }, before, shortDt, log }: RowProps)
           {result === null ? (
             <small>{words.noResult}</small>
           ) : (
-            <b class={isFull(flight) ? 'full' : undefined}>{resultText(result)}</b>
+            <b class={isFull(flight, ofDay) ? 'full' : undefined}>{resultText(result)}</b>
           )}
           {shortDt.isShort(program) && (
             <small class="bad-text">

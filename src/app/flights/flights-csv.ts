@@ -57,13 +57,18 @@ function cellsOf(flight: Flight, { decimal }: Marks): Readonly<Record<CsvColumn,
     temperature: number(flight.temperature),
     round: text(flight.round),
     result: number(flight.result),
+    maximum: number(flight.maximum ?? null),
     note: text(flight.note),
   };
 }
 
 /** A text is always in quotes: otherwise the other separator would begin a new cell. */
 function text(value: string): string {
-  return value === '' ? '' : quoted(FORMULA.test(value) ? `'${value}` : value);
+  return value === '' ? '' : quoted(noFormula(value));
+}
+
+export function noFormula(value: string): string {
+  return FORMULA.test(value) ? `'${value}` : value;
 }
 
 function quoted(value: string): string {

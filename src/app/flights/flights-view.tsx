@@ -70,7 +70,8 @@ export function FlightsView({ session, log }: FlightsViewProps) {
       )}
       {list.value.length > 0 && (
         <>
-          {(list.value.length >= MANY || filter !== NO_FILTER) && <FilterBar log={log} />}
+          {/* A part of a day would have a wrong total. */}
+          {filter.day === null && (list.value.length >= MANY || filter !== NO_FILTER) && <FilterBar log={log} />}
           <div class="row flights-sum">
             <TotalsLine records={shown} />
             {shown.length < list.value.length && (

@@ -13,8 +13,11 @@ export const RANGES = {
   wind: { min: 0, max: 50, first: 2 },
   temperature: { min: -50, max: 60, first: 15 },
   result: { min: 0, max: 36_000, first: 180 },
+  /** The longest result that counts. */
+  maximum: { min: 1, max: 36_000, first: 180 },
 } as const;
-export type Measure = keyof typeof RANGES;
+/** Those that the form of a flight has. */
+export type Measure = Exclude<keyof typeof RANGES, 'maximum'>;
 
 /** A number; null for an empty text; the two or more that a text may mean; or why it is no number. */
 export type ReadMeasure =
@@ -33,10 +36,13 @@ const UNITS: Readonly<Record<Exclude<Measure, 'result'>, RegExp>> = {
  * Reads `3`, `3,5`, `-2.5`, `4 m/s`, `12 °C`; a result also as `2:58`, `2'58`, `2 58`, `2m58s`
  * and `3 min`. A result of `2.58` may be minutes and seconds, or seconds. Empty text: nothing noted.
  */
-export function readMeasure(measure: Measure, text: string): ReadMeasure {
+export function readMeasure(measure: keyof typeof RANGES, text: string): ReadMeasure {
   const trimmed = plainDigits(text);
   if (trimmed === '') return { value: null };
-  const read = measure === 'result' ? readResult(trimmed) : readNumber(trimmed.replace(UNITS[measure], ''));
+  const read =
+    measure === 'result' || measure === 'maximum'
+      ? readResult(trimmed)
+      : readNumber(trimmed.replace(UNITS[measure], ''));
   if ('unreadable' in read || read.value === null) return read;
   const { min, max } = RANGES[measure];
   return read.value < min || read.value > max ? { unreadable: 'out-of-range' } : read;

@@ -71,6 +71,20 @@ export const flightMessages = {
     range: (min: number, max: number, unit: string) => `${min} to ${max} ${unit}.`,
     shortDt: (dt: string) => `DT was ${dt} on this flight.`,
   },
+  score: {
+    open: 'Score card',
+    /** The maximum of the day. */
+    maximum: 'Maximum of each round',
+    none: 'Without a maximum each result counts in full.',
+    /** @param round such as “Round 3”. */
+    maximumOf: (round: string) => `Maximum of ${round}`,
+    counted: 'Counted (s)',
+    notCounted: 'not counted',
+    count: 'Count this',
+    noRound: 'no round',
+    total: 'Total',
+    copy: 'Copy as text',
+  },
   csv: {
     save: 'Save as a table (CSV)',
     columns: {
@@ -88,6 +102,7 @@ export const flightMessages = {
       temperature: 'Temperature (°C)',
       round: 'Round',
       result: 'Result (s)',
+      maximum: 'Maximum (s)',
       note: en.label.note,
     },
   },

@@ -29,6 +29,7 @@ const anyFilter: fc.Arbitrary<FlightFilter> = fc.record({
   } as const),
   text: fc.constantFrom('', 'a', 'gyu 1', 'É'),
   period: fc.constantFrom(...PERIODS),
+  day: fc.constantFrom(null, '2026-01-10 Wiese', '2026-01-11 '),
 });
 
 describe('the filter of the log', () => {

@@ -58,13 +58,14 @@ describe('the table of flights', () => {
       temperature: -2.5,
       wind: 3.5,
       result: 178.25,
+      maximum: 180.5,
       note: '=HYPERLINK("x")',
     };
     const [head, row] = flightsCsv([flight], marksOf('de')).split('\r\n');
     expect(head).toBe(
-      '\uFEFF"Date";"Time";"Time zone";"Place";"Model";"Program";"Timer class";"Memory";"DT (s)";"Motor stop (s)";"Wind (m/s)";"Temperature (°C)";"Round";"Result (s)";"Note"',
+      '\uFEFF"Date";"Time";"Time zone";"Place";"Model";"Program";"Timer class";"Memory";"DT (s)";"Motor stop (s)";"Wind (m/s)";"Temperature (°C)";"Round";"Result (s)";"Maximum (s)";"Note"',
     );
-    expect(row).toBe(`2026-11-22;14:05;"UTC+01:00";;;;"Q";1;180;10;3,5;-2,5;;178,25;"'=HYPERLINK(""x"")"`);
+    expect(row).toBe(`2026-11-22;14:05;"UTC+01:00";;;;"Q";1;180;10;3,5;-2,5;;178,25;180,5;"'=HYPERLINK(""x"")"`);
   });
 
   it('has no motor stop for a class without a motor, and no memory where none is known', () => {
@@ -74,7 +75,7 @@ describe('the table of flights', () => {
       program: { ...program, memory: null, identity: { ...program.identity, timerClass: 'B' } },
     };
     const [, row] = flightsCsv([recordOf(flight).flight], marksOf('en')).split('\r\n');
-    expect(row).toBe('2026-11-22,14:05,,,,,"B",,180,,,,,,');
+    expect(row).toBe('2026-11-22,14:05,,,,,"B",,180,,,,,,,');
   });
 
   it.each([

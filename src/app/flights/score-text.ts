@@ -1,0 +1,38 @@
+import { flightMessages } from '../messages/en-flights.js';
+import { dayHeading } from './flight-text.js';
+import { type Marks, noFormula } from './flights-csv.js';
+import { measureText } from './measures.js';
+import type { Score, ScoreLine } from './score.js';
+
+/** What a flight adds, in seconds, or why it adds nothing. */
+export function pointsText({ flight, points }: ScoreLine): string {
+  const { row, score } = flightMessages;
+  if (points !== null) return measureText(points);
+  return flight.result === null ? row.noResult : score.notCounted;
+}
+
+/**
+ * A score card for a message or a spreadsheet: short cells with tabs between them, which stand below each other in
+ * both. Numbers have the decimal mark of the language, as in a saved table.
+ */
+export function scoreText({ rounds, others, total, models }: Score, { decimal }: Pick<Marks, 'decimal'>): string {
+  const { csv, row, score: words } = flightMessages;
+  const number = (text: string): string => text.replace(/^(\d+)\.(?=\d+$)/, `$1${decimal}`);
+  const cellsOf = (line: ScoreLine, name: string): string[] => {
+    const { flight, counts, maximum } = line;
+    return [name, measureText(flight.result), counts ? measureText(maximum) : '', pointsText(line)].map(number);
+  };
+  const after = others.filter(({ flight }) => flight.round.trim() !== '');
+  const { flight } = (rounds[0] ?? others[0]) as ScoreLine;
+  const heads = [csv.columns.round, csv.columns.result, csv.columns.maximum, words.counted];
+  const lines = [
+    ...[dayHeading(flight), flight.place, models.join(', ')].filter(Boolean).map((line) => [line]),
+    [],
+    // The unit would make a heading wider than the figures below it.
+    heads.map((head) => head.replace(/ \(.*/, '')),
+    ...rounds.map((line) => cellsOf(line, line.flight.round)),
+    ...(rounds.length > 0 ? [[words.total, '', '', number(measureText(total))]] : []),
+    ...after.map((line) => cellsOf(line, row.round(line.flight.round))),
+  ];
+  return lines.map((cells) => cells.map((cell) => noFormula(cell.replaceAll(/\s+/g, ' '))).join('\t')).join('\n');
+}
