@@ -55,6 +55,8 @@ type FollowParts = BenchParts & Pick<Session, 'backups' | 'knowledge' | 'reader'
 export class Follow {
   /** Whether the servos follow. */
   readonly on: ReadonlySignal<boolean>;
+  /** Whether the servos follow and a position is still on its way. */
+  readonly isBehind: ReadonlySignal<boolean>;
   /** Whether the timer is being read and backed up, which comes before following. */
   readonly starting: ReadonlySignal<boolean>;
   /** Whether the backup could not be kept: the page asks whether to follow all the same. */
@@ -92,6 +94,7 @@ export class Follow {
     this.#edits = new FollowedEdits(editor);
     this.trials = parts.trials;
     this.on = computed(() => this.#following.value !== null);
+    this.isBehind = computed(() => this.on.value && !bench.ready.value);
     this.starting = computed(() => this.#start.value !== null && this.#unkept.value === null);
     this.unkept = computed(() => this.#unkept.value !== null);
     this.endRead = computed(() => editor.fresh.value && editor.baseline.value !== this.ended.value?.held);

@@ -6,7 +6,7 @@ import type { Editor } from '../editing/editor.js';
 import { fixFor } from '../editing/fixes.js';
 import { fieldName, figureText, messages } from '../messages/index.js';
 import { useLate } from '../ui/use-late.js';
-import { allNotes } from './field-notes.js';
+import { allNotes } from '../work/field-notes.js';
 import './checks-panel.css';
 
 /** All notes about the program, each with its correction where that is obvious. */

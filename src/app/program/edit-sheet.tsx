@@ -1,27 +1,27 @@
 import type { ReadonlySignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
-import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import type { Identity } from '../../protocol/index.js';
 import { onBackInHistory, onBackKey } from '../browser/back-key.js';
-import { plainSeconds } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
 import type { Standing } from '../timer/standing.js';
 import { Icon } from '../ui/icon.js';
-import { usePress } from '../ui/use-press.js';
-import type { EditedValue, HeldField } from './hand.js';
-import { RepeatPress } from './repeat-press.js';
+import { StepKey } from '../ui/step-key.js';
+import { WasText } from '../ui/was-text.js';
+import type { HeldField } from './hand.js';
 import { type Goal, goalsFrom } from './sheet-moves.js';
 import { useSheetPlace } from './sheet-place.js';
 import { eraseLast, typeInto } from './sheet-typing.js';
 import { cellOf } from './table-cells.js';
 import type { TableModel } from './table-model.js';
-import { WasText } from './was-text.js';
 import './edit-sheet.css';
 
 interface EditSheetProps {
   readonly table: TableModel;
   readonly identity: Identity;
   readonly standing: ReadonlySignal<Standing>;
+  /** Whether an earlier step is still on its way to the timer. */
+  readonly isBehind: ReadonlySignal<boolean>;
 }
 
 /**
@@ -33,7 +33,7 @@ export function EditSheet(props: EditSheetProps) {
   return held && <Sheet {...props} held={held} />;
 }
 
-function Sheet({ table, identity, standing, held }: EditSheetProps & { readonly held: HeldField }) {
+function Sheet({ table, identity, standing, isBehind, held }: EditSheetProps & { readonly held: HeldField }) {
   const { edits, done } = messages.value;
   const { sheet: words } = edits;
   const { input, label, value } = held;
@@ -66,6 +66,9 @@ function Sheet({ table, identity, standing, held }: EditSheetProps & { readonly 
   const go = ({ input: to }: Goal): void => {
     if (value.finish()) to.focus();
   };
+  const stepKey = (by: number): ComponentChildren => (
+    <StepKey {...{ value, by, isBehind }} onStep={() => act(() => value.step(by))} />
+  );
   const digits = (...texts: string[]): ComponentChildren =>
     texts.map((text) => (
       <button type="button" key={text} tabIndex={-1} onClick={() => type(text)}>
@@ -140,14 +143,14 @@ function Sheet({ table, identity, standing, held }: EditSheetProps & { readonly 
         </fieldset>
       ) : (
         <div class="sheet-steps">
-          <StepKey {...{ value, act }} by={-10} />
-          <StepKey {...{ value, act }} by={-1} />
+          {stepKey(-10)}
+          {stepKey(-1)}
           <output>
             {text}
             {unit && <small> {messages.value.times.units[unit]}</small>}
           </output>
-          <StepKey {...{ value, act }} by={1} />
-          <StepKey {...{ value, act }} by={10} />
+          {stepKey(1)}
+          {stepKey(10)}
         </div>
       )}
       <div class="sheet-pad">
@@ -168,32 +171,4 @@ function Sheet({ table, identity, standing, held }: EditSheetProps & { readonly 
       </div>
     </section>
   );
-}
-
-interface StepKeyProps {
-  readonly value: EditedValue;
-  readonly by: number;
-  readonly act: (work: () => void) => void;
-}
-
-/** A step key. It repeats while it is held. */
-function StepKey({ value, by, act }: StepKeyProps) {
-  const repeat = useMemo(() => new RepeatPress(), []);
-  const step = (): void => act(() => value.step(by));
-  return (
-    <button
-      type="button"
-      tabIndex={-1}
-      {...usePress(repeat, () => repeat.press(step))}
-      onClick={() => repeat.click(step)}
-    >
-      {`${by > 0 ? '+' : '−'}${amountOf(value, Math.abs(by))}`}
-    </button>
-  );
-}
-
-/** “10”, “0.1 s”: positions are whole steps. */
-function amountOf({ kind, stepSize }: EditedValue, steps: number): string {
-  const amount = stepSize * steps;
-  return kind !== 'steps' ? messages.value.seconds(plainSeconds(amount)) : String(amount);
 }

@@ -6,7 +6,7 @@ import { cellKey, type GridField, intervalAt } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
 import { type Ambiguous, formatInterval, MINUTE, readInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
-import type { EditedValue, FieldFace } from './hand.js';
+import type { EditedValue, FieldFace } from '../work/edited-value.js';
 
 /** An interval lies between two times that may both have changed. */
 const NO_OLD_VALUE = { isChanged: false, isConfirmed: false, was: null, old: '', canPutBack: false };

@@ -84,7 +84,7 @@ export function ProgramTable({ session, bench, follow, marked, tools }: ProgramT
             </p>
           )}
         </div>
-        <EditSheet {...{ table, identity }} standing={session.standing} />
+        <EditSheet {...{ table, identity }} standing={session.standing} isBehind={follow.isBehind} />
       </div>
       {/* Outside: the head of the table stays in sight, that of the dialog scrolls. */}
       <PasteDialog {...{ session, table }} />

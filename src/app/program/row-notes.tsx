@@ -4,7 +4,7 @@ import { fieldKey, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { computedList } from '../editing/computed-list.js';
 import { fieldName, messages } from '../messages/index.js';
-import { isSameNote, notesFor } from './field-notes.js';
+import { isSameNote, notesFor } from '../work/field-notes.js';
 import type { TableModel } from './table-model.js';
 import './row-notes.css';
 

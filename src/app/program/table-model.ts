@@ -9,7 +9,8 @@ import type { Editor } from '../editing/editor.js';
 import { fillDown, stepRange } from '../editing/edits.js';
 import { type GridCell, type GridRange, motorRow } from '../editing/grid.js';
 import { messages, obstacleText } from '../messages/index.js';
-import { type EditedValue, Hand } from './hand.js';
+import type { EditedValue } from '../work/edited-value.js';
+import { Hand } from './hand.js';
 import { Selection } from './selection.js';
 import { cellOf } from './table-cells.js';
 

@@ -6,12 +6,12 @@ import { cellFor, cellKey, type GridField, isInRange } from '../editing/grid.js'
 import { fieldLabel, gridLabel, messages } from '../messages/index.js';
 import type { Standing } from '../timer/standing.js';
 import { TimeQuestion } from '../ui/time-question.js';
-import { FieldModel } from './field-model.js';
-import type { EditedValue } from './hand.js';
+import { OldValue } from '../ui/was-text.js';
+import type { EditedValue } from '../work/edited-value.js';
+import { FieldModel } from '../work/field-model.js';
 import { IntervalModel } from './interval-model.js';
 import type { TableModel } from './table-model.js';
-import { OldValue } from './was-text.js';
-import './value-cell.css';
+import '../ui/value.css';
 
 interface ValueCellProps {
   readonly table: TableModel;

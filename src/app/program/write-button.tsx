@@ -2,9 +2,9 @@ import { useComputed } from '@preact/signals';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { fieldName, messages } from '../messages/index.js';
+import { firstInTheWay } from '../work/field-notes.js';
 import type { Session } from '../work/session.js';
 import type { WriteJob } from '../write/write-job.js';
-import { firstInTheWay } from './field-notes.js';
 
 const NOTE = 'blocked-note';
 

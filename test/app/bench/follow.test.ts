@@ -1,8 +1,10 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { setValues } from '../../../src/app/editing/edit.js';
+import { stepValue } from '../../../src/app/editing/edits.js';
 import { FrameForm } from '../../../src/app/line/frame-form.js';
 import { possibleValues } from '../../../src/app/timer/known.js';
-import type { ProgramField } from '../../../src/program/index.js';
+import { RepeatPress } from '../../../src/app/ui/repeat-press.js';
+import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import type { Request } from '../../../src/protocol/index.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';
 import { type AppBench, type BenchOptions, connectedBench, goOn, idle, review, run } from './bench.js';
@@ -187,6 +189,24 @@ describe('servos that follow', () => {
     const requests = told(app);
     expect(requests.filter((_, i) => i % 2 === 1)).toEqual(requests.filter((_, i) => i % 2 === 1).map(() => 'M4'));
     expect(requests.length).toBeLessThanOrEqual(2 * Math.ceil((41 * 20) / 100 + 1));
+  });
+
+  it('are never more than a step behind a key that is held, however slow the timer is', async () => {
+    const app = await following({ latency: 200 });
+    const { editor, timer, follow } = app;
+    const wanted = () => editor.working.value?.positions[1]?.[4] ?? 0;
+    const key = new RepeatPress(follow.isBehind);
+    key.press(() => editor.apply(stepValue(editor.working.value as TimerProgram, S2, 1)));
+    for (let i = 0; i < 600; i++) {
+      await vi.advanceTimersByTimeAsync(10);
+      expect(wanted() - (timer.core.servos[1] ?? 0)).toBeLessThanOrEqual(1);
+    }
+    const last = wanted();
+    key.release();
+    await idle();
+    expect([wanted(), timer.core.servos[1], last > 60]).toEqual([last, last, true]);
+    const steps = Array.from({ length: last - 55 }, (_, i) => [`S4.1=${56 + i}`, 'M4']).flat();
+    expect(told(app), 'each step goes out, after the one before').toEqual(steps);
   });
 
   it('count what was tried, and not what waits for a write', async () => {

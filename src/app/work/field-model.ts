@@ -5,8 +5,8 @@ import { stepSize } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { stepValue } from '../editing/edits.js';
 import { figureOf, figureText } from '../messages/index.js';
+import type { EditedValue, FieldFace } from './edited-value.js';
 import { notesFor } from './field-notes.js';
-import type { EditedValue, FieldFace } from './hand.js';
 
 /**
  * What one field shows. The face stays the same object while nothing in it changes, so typing elsewhere draws the field
