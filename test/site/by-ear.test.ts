@@ -130,7 +130,7 @@ test.each([
     expect(await ear.isChecked('checkbox', /^The propeller/), 'the tick from the write still counts').toBe('true');
     await ear.press('button', 'Function 4');
     await ear.hears('StaticText', 'Servos at function 4');
-    await ear.press('button', 'Function 4, S1: more');
+    await ear.press('button', '+1: Function 4, S1');
     expect(await ear.nameless(), 'controls of the Bench view without a name').toEqual([]);
 
     await ear.press('link', 'Settings');

@@ -78,7 +78,9 @@ test.each([3, 8])('no digit of a program with %i servos is cut off on any phone'
   await app.page.locator('.strip-close').click();
   await app.page.setViewportSize({ width: 400, height: 844 });
   await app.goTo('Bench');
-  await app.page.locator('.bench-table').waitFor();
+  await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
+  await app.button('Function 1').tap();
+  await app.page.locator('.bench-trim').waitFor();
   await expectWhole(app, 'the bench');
   await app.page.setViewportSize({ width: 400, height: 844 });
   await app.goTo('Memories');

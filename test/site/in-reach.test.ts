@@ -133,7 +133,7 @@ test.each([
     await page.getByRole('switch').click();
     // A step before following is on waits for Write.
     await page.getByRole('switch', { checked: true }).waitFor();
-    await app.button('Function 2, S1: less').click();
+    await app.button('−1: Function 2, S1').click();
     await app.text('1 tried in the timer').first().waitFor({ state: 'attached' });
     await see('bench, following');
     await page.getByRole('switch').first().click();

@@ -96,7 +96,7 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
       await app.text('Servos at function 4').first().waitFor();
       await pilot.press(app.page.getByRole('switch', { name: 'Servos follow' }));
       await app.page.getByRole('switch', { name: 'Servos follow', checked: true }).waitFor();
-      await pilot.press(app.button('Function 4, S1: more'));
+      await pilot.press(app.button('+1: Function 4, S1'));
       await app.text('1 tried in the timer').first().waitFor({ state: 'attached' });
       expect(await app.bench(({ content }) => content.positions[0]?.[4])).toBe(56);
     },

@@ -6,14 +6,16 @@ import { HoldButton } from '../ui/hold-button.js';
 import type { Session } from '../work/session.js';
 import type { Bench } from './bench.js';
 import { Trim } from './bench-trim.js';
+import type { Follow } from './follow.js';
 
 interface MotorProps {
   readonly session: Session;
   readonly bench: Bench;
+  readonly follow: Follow;
 }
 
 /** The motor of a class Q timer. Only a button that is held down frees it. */
-export function Motor({ session, bench }: MotorProps) {
+export function Motor({ session, bench, follow }: MotorProps) {
   const { bench: words, program } = messages.value;
   const hasThrottle = typeof session.editor.working.value?.idleThrottle === 'number';
   const waits = useComputed(() =>
@@ -35,7 +37,7 @@ export function Motor({ session, bench }: MotorProps) {
       />
       {hasThrottle && (
         <>
-          <Trim session={session} field={{ kind: 'idleThrottle' }} name={program.idleThrottle} />
+          <Trim {...{ session, follow }} field={{ kind: 'idleThrottle' }} name={program.idleThrottle} />
           {waits && <p class="hint">{words.waits}</p>}
         </>
       )}

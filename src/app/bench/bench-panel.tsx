@@ -42,7 +42,7 @@ export function BenchPanel({ session, bench, follow, expert }: BenchPanelProps) 
         {connected && <BenchTrim session={session} bench={bench} follow={follow} />}
         {connected && (
           <div class="stack gap-4">
-            {identity.timerClass === 'Q' && <Motor session={session} bench={bench} />}
+            {identity.timerClass === 'Q' && <Motor {...{ session, bench, follow }} />}
             {expert && <Jump bench={bench} />}
           </div>
         )}

@@ -1,9 +1,17 @@
-import { type ProgramField, valueAt } from '../../program/index.js';
-import { stepValue } from '../editing/edits.js';
-import { fieldLabel, messages, slotInSentence } from '../messages/index.js';
+import { useSignal } from '@preact/signals';
+import { useId, useMemo } from 'preact/hooks';
+import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
+import { dutyName, fieldLabel, figureText, messages, slotInSentence } from '../messages/index.js';
+import { SegmentChoice } from '../ui/segment-choice.js';
+import { SHAPES } from '../ui/shapes.js';
+import { StepKey } from '../ui/step-key.js';
+import { useQuery } from '../ui/use-query.js';
+import { WasText } from '../ui/was-text.js';
+import { FieldModel } from '../work/field-model.js';
 import type { Session } from '../work/session.js';
 import type { Bench } from './bench.js';
 import type { Follow } from './follow.js';
+import '../ui/value.css';
 import './bench-trim.css';
 
 interface BenchTrimProps {
@@ -13,20 +21,46 @@ interface BenchTrimProps {
 }
 
 /**
- * The positions of the function where the servos stand, with step keys.
- * While the servos follow, each step moves its servo.
+ * The positions of the function where the servos stand, to type and with step keys. While the servos follow, each of
+ * them moves its servo. A phone has room for one servo at a time.
  */
 export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
   const { bench: words, servoName } = messages.value;
   const working = session.editor.working.value;
+  const uses = session.servoUses.named.value?.map(dutyName);
+  const isPhone = useQuery(SHAPES.phone).value;
+  const chosen = useSignal('0');
   const at = bench.stand.at.value;
   if (!working || at === null) return null;
+  const { identity, positions } = working;
+  const title = words.trim(slotInSentence(identity, at));
+  const servos = positions.map((_, servo) => String(servo));
+  const one = isPhone && servos.length > 1 ? (servos.find((servo) => servo === chosen.value) ?? '0') : null;
   return (
-    <section class="stack panel bench-trim" aria-labelledby="trim-title">
-      <h2 id="trim-title">{words.trim(slotInSentence(working.identity, at))}</h2>
+    <section class="stack panel bench-trim" aria-label={title}>
+      {one === null ? (
+        <h2>{title}</h2>
+      ) : (
+        <SegmentChoice
+          name="trim"
+          {...{ title }}
+          choices={servos}
+          names={Object.fromEntries(positions.map((row, servo) => [servo, `${servoName(servo)} ${row[at]}`]))}
+          chosen={one}
+          onChoose={(servo) => {
+            chosen.value = servo;
+          }}
+        />
+      )}
       <div class="trim-servos">
-        {Array.from({ length: working.identity.servos }, (_, servo) => (
-          <Trim key={servo} session={session} field={{ kind: 'position', servo, slot: at }} name={servoName(servo)} />
+        {(one === null ? servos : [one]).map(Number).map((servo) => (
+          <Trim
+            key={servo}
+            {...{ session, follow }}
+            field={{ kind: 'position', servo, slot: at }}
+            name={one === null ? servoName(servo) : fieldLabel(identity, { kind: 'position', servo, slot: at })}
+            use={uses?.[servo]}
+          />
         ))}
       </div>
       {!follow.on.value && <p class="hint">{words.waits}</p>}
@@ -34,32 +68,85 @@ export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
   );
 }
 
-interface TrimProps {
-  readonly session: Session;
+interface TrimProps extends Pick<BenchTrimProps, 'session' | 'follow'> {
   readonly field: ProgramField;
   readonly name: string;
+  /** What the servo moves, as the pilot says. */
+  readonly use?: string | undefined;
 }
 
-/** One value with a key for a step down and one for a step up. */
-export function Trim({ session, field, name }: TrimProps) {
-  const { less, moreOf } = messages.value;
-  const { editor } = session;
+/** One value to type, between the keys for steps down and up, with what the timer held before. */
+export function Trim({ session, follow, field, name, use = '' }: TrimProps) {
+  const { editor, standing, trials } = session;
+  const key = fieldKey(field);
+  const model = useMemo(() => new FieldModel(editor, field), [editor, key]);
+  const id = useId();
   const working = editor.working.value;
   if (!working) return null;
+  const { text, was, isWrong, notes } = model.face.value;
   const label = fieldLabel(working.identity, field);
-  const step = (by: number) => () => editor.apply(stepValue(working, field, by));
+  // What was tried is in the timer already, so this is what it held before the servos followed.
+  const before = trials.current.value && valueAt(trials.current.value.before, field);
+  const isTried = before !== null && before !== valueAt(working, field);
+  const isChanged = isTried || was !== null;
+  const keys = (...steps: number[]) =>
+    steps.map((by) => (
+      <StepKey
+        key={by}
+        {...{ by, value: model }}
+        isBehind={follow.isBehind}
+        of={label}
+        onStep={(isFirst) => {
+          // A press is one step to undo, however long it lasts.
+          if (isFirst) model.leave();
+          model.step(by);
+        }}
+      />
+    ));
   return (
     // biome-ignore lint/a11y/useSemanticElements: a fieldset cannot be laid out as a grid everywhere
-    <div class="trim" role="group" aria-label={label}>
-      <span>
-        {name} <output>{valueAt(working, field)}</output>
-      </span>
-      <button type="button" aria-label={less(label)} onClick={step(-1)}>
-        {'−'}
-      </button>
-      <button type="button" aria-label={moreOf(label)} onClick={step(1)}>
-        {'+'}
-      </button>
+    <div class="trim" role="group" aria-label={`${label} ${use}`.trim()}>
+      <p>
+        {name} <bdi>{use}</bdi>{' '}
+        {isChanged && (
+          <span class="trim-was" id={id}>
+            {isTried ? (
+              messages.value.knowledge.marks.now(figureText(working.identity, field, before))
+            ) : (
+              <WasText standing={standing} value={was ?? ''} />
+            )}
+          </span>
+        )}
+      </p>
+      <div class="trim-keys">
+        {keys(-10, -1)}
+        <span class={`value ${isWrong ? 'wrong' : isChanged ? 'changed' : ''}`}>
+          <input
+            type="text"
+            inputMode="numeric"
+            autocomplete="off"
+            aria-label={label}
+            aria-invalid={isWrong}
+            aria-describedby={isChanged ? id : undefined}
+            value={text}
+            onFocus={({ currentTarget }) => currentTarget.select()}
+            onInput={({ currentTarget }) => model.type(currentTarget.value)}
+            onKeyDown={({ key: pressed, currentTarget }) => {
+              if (pressed === 'Escape') model.escape();
+              if (pressed !== 'Enter') return;
+              model.leave();
+              currentTarget.select();
+            }}
+            onBlur={() => model.leave()}
+          />
+        </span>
+        {keys(1, 10)}
+      </div>
+      {isWrong && (
+        <p class="bad-text" role="alert">
+          {notes}
+        </p>
+      )}
     </div>
   );
 }

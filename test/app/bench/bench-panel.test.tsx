@@ -143,32 +143,6 @@ describe('the grid of the bench', () => {
   });
 });
 
-describe('trimming', () => {
-  const stored = ({ timer }: AppBench) => timer.core.content.positions[1]?.[4];
-  const trim = () => screen.queryByRole('group', { name: 'Function 4, S2' })?.textContent;
-
-  it('is offered where the servos stand, and waits for Write', async () => {
-    const app = await opened();
-    expect(trim()).toBeUndefined();
-    await press('Function 4');
-    expect(trim()).toBe('S2 55−+');
-    await press(en.moreOf('Function 4, S2'));
-    await press(en.moreOf('Function 4, S2'));
-    expect([trim(), stored(app)]).toEqual(['S2 57−+', 55]);
-    expect(within(document.querySelector('.bench-trim') as HTMLElement).getByText(words.waits)).toBeTruthy();
-  });
-
-  it('moves the servo with each step while they follow', async () => {
-    const app = await opened();
-    await press('Function 4');
-    await flip();
-    await press(en.less('Function 4, S2'));
-    expect([trim(), stored(app), app.timer.core.servos[1]]).toEqual(['S2 54−+', 54, 54]);
-    await flip();
-    expect(screen.getByRole('button', { name: 'Keep it' })).toBeTruthy();
-  });
-});
-
 describe('hold to unlock', () => {
   const ways: [string, (button: HTMLElement) => void, (button: HTMLElement) => void][] = [
     [
