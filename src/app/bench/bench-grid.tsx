@@ -1,4 +1,4 @@
-import { messages } from '../messages/index.js';
+import { dutyName, messages } from '../messages/index.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
 import type { Session } from '../work/session.js';
 import type { Bench } from './bench.js';
@@ -26,6 +26,7 @@ export function BenchGrid({ session, bench }: BenchGridProps) {
         other={working.value ?? program}
         caption={words.program.tableCaption}
         corner={words.bench.slots}
+        uses={session.servoUses.named.value?.map(dutyName) ?? []}
         rows={(row) => typeof row === 'number'}
         lit={at}
         headOf={(slot, name) => (

@@ -1,6 +1,6 @@
 import { LIMITS, type Setting } from '../../program/index.js';
 import { libraryMessages } from '../messages/en-library.js';
-import { clockText, dutyName, messages } from '../messages/index.js';
+import { clockText, messages, servoText } from '../messages/index.js';
 import { plainName } from '../records/plain-names.js';
 import type { SettingRecord } from '../storage/index.js';
 import { BackHead } from '../ui/back-head.js';
@@ -31,7 +31,7 @@ interface SettingPageProps {
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
   const words = libraryMessages;
-  const { servoName, label, noModel, notKept } = messages.value;
+  const { label, noModel, notKept } = messages.value;
   const { library } = session;
   const way = back !== null && (
     <BackHead
@@ -51,10 +51,7 @@ export function SettingPage(props: SettingPageProps) {
   // With a way back, the list with the heading of the page is not beside it.
   const Heading = back !== null ? 'h1' : 'h2';
   const model = library.models.get(setting.model) ?? null;
-  const names = setting.program.positions.map((_, servo) => {
-    const use = model?.model.servos[servo];
-    return use ? `${servoName(servo)} ${dutyName(use)}` : servoName(servo);
-  });
+  const names = setting.program.positions.map((_, servo) => servoText(servo, model?.model.servos[servo]));
   const change = (changed: Partial<Setting>): void => {
     // As it is now: a field saves its text late, perhaps when the setting was deleted.
     const now = library.settings.get(record.key)?.setting;

@@ -96,6 +96,12 @@ export function dutyName({ duty, name }: { duty: keyof Messages['preview']['duti
   return name || messages.value.preview.duties[duty];
 }
 
+/** A servo, with what it moves if the pilot has said that: “S1 Tailplane”. */
+export function servoText(servo: number, use: Parameters<typeof dutyName>[0] | undefined): string {
+  const name = messages.value.servoName(servo);
+  return use ? `${name} ${dutyName(use)}` : name;
+}
+
 /** A time in spoken form: “2 min 30 s”, “20 s”, “2.3 s”. Before launch with a minus. */
 export function spokenTime(hundredths: number): string {
   const { minutes, seconds } = spokenParts(Math.abs(hundredths));

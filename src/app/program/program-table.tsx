@@ -60,6 +60,7 @@ export function ProgramTable({ session, bench, follow, marked, tools }: ProgramT
             <caption class="visually-hidden">{program.tableCaption}</caption>
             <TableHead
               {...{ table, tools, identity, servos }}
+              uses={session.servoUses.named.value}
               onSwitch={() => {
                 intervals.value = !intervals.value;
               }}

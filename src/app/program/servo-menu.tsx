@@ -15,19 +15,21 @@ export interface ServoMenuProps {
   readonly tools: RowTools;
   readonly identity: Identity;
   readonly servo: number;
+  /** What it is called: its number, and what it moves. */
+  readonly name: string;
 }
 
 /** The menu at the heading of a servo: all its positions by a step, as after its surface was mounted anew. */
 export function ServoMenu(props: ServoMenuProps) {
   return (
-    <ToolsMenu tools={props.tools} at={`servo-${props.servo}`} name={messages.value.servoName(props.servo)}>
+    <ToolsMenu tools={props.tools} at={`servo-${props.servo}`} name={props.name}>
       {(menu) => <ServoPanel {...props} menu={menu} />}
     </ToolsMenu>
   );
 }
 
-function ServoPanel({ table, identity, servo, menu }: ServoMenuProps & { readonly menu: OpenMenu }) {
-  const { edits, servoName, unreadable } = messages.value;
+function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { readonly menu: OpenMenu }) {
+  const { edits, unreadable } = messages.value;
   const { stepServo: words } = edits;
   const typed = useSignal('');
   const problem = useSignal<string | null>(null);
@@ -51,7 +53,7 @@ function ServoPanel({ table, identity, servo, menu }: ServoMenuProps & { readonl
   return (
     <ToolsPanel
       menu={menu}
-      title={words.title(servoName(servo))}
+      title={words.title(name)}
       onSubmit={() => {
         if ('value' in parsed) step(parsed.value);
         else problem.value = unreadable[parsed.unreadable];

@@ -1,19 +1,22 @@
 import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
+import type { ServoUse } from '../../program/index.js';
 import { FIRST_SERVO_COLUMN } from '../editing/grid.js';
-import { messages } from '../messages/index.js';
+import { dutyName, messages, servoText } from '../messages/index.js';
 import { servoColour } from '../timeline/servo-colour.js';
 import { ServoMenu, type ServoMenuProps } from './servo-menu.js';
 import './table-head.css';
 
-interface TableHeadProps extends Omit<ServoMenuProps, 'servo'> {
+interface TableHeadProps extends Omit<ServoMenuProps, 'servo' | 'name'> {
   readonly servos: readonly number[];
+  /** What they move, as the pilot says; null when he has not said it. */
+  readonly uses: readonly ServoUse[] | null;
   /** Where there is room for only one of the two, shows the other one. */
   readonly onSwitch: () => void;
 }
 
 /** The headings of the columns, with units. */
-export function TableHead({ servos, onSwitch, ...menu }: TableHeadProps) {
+export function TableHead({ servos, uses, onSwitch, ...menu }: TableHeadProps) {
   const { program, edits, servoName } = messages.value;
   const { table } = edits;
   return (
@@ -37,11 +40,12 @@ export function TableHead({ servos, onSwitch, ...menu }: TableHeadProps) {
             class="servo"
             {...servoColour(servo)}
             key={servo}
-            aria-label={servoName(servo)}
+            aria-label={servoText(servo, uses?.[servo])}
             data-cell={FIRST_SERVO_COLUMN + servo}
           >
             {servoName(servo)}
-            <ServoMenu {...menu} servo={servo} />
+            {uses?.[servo] && <bdi class="servo-use">{dutyName(uses[servo])}</bdi>}
+            <ServoMenu {...menu} servo={servo} name={servoText(servo, uses?.[servo])} />
           </th>
         ))}
       </tr>
