@@ -24,6 +24,7 @@ const ORDER = [
     'help',
     'line',
     'settings',
+    'settle',
   ],
   // Memories and bench write, too.
   ['write'],
@@ -43,6 +44,7 @@ const ORDER = [
 
 /** Features that may know another one, with the reason. */
 const BRACKETS = new Map([
+  ['settle', { may: 'bench', why: 'its steps move the servos and unlock the motor by the bench' }],
   ['program', { may: 'bench', why: 'a row of the table says where the servos stand, and offers to bring them there' }],
 ]);
 

@@ -243,6 +243,53 @@ export const trialsSchema = v.pipe(
   v.array(v.object({ key, before: held, touched: v.array(v.string()) })),
 );
 
+/** The open questions of docs/protocol.md that a pilot can settle with a timer. The usual answer stands first. */
+export const ANSWERS = {
+  /** Row 7: which byte of a time comes first. */
+  order: ['low-first', 'high-first'],
+  unit: ['hundredths', 'tenths'],
+  /** From what the time of a function counts. */
+  count: ['launch', 'previous'],
+  /** Rows 4 and 14: the number of the first memory, where a timer says a number. */
+  memories: ['from-0', 'from-1', 'unnumbered'],
+  /** Row 9: what comes first in SETSERVO. */
+  layout: ['function-first', 'servo-first'],
+  /** Row 15: whether a position is kept also where the servos do not stand. */
+  stores: ['anywhere', 'there'],
+  /** Whether SETSERVO alone moves a servo; `there`: only where the servos stand. */
+  moves: ['always', 'never', 'there'],
+  /** Row 1: requests with four zeros. */
+  zeros: ['answered', 'unanswered'],
+  /** Row 3: the letter of the reply to UNLOCK. */
+  unlock: ['6E', '6A'],
+} as const;
+
+/** What was settled with a timer of a kind: nothing else is kept of it. */
+export const settledSchema = v.pipe(
+  v.array(
+    v.strictObject({
+      key,
+      answers: v.strictObject({
+        order: v.exactOptional(v.picklist(ANSWERS.order)),
+        unit: v.exactOptional(v.picklist(ANSWERS.unit)),
+        count: v.exactOptional(v.picklist(ANSWERS.count)),
+        memories: v.exactOptional(v.picklist(ANSWERS.memories)),
+        layout: v.exactOptional(v.picklist(ANSWERS.layout)),
+        stores: v.exactOptional(v.picklist(ANSWERS.stores)),
+        moves: v.exactOptional(v.picklist(ANSWERS.moves)),
+        zeros: v.exactOptional(v.picklist(ANSWERS.zeros)),
+        unlock: v.exactOptional(v.picklist(ANSWERS.unlock)),
+        /** How long an answer usually takes, from the request on, in whole milliseconds. */
+        delay: v.exactOptional(whole(0, 60_000)),
+        /** The reserved time of a B or an E, low byte first. Only noted: nobody knows what it is for. */
+        reserved: v.exactOptional(whole(0, 0xffff)),
+      }),
+    }),
+  ),
+  v.maxLength(100),
+);
+export type Answers = v.InferOutput<typeof settledSchema>[number]['answers'];
+
 /** What is remembered of a port. Two adapters of one kind share it, because nothing tells them apart. */
 export const portSchema = v.object({
   key,

@@ -70,11 +70,13 @@ export class InterruptedJobs {
 
   /**
    * Keeps the goal of a write and a backup of what the timer holds. Wait for it before the first byte goes out.
+   * @param held what the timer holds. It differs from `before` where the goal is to put back what is about to be tried:
+   * then `before` has the value that is tried.
    * @returns false when the browser keeps nothing: then only this page remembers.
    */
-  async begin(before: TimerProgram, goal: TimerProgram, simulated: boolean): Promise<boolean> {
+  async begin(before: TimerProgram, goal: TimerProgram, simulated: boolean, held = before): Promise<boolean> {
     this.#reading.value = null;
-    const backup = this.#backups.add(before, 'write', simulated);
+    const backup = this.#backups.add(held, 'write', simulated);
     const kept = await Promise.all([backup, this.#knowledge.begin(before, goal)]);
     return kept.every(Boolean);
   }
