@@ -738,6 +738,18 @@ export const states = {
       await page.getByText('About this timer').click();
     },
   },
+  settle: {
+    title: 'A walk through what is open about a timer, at a position to try',
+    reach: async (page) => {
+      await connect(page);
+      await goTo(page, 'settings/settle');
+      await promise(page);
+      await press(page, 'Read the timer');
+      for (let i = 0; i < 4; i++) await press(page, 'Next');
+      await press(page, 'Move the servos to DT');
+      await settled(page);
+    },
+  },
   erase: {
     title: 'Before all data is deleted',
     reach: async (page) => {

@@ -1,9 +1,15 @@
 import type { AssumedQuirks } from '../../client/index.js';
+import type { Identity } from '../../protocol/index.js';
 import { dotted } from '../messages/dotted.js';
+import { settle } from '../messages/en-settle.js';
 import { identityText } from '../messages/frame-text.js';
 import { messages, portName } from '../messages/index.js';
+import { settledTexts } from '../messages/settled-text.js';
 import { Check } from '../ui/check.js';
 import type { Session } from '../work/session.js';
+
+/** The place of the walk that settles what is open, in the view of the settings. */
+export const SETTLE = 'settle';
 
 type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
 
@@ -38,6 +44,7 @@ export function AboutTimer({ session }: { readonly session: Session }) {
             ))}
           </ul>
         )}
+        <Settled session={session} identity={identity} />
         <h2>{about.assumed}</h2>
         {(Object.keys(about.assumptions) as Assumption[]).map((name) => (
           <Check
@@ -50,12 +57,34 @@ export function AboutTimer({ session }: { readonly session: Session }) {
           </Check>
         ))}
         <p class="hint">{about.assumedHint}</p>
-        {Object.keys(client.quirksAssumed).length > 0 && (
+        {(Object.keys(about.assumptions) as Assumption[]).some((name) => client.quirksAssumed[name] !== undefined) && (
           <button type="button" disabled={busy} onClick={() => void session.timer.forgetAssumed()}>
             {about.forget}
           </button>
         )}
       </div>
     </details>
+  );
+}
+
+/** What was settled with timers of its kind, and the way to settle more. */
+function Settled({ session, identity }: { readonly session: Session; readonly identity: Identity }) {
+  const answers = session.settled.of(identity, session.link.simulated.value);
+  const settled = settledTexts(answers, identity.timerClass).filter(([, text]) => text !== null);
+  return (
+    <>
+      <a class="alone" href={`#settings/${SETTLE}`}>
+        {settle.title}
+      </a>
+      {settled.length > 0 && (
+        <ul>
+          {settled.map(([name, text]) => (
+            <li key={name}>
+              {messages.value.about(name)} {text}
+            </li>
+          ))}
+        </ul>
+      )}
+    </>
   );
 }

@@ -1,11 +1,17 @@
-import { AboutTimer } from '../connect/about-timer.js';
+import type { Bench } from '../bench/bench.js';
+import { AboutTimer, SETTLE } from '../connect/about-timer.js';
+import { ConnectButtons } from '../connect/connect-buttons.js';
 import type { Installation } from '../connect/installation.js';
 import { PortList, SerialSettingsForm } from '../connect/port-list.js';
+import { captureText } from '../line/recording.js';
+import { captureNotes } from '../line/report.js';
 import { messages } from '../messages/index.js';
 import { DtTimes } from '../program/dt-times.js';
 import type { Preferences } from '../records/preferences.js';
 import type { Erase } from '../settings/erase.js';
 import { THEMES, type Theme } from '../settings/theme.js';
+import { settleOf } from '../settle/settle.js';
+import { SettleView } from '../settle/settle-view.js';
 import { Check } from '../ui/check.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import { SHAPES } from '../ui/shapes.js';
@@ -18,6 +24,7 @@ import './settings-view.css';
 
 export interface SettingsViewProps {
   readonly session: Session;
+  readonly bench: Bench;
   readonly preferences: Preferences;
   readonly theme: Theme;
   readonly erase: Erase;
@@ -26,8 +33,20 @@ export interface SettingsViewProps {
   readonly update: UpdateOffer;
 }
 
-/** What is set once: the look of the page, the adapters, what this device keeps. */
+/** What is set once, and the walk that settles with a timer what is open. */
 export function SettingsView(props: SettingsViewProps) {
+  const { session, bench, views } = props;
+  if (views.path.value !== SETTLE) return <Settings {...props} />;
+  const recording = (notes: readonly string[]): string => {
+    const records = session.log.introduced(session.log.entries.value);
+    return captureText(records, [...captureNotes(records), ...notes]);
+  };
+  const connect = <ConnectButtons session={session} part="first" />;
+  return <SettleView {...{ session, recording, connect }} settle={settleOf(session, bench)} />;
+}
+
+/** The look of the page, the adapters, what this device keeps. */
+function Settings(props: SettingsViewProps) {
   const { session, preferences, theme, erase, views, installation, update } = props;
   const { settings: words, erase: eraseWords, program, theme: themeWords, views: viewWords } = messages.value;
   // A rail leads to the help, too.

@@ -13,6 +13,7 @@ import { NextFlight } from '../timer/next-flight.js';
 import { ABOUT_CHANGES, Notices } from '../timer/notices.js';
 import { Safety } from '../timer/safety.js';
 import { ServoMoves } from '../timer/servo-moves.js';
+import { Settled } from '../timer/settled.js';
 import { Standings } from '../timer/standing.js';
 import { Trials } from '../timer/trials.js';
 import { UnfinishedRecords } from '../timer/unfinished.js';
@@ -98,6 +99,7 @@ export function createSession({ storage, ...sources }: SessionOptions) {
     /** Everything that was begun with a timer and has no end yet, the worst first. */
     unfinished: unfinishedWork({ ...wire, trials }),
     servoMoves: new ServoMoves(connection, safety),
+    settled: new Settled(),
     servoUses: new ServoUses({ ...kept, ...shown }),
     shortDt: new ShortDt({ ...shown, nextFlight, reader }),
     /** What may be said of the program on the screen. */

@@ -1,0 +1,37 @@
+/** The walk through the open questions of docs/protocol.md with a real timer. */
+export const settle = {
+  title: 'Settle it with your timer',
+  lead: 'Not all is known about how these timers talk. In fifteen minutes yours settles what is open. Each value that is tried is put back. Have the handheld programmer at hand.',
+  safe: 'The propeller is off or the motor is disconnected, and the timer is not armed.',
+  danger: 'Something may move now. Is the propeller off, or the motor disconnected? Look once more.',
+  blocked: 'First settle what the band above says, and keep or put back what was tried.',
+  readIt: 'Read the timer',
+  which: 'Which does the handheld show?',
+  tryHint:
+    'Move the servos and wait until they stand still. Then try a position: it is changed and put back within seconds. Watch the servos.',
+  tryIt: 'Try a position',
+  moved: 'The old position is back: it was read. Did a servo move when the new one was tried?',
+  ask: 'Ask with four zeros',
+  unknown: 'I do not know',
+  send: 'Send the file with this form',
+  /** What is settled: most are sentences that are true or not. */
+  names: {
+    order: 'The low byte of a time comes first',
+    unit: 'Times are in hundredths of a second',
+    count: 'Times count from launch',
+    memories: 'The first memory has the number 0',
+    zeros: 'Four zeros are enough',
+    layout: 'The function comes before the servo',
+    stores: 'Positions are kept at any function',
+    moves: 'A written position moves its servo',
+    unlock: 'Letter that answers UNLOCK',
+    delay: 'Usual time of an answer',
+    reserved: 'Reserved time as read',
+  },
+  yes: 'Yes',
+  no: 'No',
+  unnumbered: 'No number is given',
+  there: 'Only where the servos stand',
+  delay: (ms: number) => `${ms} ms`,
+  open: 'Not settled',
+};

@@ -1,0 +1,74 @@
+import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
+import { settle as words } from '../../src/app/messages/en-settle.js';
+import { COMMANDS, type CommandName } from '../../src/protocol/index.js';
+import { connected, type Pilot } from './pilot.js';
+
+const identity = { timerClass: 'B', firmware: '536', functions: 10, memories: 4, servos: 3 } as const;
+
+async function toWalk(pilot: Pilot): Promise<void> {
+  await pilot.page.evaluate(() => location.assign('#settings/settle'));
+  await pilot.page.getByRole('checkbox', { name: words.safe }).check();
+}
+
+/** Reads, and goes on to the first position. */
+async function toPosition(pilot: Pilot): Promise<void> {
+  await pilot.button(words.readIt).click();
+  for (let i = 0; i < 3; i++) await pilot.button(en.next).click();
+  await pilot.button(words.ask).click();
+  await pilot.button(en.bench.bring('DT')).waitFor();
+}
+
+test('a walk with a timer that takes the servo first sends what was pressed, and leaves the timer as it was', async () => {
+  const timer = { identity, baudRate: 9600, quirks: { servoFirst: true } };
+  const { rig, pilot } = await connected({ timer, asks: ['MOVETOFUNC'] });
+  const before = structuredClone(rig.timer.core.memories);
+  const sent = (name: CommandName): number => rig.requests.filter((code) => code === COMMANDS[name].request).length;
+  await toWalk(pilot);
+  await toPosition(pilot);
+  expect([sent('SETSERVO'), sent('MOVETOFUNC')], 'before the first press').toEqual([0, 0]);
+  for (const [to, moved] of [
+    ['DT', words.no],
+    ['function 1', words.yes],
+  ] as const) {
+    await pilot.button(en.bench.bring(to)).click();
+    await pilot.button(words.tryIt).click();
+    await pilot.sees(words.moved);
+    expect(rig.timer.core.memories).toEqual(before);
+    await pilot.button(moved).click();
+  }
+  // The position went to another place and came back; then it went to the right one and came back.
+  expect([sent('SETSERVO'), sent('MOVETOFUNC')]).toEqual([4, 2]);
+  const answer = (name: string) =>
+    pilot.page.locator('.settle-list > div', { hasText: name }).locator('dd').innerText();
+  expect([await answer(words.names.layout), await answer(words.names.moves), await answer(words.names.zeros)]).toEqual([
+    words.no,
+    words.there,
+    words.yes,
+  ]);
+});
+
+test('unplugged before the answer to a position that is tried: it is said until it is put back', async () => {
+  const { rig, pilot } = await connected({ timer: { identity, baudRate: 9600 }, asks: ['MOVETOFUNC'] });
+  const before = structuredClone(rig.timer.core.memories);
+  await toWalk(pilot);
+  await toPosition(pilot);
+  await pilot.button(en.bench.bring('DT')).click();
+  await pilot.sees(en.bench.at('DT'));
+  const out = new Promise<void>((resolve) => {
+    rig.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETSERVO') void rig.unplug().then(resolve);
+    };
+  });
+  await pilot.button(words.tryIt).click();
+  await out;
+  await pilot.page.getByRole('region', { name: 'Not certain' }).getByText('Function 1, S1 is').waitFor();
+  expect(rig.timer.core.memories).not.toEqual(before);
+  rig.timer.core.onAnswer = undefined;
+  await rig.plug(1);
+  await pilot.button(en.recovery.finish).click();
+  await pilot.confirm();
+  await pilot.startWriting();
+  await pilot.sees(en.write.verified.title);
+  expect(rig.timer.core.memories).toEqual(before);
+});

@@ -1,0 +1,71 @@
+import { readFile } from 'node:fs/promises';
+import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
+import { settle as words } from '../../src/app/messages/en-settle.js';
+import { parseCapture } from '../../src/protocol/index.js';
+import { AppPage } from './app-page.js';
+
+const { bench } = en;
+
+test('a walk with a timer of the other byte order settles what is so, keeps it, and leaves the timer as it was', async () => {
+  const app = await AppPage.open({ bench: { quirks: { bigEndianTimes: true } }, acceptDownloads: true });
+  await app.connect();
+  const before = await app.bench(({ content }) => JSON.stringify(content));
+  await app.showAbout();
+  await app.page.getByRole('link', { name: words.title }).click();
+  await app.page.getByRole('checkbox', { name: words.safe }).check();
+  await app.button(words.readIt).click();
+  await app.button(/^Function\s5\s12\.50\ss\s/).click();
+  await app.button(words.yes).click();
+  await app.button('M1').click();
+  await app.button(words.ask).click();
+  for (const [to, moved] of [
+    ['DT', words.no],
+    ['function 1', words.yes],
+  ] as const) {
+    await app.button(bench.bring(to)).click();
+    await app.button(words.tryIt).click();
+    await app.text(words.moved).waitFor();
+    await app.button(moved).click();
+  }
+  await app.button(bench.unlock).hover();
+  await app.page.mouse.down();
+  await app.text(bench.unlocked).waitFor();
+  await app.page.mouse.up();
+  expect(await app.bench(({ content }) => JSON.stringify(content))).toBe(before);
+
+  const [download] = await Promise.all([app.page.waitForEvent('download'), app.button('Save').click()]);
+  const text = await readFile(await download.path(), 'utf8');
+  expect(parseCapture(text).length).toBeGreaterThan(50);
+  expect(text).toContain(`# ${words.names.order}: ${words.no}`);
+  await app.reload();
+  await app.page.getByRole('main').getByRole('button', { name: 'Connect' }).click();
+  await app.page.getByRole('checkbox', { name: words.safe }).waitFor();
+  await app.page.getByRole('link', { name: 'Settings', exact: true }).last().click();
+  await app.text(en.aboutTimer.title).click();
+  for (const name of Object.values({ ...words.names, reserved: null })) {
+    if (name) await app.text(`${name}:`).waitFor();
+  }
+});
+
+test('a plug that is pulled while a position is tried leaves it said, and to be put back', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  const before = await app.bench(({ content }) => JSON.stringify(content));
+  await app.page.evaluate(() => location.assign('#settings/settle'));
+  await app.page.getByRole('checkbox', { name: words.safe }).check();
+  await app.button(words.readIt).click();
+  for (let i = 0; i < 4; i++) await app.button(en.next).click();
+  await app.button(bench.bring('DT')).click();
+  await app.bench((it) => it.unplugAt('SETSERVO'));
+  await app.button(words.tryIt).click();
+  await app.page.getByRole('region', { name: 'Not certain' }).getByText('Function 1, S1 is').waitFor();
+  expect(await app.bench(({ content }) => JSON.stringify(content))).not.toBe(before);
+  await app.bench((it) => it.replug());
+  await app.isReady();
+  await app.button(en.recovery.finish).click();
+  await app.tickSafety();
+  await app.dialog.getByRole('button', { name: /^Write/ }).click();
+  await app.result('Verified.');
+  expect(await app.bench(({ content }) => JSON.stringify(content))).toBe(before);
+});
