@@ -126,7 +126,7 @@ export class TableModel {
   }
 
   copy(event: ClipboardEvent): void {
-    if (!this.selection.isWide.value || !event.clipboardData) return;
+    if (isElsewhere(event) || !this.selection.isWide.value || !event.clipboardData) return;
     event.preventDefault();
     event.clipboardData.setData('text/plain', this.selectedText());
   }
@@ -135,13 +135,20 @@ export class TableModel {
   cut(event: ClipboardEvent): void {
     this.copy(event);
     const { target, clipboardData } = event;
-    if (event.defaultPrevented || !(target instanceof HTMLInputElement) || !clipboardData) return;
+    if (
+      (isElsewhere(event) && !this.valueIn(target)) ||
+      event.defaultPrevented ||
+      !(target instanceof HTMLInputElement) ||
+      !clipboardData
+    )
+      return;
     if (target.selectionStart !== 0 || target.selectionEnd !== target.value.length) return;
     event.preventDefault();
     clipboardData.setData('text/plain', target.value);
   }
 
   paste(event: ClipboardEvent): void {
+    if (isElsewhere(event)) return;
     const text = event.clipboardData?.getData('text/plain') ?? '';
     const range = this.selection.range.value;
     if (!range || text === '') return;
@@ -170,4 +177,9 @@ export class TableModel {
   pasted(): void {
     this.#pasting.value = null;
   }
+}
+
+/** Whether somebody works in a field that is no cell, as that of the tools, which hang in the table. */
+function isElsewhere({ target }: ClipboardEvent): boolean {
+  return target instanceof HTMLInputElement && cellOf(target) === null;
 }

@@ -2,6 +2,7 @@ import { fireEvent, screen } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { en } from '../../../src/app/messages/en.js';
 import { edits } from '../../../src/app/messages/en-edits.js';
+import { idle } from '../bench/bench.js';
 import { button, connected, field, key, press, type } from '../screen.js';
 
 const { stepServo: words } = edits;
@@ -50,6 +51,25 @@ describe('all positions of a servo', () => {
     expect(editor.working.value?.positions[1]).toEqual(before.map((at, slot) => at + (slot < 5 ? 0 : 3)));
     await press('Undo S2 by +3, from function 5');
     expect(editor.changes.value).toEqual([]);
+  });
+
+  it('take a text into their field, whatever range is selected', async () => {
+    await connected();
+    field('Function 7, S3').focus();
+    await key('ArrowUp', { shiftKey: true });
+    await press('Tools for S2');
+    field(words.by).focus();
+    for (const kind of ['paste', 'copy', 'cut']) {
+      const event = new Event(kind, { bubbles: true, cancelable: true });
+      const clipboardData = { getData: () => '1\t2\n3\t4', setData: () => {} };
+      fireEvent(field(words.by), Object.assign(event, { clipboardData }));
+      await idle(0);
+      expect([kind, event.defaultPrevented, screen.queryByRole('dialog', { name: 'Paste' })]).toEqual([
+        kind,
+        false,
+        null,
+      ]);
+    }
   });
 
   it('stop at the ends of the servo, which is said before', async () => {
