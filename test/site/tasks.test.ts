@@ -48,28 +48,11 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
   [
     'enter a whole program from a sheet',
     async ({ app, pilot, byTouch }) => {
-      if (byTouch) {
-        await pilot.press(app.field(positionField(0, 0)));
-        for (let left = WANTED.size; left > 0; left--) {
-          await pilot.type(WANTED.get(await focused(app)) ?? '');
-          await pilot.sheetKey(left > 1 ? /›$/ : 'Done');
-        }
-      } else {
-        // Down the times, up the first servo, down the second, up the third.
-        await pilot.press(app.field(timeField(0)));
-        for (const [row, text] of SHEET.times.entries()) {
-          if (row > 0) await pilot.key('Enter');
-          await pilot.type(text);
-        }
-        await pilot.key('ArrowRight');
-        for (const [servo, positions] of SHEET.positions.entries()) {
-          await pilot.key('ArrowRight');
-          const texts = servo % 2 === 0 ? [...positions].reverse() : positions;
-          for (const [at, text] of texts.entries()) {
-            if (at > 0) await pilot.key(servo % 2 === 0 ? 'Shift+Enter' : 'Enter');
-            await pilot.type(text);
-          }
-        }
+      await pilot.press(app.field(positionField(0, 0)));
+      for (let left = WANTED.size; left > 0; left--) {
+        await pilot.type(WANTED.get(await focused(app)) ?? '');
+        if (byTouch) await pilot.sheetKey(left > 1 ? /›$/ : 'Done');
+        else await pilot.key(left > 1 ? 'Tab' : 'Enter');
       }
       await app.changes(44).waitFor({ state: 'attached' });
       const entries = await app.entries();

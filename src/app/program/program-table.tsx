@@ -1,4 +1,3 @@
-import { useSignal } from '@preact/signals';
 import { Fragment } from 'preact';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { slotCount } from '../../protocol/index.js';
@@ -31,8 +30,6 @@ export function ProgramTable({ session, bench, follow, marked, tools }: ProgramT
   const table = useMemo(() => new TableModel(editor, marked), [editor, marked]);
   const listeners = useMemo(() => pointerListeners(table), [table]);
   useEffect(() => table.follow(), [table]);
-  /** Whether intervals are shown in place of times, where there is no room for both. */
-  const intervals = useSignal(false);
   const foot = useRef<HTMLDivElement>(null);
   useHeight(foot, '--range', 0);
   const identity = editor.identity.value;
@@ -50,7 +47,7 @@ export function ProgramTable({ session, bench, follow, marked, tools }: ProgramT
       >
         <div class="table-scroller">
           <table
-            class={`program-table ${intervals.value ? 'by-intervals' : ''}`}
+            class={`program-table ${table.byIntervals.value ? 'by-intervals' : ''}`}
             {...listeners}
             onKeyDown={(event) => onTableKey(event, table)}
             onCopy={(event) => table.copy(event)}
@@ -61,9 +58,7 @@ export function ProgramTable({ session, bench, follow, marked, tools }: ProgramT
             <TableHead
               {...{ table, tools, identity, servos }}
               uses={session.servoUses.named.value}
-              onSwitch={() => {
-                intervals.value = !intervals.value;
-              }}
+              onSwitch={() => table.switchColumn()}
             />
             <tbody>
               {slots.map((slot) => (

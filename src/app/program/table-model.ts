@@ -49,6 +49,10 @@ export class TableModel {
   /** Why the selected cells were not changed. */
   readonly obstacle: ReadonlySignal<string | null> = this.#obstacle;
 
+  readonly #byIntervals = signal(false);
+  /** Whether intervals are shown in place of times, where there is no room for both. */
+  readonly byIntervals: ReadonlySignal<boolean> = this.#byIntervals;
+
   constructor(editor: Editor, marked: ReadonlySignal<ProgramField | null>) {
     this.editor = editor;
     this.marked = marked;
@@ -75,6 +79,11 @@ export class TableModel {
   entered(cell: GridCell | null): void {
     this.#obstacle.value = null;
     this.#motorHeld.value = cell ? this.#motorDue.value : this.motorBefore.value;
+  }
+
+  /** Shows intervals in place of times, or the times again. */
+  switchColumn(): void {
+    this.#byIntervals.value = !this.#byIntervals.value;
   }
 
   /** The focus has left the table. */

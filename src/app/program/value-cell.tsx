@@ -61,6 +61,8 @@ export function ValueCell({ table, standing, field, children }: ValueCellProps) 
           ref={input}
           type="text"
           data-field={key}
+          // From a sheet one types times and positions. The arrows still lead to an interval.
+          tabIndex={isInterval && !table.byIntervals.value ? -1 : undefined}
           inputMode={hand.isTouch.value ? 'none' : model.kind === 'steps' ? 'numeric' : 'decimal'}
           autocomplete="off"
           spellcheck={false}
