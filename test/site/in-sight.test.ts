@@ -140,6 +140,27 @@ test('a copy of a memory shows all three servos on a small phone in the sun', as
   expect(await grid.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
 });
 
+test('the figure of the timeline and its name have room on a tablet', async () => {
+  const app = await AppPage.open({ ...TABLET, bench: { granted: true } });
+  await app.connect();
+  await app.field('Function 4 time').click();
+  const name = app.page.locator('.timeline-readout span');
+  await name.waitFor();
+  const under = await name.evaluate((span) => {
+    const room = span.closest('.timeline-moment')?.getBoundingClientRect();
+    return span.getBoundingClientRect().bottom - (room?.bottom ?? 0);
+  });
+  expect(under).toBeLessThanOrEqual(0);
+});
+
+test('the sign at the last heading of the table stands apart from the edge of a phone', async () => {
+  const app = await AppPage.open({ ...PHONE, bench: { granted: true } });
+  await app.connect();
+  const last = app.page.getByRole('button', { name: 'Tools for S3' });
+  const end = await last.evaluate((button) => getComputedStyle(button, '::after').insetInlineEnd);
+  expect(Number.parseFloat(end)).toBeGreaterThan(2);
+});
+
 test('the buttons for the timer leave room for the table on a tablet', async () => {
   const app = await AppPage.open({
     viewport: { width: 768, height: 1024 },
