@@ -13,6 +13,7 @@ import type { AppModels } from './models.js';
 import type { PaletteCommand } from './shell/palette.js';
 import { VIEWS } from './shell/views.js';
 import type { Session } from './work/session.js';
+import { readShown } from './write/edit-memory.js';
 
 /** The commands that are possible now, the most wanted first. What stands on the screen of one view only has none. */
 export function commandsOf(models: AppModels): readonly PaletteCommand[] {
@@ -71,7 +72,7 @@ function timerCommands({ session, leaving }: AppModels): PaletteCommand[] {
   if (runner.busy.value) return [{ name: header.stop, run: () => void runner.stop() }];
   if (connection.value) {
     return [
-      { name: program.read, run: () => void session.reader.read() },
+      { name: program.read, run: () => void readShown(session) },
       { name: header.disconnect, run: () => void leaving.disconnect() },
     ];
   }
@@ -92,7 +93,9 @@ function libraryCommands(models: AppModels): PaletteCommand[] {
     if (key !== null) flights.fillIn(key);
   };
   return [
-    ...(flights.flyable.value ? [{ name: flightMessages.flying.button, run: flying }] : []),
+    ...(flights.flyable.value && !session.onScreen.apart.value
+      ? [{ name: flightMessages.flying.button, run: flying }]
+      : []),
     { name: comparingMessages.compare.open, run: () => views.show('library', COMPARE) },
     { name: filesMessages.import.button, run: () => filesOf(models).choose() },
     // Nobody may have looked yet at what is kept.

@@ -36,15 +36,24 @@ interface Case {
   readonly origin: (typeof ORIGINS)[number];
   readonly changed: boolean;
   readonly standing: (typeof STANDINGS)[number];
+  /** Whether M3 was opened in the table, while M1 flies next. */
+  readonly apart: boolean;
 }
 
 const CASES: readonly Case[] = TIMERS.flatMap((timer) =>
   ORIGINS.flatMap((origin) =>
-    [false, true].flatMap((changed) => STANDINGS.map((standing): Case => ({ timer, origin, changed, standing }))),
+    [false, true].flatMap((changed) =>
+      STANDINGS.flatMap((standing) =>
+        [false, true].map((apart): Case => ({ timer, origin, changed, standing, apart })),
+      ),
+    ),
   ),
 )
   // Without a timer there are no values of one, and nothing is read.
-  .filter(({ timer, origin, standing }) => timer !== 'none' || (origin !== 'timer' && standing === 'disconnected'));
+  .filter(
+    ({ timer, origin, standing, apart }) =>
+      timer !== 'none' || (origin !== 'timer' && standing === 'disconnected' && !apart),
+  );
 
 const { model: _, ...NOBODYS } = BACKUP;
 
@@ -52,14 +61,17 @@ beforeEach(() => localStorage.clear());
 afterEach(cleanup);
 
 /** Brings the page into the state of a case. */
-async function reach({ timer, origin, changed, standing }: Case): Promise<AppBench> {
+async function reach({ timer, origin, changed, standing, apart }: Case): Promise<AppBench> {
   const bench = await lancerBench();
   const { session } = bench;
   if (timer === 'unknown') {
     const positions = LANCER_HELD.positions.map((row) => row.map((position, slot) => (position + 11 * slot) % 100));
     bench.timer.core.memories[0] = { times: LANCER_HELD.times.map((time) => time + 300), positions };
   }
+  // So that M3 says the same of the model as M1 does.
+  bench.timer.core.memories[2] = structuredClone(bench.timer.core.content);
   if (timer !== 'none') await run(session.timer.connect());
+  if (apart) await run(bench.memories.edit(2));
   if (origin === 'setting') await run(session.opened.show(CALM));
   if (origin === 'setting of another') await run(session.opened.show(WIND));
   if (origin === 'backup of another') session.onScreen.showBackup(BACKUP);
@@ -69,7 +81,7 @@ async function reach({ timer, origin, changed, standing }: Case): Promise<AppBen
   if (standing === 'sent') bench.editor.sent();
   if (standing === 'interrupted') {
     bench.timer.core.onAnswer = ({ name }) => {
-      if (name.startsWith('SET')) bench.timer.core.sleep();
+      if (name.startsWith('SET') && name !== 'SETMEMORY') bench.timer.core.sleep();
     };
     const kept = bench.editor.working.value;
     // Something has to be sent for it to be interrupted.
@@ -99,10 +111,10 @@ function drawn(part: Parameters<typeof render>[0]): string {
 }
 
 /** Everything that names a model, or says what a timer holds, in one list. */
-function placesOf(bench: AppBench) {
+function placesOf(bench: AppBench, memoryOfTimer: number) {
   const { session, saveSetting, sharing, flights, follow } = bench;
   const order = new PrintOrder();
-  order.choose([ON_SCREEN, memoryKey(0)]);
+  order.choose([ON_SCREEN, memoryKey(memoryOfTimer)]);
   const print = new Print(session, order, 'https://example.org/');
   if (!print.parts.value.has('code')) print.togglePart('code');
   const [screen, memory] = print.sheets.value;
@@ -113,7 +125,9 @@ function placesOf(bench: AppBench) {
   pair.show(SCREEN, null);
   const compare = new Compare(session, pair);
   const sideOf = (kind: 'screen' | 'timer'): string => {
-    const side = compare.sides.value.find((each) => each.kind === kind);
+    const side = compare.sides.value.find(
+      (each) => each.kind === kind && (each.kind !== 'timer' || each.held.memory === memoryOfTimer),
+    );
     return side ? sideName(session, side).replaceAll('\u00a0', ' ') : '';
   };
   saveSetting.open();
@@ -152,7 +166,7 @@ const SAYS = {
   now: words.readAt('').trim(),
   verified: words.verified('').trim(),
   once: words.lastReadAt(null),
-  not: words.unknown('M1'),
+  not: words.unknown('M').replace(/M .*/, 'M'),
 };
 
 /** Which of them stand in a text. “As in the timer, read” is no part of “verified”. */
@@ -161,8 +175,8 @@ function saidIn(text: string): string[] {
 }
 
 describe('every place that names a model or says what a timer holds', () => {
-  it.each(CASES)('$timer timer, values of $origin, changed: $changed, $standing', async (which) => {
-    const { timer, origin, standing } = which;
+  it.each(CASES)('$timer timer, values of $origin, changed: $changed, $standing, M3: $apart', async (which) => {
+    const { timer, origin, standing, apart } = which;
     const bench = await reach(which);
     const { editor, session } = bench;
     // The timer that fell asleep during a write is waited for.
@@ -194,7 +208,7 @@ describe('every place that names a model or says what a timer holds', () => {
       return standing === 'read' ? ['now'] : standing === 'verified' ? ['verified'] : ['once'];
     })();
 
-    const places = placesOf(bench);
+    const places = placesOf(bench, apart ? 2 : 0);
     const other = model === 'Magpie' ? 'Lancer' : 'Magpie';
 
     // The connected timer has its own name, whatever lies over it.
@@ -253,8 +267,11 @@ describe('every place that names a model or says what a timer holds', () => {
       if (!isNow) expect(text).not.toContain(modelBackups.same(modelBackups.now));
     }
 
-    // A flight is of the timer, and of a setting only where the timer holds all of it.
-    if (standing !== 'read' && standing !== 'verified') expect(places.flown).toBeNull();
+    // A flight is of the memory that flies next, and of a setting only where the timer holds all of it. What was sent
+    // or written into another one makes no difference.
+    const isFlown = apart ? isConnected : standing === 'read' || standing === 'verified';
+    expect(places.flown?.program.memory ?? null).toBe(isFlown ? 0 : null);
+    if (!isFlown) expect(places.flown).toBeNull();
     else {
       const inTimer = session.standings.of(0).known;
       const isWhole = (of: typeof CALM): boolean =>

@@ -64,11 +64,11 @@ export async function fly(name: string): Promise<void> {
   await idle();
 }
 
-/** A look at M3 is cut: the timer falls asleep on the way, and is back with M3 as the memory that flies next. */
+/** The reading of M3 is cut: the timer falls asleep on the way, and is back with M3 as the memory that flies next. */
 export async function strandAtM3({ timer: { core } }: AppBench): Promise<void> {
   await lookAt('M3');
   core.onAnswer = ({ name }) => name === 'GETSERVOPOS' && core.memory === 2 && core.sleep();
-  await press('Look at M3');
+  await press('Edit M3');
   core.onAnswer = undefined;
   core.press();
   await idle();

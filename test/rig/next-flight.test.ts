@@ -4,7 +4,7 @@ import { connected } from './pilot.js';
 
 const identity = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 } as const;
 
-test('a look leaves the timer as it was, and what flies next is what the pilot was told', async () => {
+test('M3 in the table leaves the timer as it was, and what flies next is what the pilot was told', async () => {
   const { rig, pilot } = await connected({ timer: { identity } });
   const { core } = rig.timer;
   const before = structuredClone(core.memories);
@@ -15,14 +15,29 @@ test('a look leaves the timer as it was, and what flies next is what the pilot w
   };
 
   await look('M3');
-  await pilot.button(en.look.look('M3')).click();
-  await pilot.page.getByRole('heading', { name: /^M3, read / }).waitFor();
+  await pilot.button(en.look.edit('M3')).click();
+  await pilot.sees(`${en.nextFlight.onScreen('M3')} ${en.nextFlight.other('M1')}`);
   expect([core.memory, selected(), core.memories]).toEqual([0, [2, 0], before]);
 
+  await pilot.goTo('memories');
   await pilot.button(en.look.fly('M3')).click();
   await pilot.sees(`${en.nextFlight.other('M3')} ${en.nextFlight.original('M1')}`);
   expect(core.memory).toBe(2);
   await pilot.button(en.header.disconnect).click();
   await expect.poll(() => rig.sessions, { timeout: 60_000 }).toEqual({ opened: 1, closed: 1 });
   expect([core.memory, selected(), core.memories]).toEqual([2, [2, 0, 2], before]);
+});
+
+test('M3 is written from the table, and the timer is left at M1', async () => {
+  const { rig, pilot } = await connected({ timer: { identity } });
+  const { core } = rig.timer;
+  const [m1] = structuredClone(core.memories);
+  await pilot.page.getByRole('radio', { name: 'M3', exact: true }).check({ force: true });
+  await pilot.button(en.look.edit('M3')).click();
+  await pilot.sees(`${en.nextFlight.onScreen('M3')} ${en.nextFlight.other('M1')}`);
+  await pilot.type({ 'DT time': '2:30' });
+  await pilot.review();
+  await pilot.button(/^Write 1 change$/).click();
+  await pilot.sees(en.write.verified.title);
+  expect([core.memory, core.memories[0], core.memories[2]?.times[10]]).toEqual([0, m1, 15_000]);
 });

@@ -19,7 +19,7 @@ export class Pilot {
     return this.page.getByRole('table', { name: en.program.tableCaption }).getByRole('textbox', { name, exact: true });
   }
 
-  async goTo(view: 'program' | 'bench' | 'settings'): Promise<void> {
+  async goTo(view: 'program' | 'memories' | 'bench' | 'settings'): Promise<void> {
     await this.page.evaluate((hash) => location.assign(hash), `#${view}`);
     await this.page.locator(`.${view}-view`).waitFor();
   }

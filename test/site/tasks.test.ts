@@ -46,6 +46,27 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
     },
   ],
   [
+    'change DT in M3 while M1 flies next, and write',
+    async ({ app, pilot, byTouch }) => {
+      if (byTouch) await pilot.press(app.page.locator('.strip-more'));
+      await pilot.press(app.page.locator('.memories label', { hasText: 'M3' }));
+      await pilot.press(app.button('Edit M3'));
+      await pilot.press(app.field('DT time'));
+      await pilot.type('2:30');
+      if (byTouch) await pilot.sheetKey('Done');
+      await pilot.press(app.button('Write 1 change…'));
+      await pilot.press(app.dialog.getByRole('checkbox', { name: 'The propeller is off' }));
+      await pilot.press(app.dialog.getByRole('button', { name: 'Write 1 change' }));
+      await app.result('Verified.');
+      await pilot.press(app.dialog.getByRole('button', { name: 'Close' }));
+      const held = await app.bench(({ adapter }) => {
+        const { memory, memories } = adapter.timer.core;
+        return { memory, memories };
+      });
+      expect([held.memory, held.memories[0]?.times[10], held.memories[2]?.times[10]]).toEqual([0, 18000, 15000]);
+    },
+  ],
+  [
     'enter a whole program from a sheet',
     async ({ app, pilot, byTouch }) => {
       await pilot.press(app.field(positionField(0, 0)));

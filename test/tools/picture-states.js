@@ -375,10 +375,21 @@ export const states = {
   looked: {
     title: 'A memory that is looked at',
     reach: async (page) => {
+      await readAll(page);
+      await goTo(page, 'program');
+      await lookAt(page, 'M3');
+      await page.getByRole('heading', { name: /^M3, read / }).waitFor();
+    },
+  },
+  apart: {
+    title: 'M3 in the table, while M1 flies next',
+    reach: async (page) => {
       await connect(page);
       await lookAt(page, 'M3');
-      await press(page, 'Look at M3');
-      await page.getByRole('heading', { name: /^M3, read / }).waitFor();
+      await press(page, 'Edit M3');
+      await page.getByText('This is M3.').waitFor();
+      await enter(page, 'DT time', '2:00');
+      await toTop(page);
     },
   },
   disconnected: {

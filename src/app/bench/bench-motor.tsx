@@ -17,7 +17,8 @@ interface MotorProps {
 /** The motor of a class Q timer. Only a button that is held down frees it. */
 export function Motor({ session, bench, follow }: MotorProps) {
   const { bench: words, program } = messages.value;
-  const hasThrottle = typeof session.editor.working.value?.idleThrottle === 'number';
+  const isHere = !session.onScreen.apart.value;
+  const hasThrottle = isHere && typeof session.editor.working.value?.idleThrottle === 'number';
   const waits = useComputed(() =>
     session.editor.changes.value.some(({ field }) => field.kind === 'idleThrottle'),
   ).value;

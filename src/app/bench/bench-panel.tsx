@@ -29,6 +29,7 @@ export function BenchPanel({ session, bench, follow, expert }: BenchPanelProps) 
   const connected = session.connection.value !== null;
   return (
     <div class="stack gap-4 bench">
+      {connected && <Elsewhere session={session} />}
       {connected ? <SafetyCheck safety={session.safety} /> : <p class="hint">{messages.value.views.noTimer.bench}</p>}
       {/* The switch itself says that they follow. */}
       {!follow.on.value && <FollowNote session={session} bench={bench} follow={follow} />}
@@ -49,6 +50,14 @@ export function BenchPanel({ session, bench, follow, expert }: BenchPanelProps) 
       </div>
     </div>
   );
+}
+
+/** Why nothing moves while another memory than the one that flies next is on the screen. */
+function Elsewhere({ session }: Pick<BenchPanelProps, 'session'>) {
+  const { bench: words, memoryName } = messages.value;
+  const memory = session.nextFlight.memory.value;
+  if (!session.onScreen.apart.value || memory === null) return null;
+  return <p class="notice">{words.elsewhere(memoryName(memory))}</p>;
 }
 
 /** Announces what was done last, once it is done, with buttons to the previous and the next function. */

@@ -30,8 +30,11 @@ export class Bench {
   constructor(parts: BenchParts) {
     this.#parts = parts;
     this.stand = new ServoStand(parts);
-    const { runner, safety } = parts;
-    this.ready = computed(() => runner.ready.value && !runner.claimed.value && safety.confirmed.value);
+    const { runner, safety, onScreen } = parts;
+    // The servos move as the memory says that flies next, not as another one on the screen does.
+    this.ready = computed(
+      () => runner.ready.value && !runner.claimed.value && safety.confirmed.value && !onScreen.apart.value,
+    );
     parts.connection.subscribe(() => {
       // A doubtful result is shown until the next action, because the timer may come back before anybody reads it.
       if (this.done.peek()?.certain) this.done.value = null;

@@ -30,17 +30,7 @@ export interface FlightScore {
 
 type LogParts = Pick<
   Session,
-  | 'editor'
-  | 'library'
-  | 'nextFlight'
-  | 'onScreen'
-  | 'opened'
-  | 'origin'
-  | 'reader'
-  | 'runner'
-  | 'shortDt'
-  | 'standing'
-  | 'standings'
+  'editor' | 'library' | 'onScreen' | 'opened' | 'origin' | 'reader' | 'runner' | 'shortDt' | 'standings'
 >;
 
 /**
@@ -78,10 +68,9 @@ export class FlightLog {
     this.filling = this.#filling;
     this.filter = this.#filter;
     this.held = computed(() => {
-      const { standing, nextFlight, reader, standings, editor } = parts;
-      if (standing.value.sure !== 'now' || nextFlight.open.value || reader.byteOrderOpen.value) return null;
-      const { known } = standings.of(editor.working.value?.memory ?? null);
-      return known.state === 'read' ? known.program : null;
+      const { reader, standings } = parts;
+      const { known, sure } = standings.next.value ?? {};
+      return sure === 'now' && known?.state === 'read' && !reader.byteOrderOpen.value ? known.program : null;
     });
     this.flyable = computed(() => this.held.value ?? this.#verified.value?.program ?? null);
     effect(() => {
@@ -215,10 +204,12 @@ export class FlightLog {
 
   /** What flies is what the timer was last read to hold. It is of a setting only where each value is. */
   #flown(program: TimerProgram): Flown {
-    const { origin, library, editor } = this.#parts;
+    const { origin, library, editor, onScreen } = this.#parts;
     const isSame = ({ setting }: SettingRecord): boolean =>
       sameLayout(setting.program.identity, program.identity) && changesSince(setting.program, program).length === 0;
-    const from = library.settings.get(editor.heldOf.peek().of?.id ?? null);
+    // What is on the screen may be of another memory.
+    const held = onScreen.apart.peek() ? null : editor.heldOf.peek().of;
+    const from = library.settings.get(held?.id ?? null);
     const model = origin.timer.peek() ?? library.models.get(from?.setting.model ?? null)?.model ?? null;
     const isOwn = ({ setting }: SettingRecord): boolean => setting.model === (model?.id ?? null);
     const [only, ...more] = library.settings.list.peek().filter((record) => isOwn(record) && isSame(record));

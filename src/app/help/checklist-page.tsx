@@ -2,6 +2,8 @@ import { useEffect } from 'preact/hooks';
 import { checklist as words } from '../messages/en-guide.js';
 import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
+import { lastRead } from '../timer/known.js';
+import type { Held } from '../timer/standing.js';
 import { Check } from '../ui/check.js';
 import { useUnsaved } from '../ui/unsaved.js';
 import type { Session } from '../work/session.js';
@@ -46,13 +48,18 @@ export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
   );
 }
 
+const UNKNOWN: Held = { known: { state: 'unread' }, sure: 'once' };
+
 /** What is known about the connected timer: the memory that flies next, and its DT. */
 function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
   const { memoryName, knowledge, header } = messages.value;
   const { known } = words;
-  const { editor, nextFlight, connection, simulated } = session;
-  const held = editor.baseline.value;
-  const standing = session.standing.value;
+  const { editor, onScreen, nextFlight, connection, simulated } = session;
+  // A memory that was opened apart from the one that flies next says nothing here.
+  const isApart = onScreen.apart.value;
+  const { known: next, sure } = session.standings.next.value ?? UNKNOWN;
+  const held = isApart ? lastRead(next) : editor.baseline.value;
+  const standing = isApart ? { sure, at: next.state === 'read' ? next.at : null } : session.standing.value;
   if (!held) {
     // Without a reading the worst that is unfinished is what there is to know.
     const [worst] = session.unfinished.value;
@@ -68,7 +75,7 @@ function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
     );
   }
   const [dt] = keyFigures(held);
-  const changes = editor.changes.value.length;
+  const changes = isApart ? 0 : editor.changes.value.length;
   const time = standing.at === null ? null : clockText(standing.at);
   // Which memory flies next is certain only while the timer is connected.
   const flies = standing.sure === 'now' && time !== null && connection.value !== null && !nextFlight.open.value;

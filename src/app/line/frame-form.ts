@@ -12,7 +12,10 @@ export interface FrameResult {
   readonly reply: Frame | null;
 }
 
-type FormParts = Pick<Session, 'connection' | 'editor' | 'nextFlight' | 'reader' | 'runner' | 'safety' | 'servoMoves'>;
+type FormParts = Pick<
+  Session,
+  'connection' | 'editor' | 'knowledge' | 'nextFlight' | 'reader' | 'runner' | 'safety' | 'servoMoves'
+>;
 
 /**
  * A frame that the pilot sends by hand. Nobody knows for certain what one does, so each needs a confirmation, goes out
@@ -85,7 +88,7 @@ export class FrameForm {
   /** Sends the confirmed frame once, then reads the timer, even when no reply came. */
   async confirm(): Promise<void> {
     const frame = this.frame.value;
-    const { runner, editor, nextFlight, servoMoves, connection, safety, reader } = this.#parts;
+    const { runner, editor, knowledge, nextFlight, servoMoves, connection, safety, reader } = this.#parts;
     if (!frame || !this.ready.value || !this.asking.value || !safety.confirmed.value) return;
     const before = connection.value;
     await runner.run('frame', async ({ client }, options) => {
@@ -93,6 +96,7 @@ export class FrameForm {
         this.#asking.value = null;
         this.result.value = null;
         editor.sent();
+        knowledge.sent();
         // Until the reading below has told the current memory, nobody knows which one flies next.
         nextFlight.leave(null);
       });

@@ -14,7 +14,7 @@ export type LeavingAnswer = 'stay' | 'leave' | 'back' | 'put-back';
 /** Jobs that select memories. */
 const SELECTING: ReadonlySet<JobKind> = new Set(['select', 'look', 'memories']);
 
-type LeavingParts = Pick<Session, 'link' | 'timer' | 'runner' | 'nextFlight' | 'shortDt' | 'editor'>;
+type LeavingParts = Pick<Session, 'link' | 'timer' | 'runner' | 'nextFlight' | 'reader' | 'shortDt' | 'editor'>;
 
 /** Ends the connection only after the pilot knows which memory will fly and whether its DT is short. */
 export class Leaving {

@@ -3,20 +3,22 @@ import type { TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import type { JobContext } from '../timer/job-runner.js';
 import type { Session } from '../work/session.js';
+import { editMemory } from '../write/edit-memory.js';
 import { NotedRoundTrip, type RoundTripParts } from '../write/noted-round-trip.js';
 
 type MemoriesParts = RoundTripParts & Pick<Session, 'connection' | 'runner' | 'backups' | 'notices'>;
 
 /**
- * The memories of the connected timer: which one the pilot looks at, and which flies next.
+ * The memories of the connected timer: which one the pilot looks at, which is in the table, and which flies next.
  * Acts only when the pilot asks for it.
  */
 export class Memories {
-  /** The memory that the pilot looks at, if it is not the current one; null for none. */
+  /** The memory that the pilot looks at, if it is not the one in the table; null for none. */
   readonly looking: ReadonlySignal<number | null> = computed(() => {
-    const { nextFlight, editor } = this.#parts;
-    const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
-    return this.#picked.value === current ? null : this.#picked.value;
+    const { nextFlight, editor, onScreen } = this.#parts;
+    const isShown = onScreen.apart.value || !nextFlight.open.value;
+    const shown = isShown ? (editor.baseline.value?.memory ?? null) : null;
+    return this.#picked.value === shown ? null : this.#picked.value;
   });
   /** Whether the connected timer does not say which memory is current, so that nobody knows which one to go back to. */
   readonly noWayBack: ReadonlySignal<boolean> = computed(() => {
@@ -35,9 +37,16 @@ export class Memories {
     });
   }
 
-  /** Shows the last reading of a memory, and sends nothing. For the current memory it shows the program. */
-  show(memory: number): void {
-    this.#picked.value = memory;
+  /**
+   * Shows the last reading of a memory, and sends nothing. The one in the table is shown there, and so is the one that
+   * flies next if it was read.
+   */
+  async show(memory: number): Promise<void> {
+    const { nextFlight, reader } = this.#parts;
+    const before = this.#picked.peek();
+    const isThere = memory === nextFlight.memory.peek() && (await reader.showNext());
+    // The pilot may have chosen another one since.
+    if (this.#picked.peek() === before) this.#picked.value = isThere ? null : memory;
   }
 
   /** Shows the program again. */
@@ -45,10 +54,10 @@ export class Memories {
     this.#picked.value = null;
   }
 
-  /** Reads a memory, restores the current one, and shows what was read. */
-  async look(memory: number): Promise<void> {
+  /** Opens a memory in the table, by a fresh reading. What flies next stays. */
+  async edit(memory: number): Promise<void> {
     this.#picked.value = memory;
-    await this.readOnce(memory);
+    if (await editMemory(this.#parts, memory)) this.#picked.value = null;
   }
 
   /** Reads a memory and restores the current one. */

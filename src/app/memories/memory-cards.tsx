@@ -27,7 +27,9 @@ interface MemoryCardsProps {
 export function MemoryCards({ session, memories, write, onProgram, onCompare }: MemoryCardsProps) {
   const baseline = session.editor.baseline.value;
   if (!baseline) return null;
-  const current = session.nextFlight.open.value ? null : baseline.memory;
+  // Without a timer, the one that was on the screen.
+  const last = session.onScreen.apart.value ? null : baseline.memory;
+  const current = session.connection.value ? session.nextFlight.memory.value : last;
   const count = baseline.identity.memories;
   const all = Array.from({ length: count }, (_, memory) => ({ memory, ...session.standings.of(memory) }));
   const scale = sharedScale(all.flatMap(({ known }) => lastRead(known) ?? []));
@@ -152,14 +154,28 @@ function Actions({ session, memories, write, memory, current, count, isRead, onP
   const against = memory === current || current === null ? others[0] : current;
   // What is not certain has no one program to compare.
   const canCompare = (each: number): boolean => session.standings.of(each).known.state === 'read';
+  const edits = memory !== current && current !== null && session.connection.value !== null;
   return (
     <div class="row card-actions">
-      {(isRead || memory === current) && (
+      {edits && (
+        <button
+          type="button"
+          aria-disabled={!ready}
+          onClick={() => {
+            if (!ready) return;
+            void memories.edit(memory);
+            onProgram();
+          }}
+        >
+          {look.edit(name)}
+        </button>
+      )}
+      {!edits && (isRead || memory === current) && (
         <button
           type="button"
           aria-label={of(open, name)}
           onClick={() => {
-            memories.show(memory);
+            void memories.show(memory);
             onProgram();
           }}
         >

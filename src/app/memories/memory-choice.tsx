@@ -1,4 +1,3 @@
-import { useComputed } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
@@ -13,19 +12,19 @@ const MOST_BUTTONS = 8;
 /** Which memory flies next, in words, and which one is shown. Choosing one only shows it: nothing is sent. */
 export function MemoryChoice({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { program, memoryName, nextFlight } = messages.value;
-  const { editor, nextFlight: next, connection, runner } = session;
+  const { editor, onScreen, nextFlight: next, connection, runner } = session;
   const name = useId();
   const identity = editor.identity.value;
-  const memory = useComputed(() => editor.working.value?.memory ?? null).value;
   // A program that was made here is for any timer.
   if (!identity || editor.madeAt.value !== null) return null;
   const isConnected = connection.value !== null;
   const job = runner.job.value;
-  const current = next.open.value ? null : memory;
-  const shown = memories.looking.value ?? (job?.kind === 'select' ? job.memory : current);
+  const flying = isConnected ? next.memory.value : null;
+  const open = next.open.value && !onScreen.apart.value ? null : onScreen.memory.value;
+  const shown = memories.looking.value ?? (job?.kind === 'select' ? job.memory : open);
   const nameOf = (index: number): string => {
     const text = memoryText(session, index);
-    return isConnected && index === current ? nextFlight.named(text) : text;
+    return index === flying ? nextFlight.named(text) : text;
   };
   const all = Array.from({ length: identity.memories }, (_, index) => index);
   if (all.length > MOST_BUTTONS) {
@@ -35,7 +34,7 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
         aria-label={program.memory}
         disabled={!isConnected}
         value={String(shown ?? '')}
-        onChange={({ currentTarget }) => memories.show(Number(currentTarget.value))}
+        onChange={({ currentTarget }) => void memories.show(Number(currentTarget.value))}
       >
         {shown === null && <option value="">{program.memory}</option>}
         {all.map((index) => (
@@ -51,7 +50,7 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
       <legend class="visually-hidden">{program.memory}</legend>
       <div class="segments">
         {all.map((index) => {
-          const flies = isConnected && index === current;
+          const flies = index === flying;
           const given = givenName(session.origin.named.value, index);
           // The sign alone tells it where the pilot's name has the room.
           const below = given === '' && flies ? nextFlight.badge : given;
@@ -64,7 +63,7 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
                 aria-label={nameOf(index)}
                 checked={index === shown}
                 disabled={!isConnected}
-                onChange={() => memories.show(index)}
+                onChange={() => void memories.show(index)}
               />
               <span>
                 <span>

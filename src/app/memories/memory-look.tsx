@@ -15,13 +15,13 @@ interface MemoryLookProps {
   readonly memory: number;
 }
 
-/** Shows the last reading of a memory that is not current, and the two ways to it. */
+/** Shows the last reading of a memory that is not in the table, and the two ways to it. */
 export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
   const { look: words, memoryName, program, timer } = messages.value;
-  const { editor, nextFlight, runner } = session;
+  const { nextFlight, runner } = session;
   const name = memoryText(session, memory);
   const { known } = session.standings.of(memory);
-  const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
+  const current = nextFlight.memory.value;
   // Not during a job. A disabled button would lose the focus, so it stays enabled.
   const isBusy = !runner.ready.value;
   const noWayBack = memories.noWayBack.value;
@@ -36,19 +36,21 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
           type="button"
           aria-disabled={isBusy}
           disabled={noWayBack}
-          onClick={() => void (!isBusy && memories.look(memory))}
+          onClick={() => void (!isBusy && memories.edit(memory))}
         >
-          {words.look(name)}
+          {words.edit(name)}
         </button>
         {noWayBack && <p class="hint">{timer['memory-unknown'].advice}</p>}
-        {current !== null && <p class="hint">{words.hint(name, memoryName(current))}</p>}
+        {current !== null && current !== memory && <p class="hint">{words.hint(name, memoryName(current))}</p>}
       </div>
       <div class="buttons">
-        <button type="button" aria-disabled={isBusy} onClick={() => void (!isBusy && memories.fly(memory))}>
-          {words.fly(name)}
-        </button>
-        {current !== null && (
-          <button type="button" class="quiet" onClick={() => memories.show(current)}>
+        {current !== memory && (
+          <button type="button" aria-disabled={isBusy} onClick={() => void (!isBusy && memories.fly(memory))}>
+            {words.fly(name)}
+          </button>
+        )}
+        {current !== null && current !== memory && (
+          <button type="button" class="quiet" onClick={() => void memories.show(current)}>
             {words.show(memoryName(current))}
           </button>
         )}

@@ -24,8 +24,8 @@ import { finishWrite, takeGoal } from './finish-write.js';
 export interface UnfinishedProps {
   readonly session: Session;
   readonly write: WriteJob;
-  /** Reads a memory that is not current. */
-  readonly onLook: (memory: number) => void;
+  /** Reads a memory that is not current, and opens it. */
+  readonly onEdit: (memory: number) => void;
   /** Makes a memory fly next. */
   readonly onFly: (memory: number) => void;
   /** Keeps the positions that were tried in the connected timer. */
@@ -81,14 +81,17 @@ export function entriesOf(props: UnfinishedProps, job: OpenJob): readonly Entry[
 }
 
 /** What makes it certain, where that is possible from here. */
-function waysToRead({ session, onLook }: UnfinishedProps, where: Where): readonly Way[] {
+function waysToRead({ session, onEdit }: UnfinishedProps, where: Where): readonly Way[] {
   const { knowledge: words, program, look, memoryName } = messages.value;
   const { memory } = where;
   const disabled = session.runner.busy.value;
   if (isHere(session, where)) {
-    return memory === null || session.editor.working.value?.memory === memory
+    // While nobody knows which one flies next, that of the screen is taken for it.
+    const { onScreen, nextFlight } = session;
+    const current = nextFlight.memory.value ?? (onScreen.apart.value ? null : onScreen.memory.value);
+    return memory === null || memory === current
       ? [{ label: program.read, disabled, run: () => void session.reader.read() }]
-      : [{ label: look.look(memoryName(memory)), disabled, run: () => onLook(memory) }];
+      : [{ label: look.edit(memoryName(memory)), disabled, run: () => onEdit(memory) }];
   }
   if (session.link.state.value.status !== 'off' || session.link.unavailable || isSimulated(where)) return [];
   return [{ label: words.connect, disabled: session.engaged.value, run: () => void session.timer.connect() }];
@@ -103,7 +106,7 @@ function waysToForget({ link, knowledge }: Session, { key }: Where): readonly Wa
 }
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
-function offered({ session, write: job }: UnfinishedProps, offer: Offer): Entry {
+function offered({ session, write: job, onEdit }: UnfinishedProps, offer: Offer): Entry {
   const { recovery: words, write, bench, look, timer, memoryName } = messages.value;
   const { recovery } = session;
   const disabled = session.runner.busy.value;
@@ -117,7 +120,10 @@ function offered({ session, write: job }: UnfinishedProps, offer: Offer): Entry 
   if (offer.kind === 'elsewhere') {
     const { memory } = offer;
     const said = words.elsewhere(memoryName(memory));
-    return { name: words.title, isGrave: false, title: words.title, said, ways: [fly(memory), otherTimer, leave] };
+    // Where the timer does not say which memory is current, there is no way back from a look.
+    const edit: Way = { label: look.edit(memoryName(memory)), disabled, run: () => onEdit(memory) };
+    const way = session.nextFlight.memory.value === null ? fly(memory) : edit;
+    return { name: words.title, isGrave: false, title: words.title, said, ways: [way, otherTimer, leave] };
   }
   if (offer.kind === 'memories') {
     const { title } = timer['memory-left'];
@@ -165,13 +171,15 @@ function rows({ record: { before, goal }, part }: Extract<Offer, { kind: 'write'
 
 /** Positions that were tried: to keep them, or to put back what the timer held before. */
 function tried(props: UnfinishedProps, trial: OpenTrial): Entry {
-  const { session, write, onFly, onKeep } = props;
+  const { session, write, onEdit, onFly, onKeep } = props;
   const { bench: words, look, memoryName } = messages.value;
   const { trials, editor, runner } = session;
   const where = whereOf(trial);
   const { memory } = where;
   const entry = { name: words.decide, isGrave: false, said: words.decide };
-  if (trials.current.value?.before === trial.before && session.connection.value !== null) {
+  // Positions are tried and put back in the memory that flies next.
+  const isHeld = session.connection.value !== null && !session.onScreen.apart.value;
+  if (trials.current.value?.before === trial.before && isHeld) {
     const putBack = (): void => {
       const values = trials.takeBack();
       editor.apply(setValues({ code: 'open', params: {} }, values));
@@ -183,10 +191,12 @@ function tried(props: UnfinishedProps, trial: OpenTrial): Entry {
     ];
     return { ...entry, title: triedText(trial.before.identity, trials.tried.value), ways };
   }
-  const toIt: readonly Way[] =
-    memory !== null && isHere(session, where)
-      ? [{ label: look.fly(memoryName(memory)), disabled: runner.busy.value, run: () => onFly(memory) }]
-      : waysToRead(props, where);
+  const disabled = runner.busy.value;
+  const wayTo = (to: number): Way =>
+    session.nextFlight.memory.value === to
+      ? { label: look.edit(memoryName(to)), disabled, run: () => onEdit(to) }
+      : { label: look.fly(memoryName(to)), disabled, run: () => onFly(to) };
+  const toIt: readonly Way[] = memory !== null && isHere(session, where) ? [wayTo(memory)] : waysToRead(props, where);
   const keep: Way = { label: words.keep, look: 'quiet', run: () => trials.forget(trial.key) };
   return { ...entry, title: triedElsewhere(session, trial), ways: [...toIt, keep] };
 }

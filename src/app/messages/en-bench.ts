@@ -3,6 +3,7 @@ import { plural } from './plural.js';
 /** Moving servos and motor from the page. */
 export const bench = {
   slots: 'Move to',
+  elsewhere: (memory: string) => `Servos and motor work with ${memory}, which flies next. Show ${memory} to move them.`,
   trim: (slot: string) => `Trim at ${slot}`,
   at: (slot: string) => `Servos at ${slot}`,
   atNone: 'It is not known where the servos stand.',

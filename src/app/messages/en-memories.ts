@@ -3,6 +3,8 @@ import { plural } from './plural.js';
 /** Which memory flies next, and what is known about the others. */
 export const nextFlight = {
   badge: 'flies next',
+  /** Before the memory that flies next. */
+  onScreen: (memory: string) => `This is ${memory}.`,
   named: (memory: string) => `${memory}, flies next`,
   other: (memory: string) => `${memory} flies next.`,
   /** While no timer is connected. */
@@ -28,7 +30,9 @@ export const look = {
   either: 'Either',
   or: 'or',
   /** @param current the memory that flies next. */
-  lead: (current: string) => `For looking only. You change and write ${current}, which flies next.`,
+  lead: (current: string) => `For looking only. ${current} flies next.`,
+  /** Opens it in the table. */
+  edit: (memory: string) => `Edit ${memory}`,
   look: (memory: string) => `Look at ${memory}`,
   hint: (memory: string, current: string) => `This selects ${memory}, reads it and goes back to ${current}.`,
   fly: (memory: string) => `Make ${memory} fly next`,

@@ -19,7 +19,7 @@ export const recovery = {
   compare: 'Compare',
   before: 'Before',
   elsewhere: (memory: string) =>
-    `A write into ${memory} of a timer of this kind was interrupted. Make ${memory} fly next to see what it holds.`,
+    `A write into ${memory} of a timer of this kind was interrupted. Read ${memory} to see what it holds.`,
   left: (original: string, current: string) =>
     `Work on the memories was interrupted. Now ${current} flies next. Before that it was ${original}.`,
   /** By a note of this page alone: nobody has asked the timer since. */

@@ -96,7 +96,10 @@ export function MotorRowBefore({ slot, ...props }: SlotProps) {
 export function ThrottleRow(props: RowsProps) {
   const { session, table, identity, servos } = props;
   const { program } = messages.value;
-  const isKnown = useComputed(() => typeof table.editor.working.value?.idleThrottle === 'number').value;
+  const throttle = useComputed(() => table.editor.working.value?.idleThrottle ?? null).value;
+  const isKnown = throttle !== null;
+  // It is not written into a memory that does not fly next: it may belong to all of them.
+  const canEdit = isKnown && !session.onScreen.apart.value;
   // Only a Q is known to have one. What was made here says nothing of a timer.
   if (!isKnown && (identity.timerClass !== 'Q' || table.editor.madeAt.value !== null)) return null;
   return (
@@ -108,10 +111,10 @@ export function ThrottleRow(props: RowsProps) {
       short={program.throttle}
       fields={[THROTTLE]}
     >
-      {isKnown ? <ValueCell table={table} standing={session.standing} field={THROTTLE} /> : <td class="time" />}
+      {canEdit ? <ValueCell table={table} standing={session.standing} field={THROTTLE} /> : <td class="time" />}
       <td class="interval" />
       <td class="aside" colSpan={servos.length}>
-        {isKnown ? program.idleThrottleUnit : valueText(identity, THROTTLE, null)}
+        {canEdit || valueText(identity, THROTTLE, throttle)} {isKnown && program.idleThrottleUnit}
       </td>
     </Row>
   );

@@ -1,6 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Session } from '../work/session.js';
+import { readShown } from '../write/edit-memory.js';
 
 /** Buttons that read the timer again, and take back all changes. */
 export function ReadButtons({ session }: { readonly session: Session }) {
@@ -20,7 +21,7 @@ export function ReadButtons({ session }: { readonly session: Session }) {
           type="button"
           aria-disabled={runner.busy.value}
           disabled={status !== 'on'}
-          onClick={() => void session.reader.read()}
+          onClick={() => void readShown(session)}
         >
           {program.read}
         </button>

@@ -4,6 +4,7 @@ import type { Editor } from '../editing/editor.js';
 import { fieldName, messages } from '../messages/index.js';
 import { firstInTheWay } from '../work/field-notes.js';
 import type { Session } from '../work/session.js';
+import { comeBack } from '../write/edit-memory.js';
 import type { WriteJob } from '../write/write-job.js';
 
 const NOTE = 'blocked-note';
@@ -33,7 +34,7 @@ export function WriteButton({ session, write, brief, onField }: WriteButtonProps
   const press = async (): Promise<void> => {
     const cause = editor.blocked.value ? firstInTheWay(editor) : null;
     if (cause) return onField(cause.field);
-    if (!isConnected) await session.timer.comeBack();
+    if (!isConnected && !(await comeBack(session))) return;
     // The connection may take long, and by then the pilot may want something else.
     if (session.runner.ready.value) void write.open();
   };

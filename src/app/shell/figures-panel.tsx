@@ -1,4 +1,3 @@
-import { useComputed } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { SaveButtons } from '../library/save-buttons.js';
 import type { SaveSetting } from '../library/save-setting.js';
@@ -36,8 +35,7 @@ export function FiguresPanel({ id, session, memories, preferences, saveSetting, 
   const leavesMemory = session.runner.job.value?.kind === 'select';
   // Figures under the name of another memory would be mistaken for its own, and typing there would change this one.
   const isLooking = memories.looking.value !== null;
-  // Not the whole program: with each digit the panel would be drawn again.
-  const memory = useComputed(() => session.editor.working.value?.memory ?? null).value;
+  const memory = session.nextFlight.memory.value;
   if (!identity) return null;
   return (
     <section class="stack gap-3 strip-panel" id={id} aria-label={strip.panel} inert={leavesMemory}>

@@ -33,7 +33,7 @@ export function Header(props: HeaderProps) {
       <UnfinishedBand
         session={session}
         write={write}
-        onLook={(memory) => void memories.look(memory)}
+        onEdit={(memory) => void memories.edit(memory)}
         onFly={(memory) => void memories.fly(memory)}
         onKeep={() => follow.keep()}
       />

@@ -15,7 +15,7 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
   const count = useComputed(() => editor.changes.value.length).value;
   const unfinished = useComputed(() => editor.unreadable.value.size).value;
   const tried = useComputed(() => follow.trials.tried.value.length).value;
-  const memory = useComputed(() => editor.working.value?.memory ?? null).value;
+  const memory = session.onScreen.memory.value;
   const standing = session.standing.value;
   const made = useComputed(() => madeAs(session)).value;
   const open = standing.sure === 'not';

@@ -43,7 +43,8 @@ export function ProgramView(props: ProgramViewProps) {
   }, []);
   // While another memory is being selected, typing would change the one that is left.
   const leaving = useComputed(() => session.runner.job.value?.kind === 'select').value;
-  const isConnected = useComputed(() => session.connection.value !== null).value;
+  // Not beside the values of a memory that does not fly next.
+  const canFly = useComputed(() => session.connection.value !== null && !session.onScreen.apart.value).value;
   const isWriting = useComputed(() => write.current.value !== null).value;
   const looking = memories.looking.value;
   const isNarrow = useQuery(NARROW).value;
@@ -99,7 +100,7 @@ export function ProgramView(props: ProgramViewProps) {
             {!isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
             <ProgramTable {...{ session, bench, follow, marked, tools }} />
             {/* A result of a write has it, too. Its place stays: DT above must not move while it is typed. */}
-            {isConnected && <div class="flying-place">{!isWriting && flying}</div>}
+            {canFly && <div class="flying-place">{!isWriting && flying}</div>}
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
           </div>
         ) : (

@@ -71,7 +71,13 @@ export function StatusStrip(props: StatusStripProps & { readonly hash: string })
   const kind = session.runner.job.value?.kind;
   // Another memory or view, or none: the panel gives way to what has changed. Whoever walks through the memories by
   // keys is not there yet.
-  const shown = [memories.looking.value, kind === 'look' || kind === 'select', status === 'off', hash].join();
+  const shown = [
+    memories.looking.value,
+    session.onScreen.memory.value,
+    kind === 'look' || kind === 'select',
+    status === 'off',
+    hash,
+  ].join();
   const before = useRef(shown);
   useEffect(() => {
     if (before.current === shown) return;
@@ -157,14 +163,14 @@ export function StatusStrip(props: StatusStripProps & { readonly hash: string })
   );
 }
 
-/** The current memory, where there is no room to choose one. */
+/** The memory on the screen, where there is no room to choose one. */
 function MemoryNow({ session }: { readonly session: Session }) {
   const { header, memoryName, nextFlight } = messages.value;
-  const memory = useComputed(() => session.editor.working.value?.memory ?? null).value;
+  const memory = session.onScreen.memory.value;
   const isConnected = session.connection.value !== null;
   const isSimulated = !isConnected && session.simulated.value;
   if (memory === null) return null;
-  const flies = isConnected && !session.nextFlight.open.value;
+  const flies = isConnected && session.nextFlight.memory.value === memory;
   return (
     <span class="strip-memory">
       {/* The state of the connection has given its place to Connect. */}
@@ -213,7 +219,7 @@ function Figure({ session, identity, field, onPress }: FigureProps) {
   /** Uncertain figures are red; those that were only read earlier are grey. */
   const look = useComputed(() => {
     const { sure } = session.standing.value;
-    const { known } = session.standings.of(editor.working.value?.memory ?? null);
+    const { known } = session.standings.of(session.onScreen.memory.value);
     const isOpen = known.state === 'uncertain' && possibleValues(known, field).length > 1;
     if (isOpen) return 'bad';
     if (editor.changes.value.some(({ field: changed }) => fieldKey(changed) === key)) return 'changed';

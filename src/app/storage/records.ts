@@ -125,6 +125,8 @@ export const draftSchema = v.pipe(
     madeAt: v.exactOptional(date),
     /** Set for a program that was made here and closed: it comes to the screen only when the pilot opens it. */
     shelved: v.exactOptional(v.boolean()),
+    /** Set for a memory that was opened without making it fly next. */
+    apart: v.exactOptional(v.boolean()),
     /** Whether it comes from the simulated timer. */
     simulated: v.boolean(),
     /** The id of the model that it is for; absent when it is not known. */

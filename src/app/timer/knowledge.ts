@@ -48,6 +48,8 @@ export class Knowledge {
    * whether the timer has acknowledged all so far.
    */
   readonly #underWay = signal<ReadonlyMap<string, boolean>>(new Map(), { name: 'underWay' });
+  /** The memories into which something unknown may have gone since they were read. */
+  readonly #stale = signal<ReadonlySet<string>>(new Set(), { name: 'stale' });
   /** Records of which the pilot has said that they belong to another timer than the connected one. */
   readonly #ofOthers = signal<ReadonlySet<string>>(new Set(), { name: 'ofOthers' });
   #lastStart = 0;
@@ -78,9 +80,15 @@ export class Knowledge {
   /** Whether this page has sent something into a memory since it was last read. */
   isSent(memory: number | null): boolean {
     const key = this.#keyOf(memory);
-    return this.#records.writes.value.some(
+    const isUnderWay = this.#records.writes.value.some(
       (record) => memoryKey(record) === key && this.#underWay.value.has(record.key),
     );
+    return isUnderWay || this.#stale.value.has(key ?? '');
+  }
+
+  /** Something was sent that may have changed any memory. */
+  sent(): void {
+    this.#stale.value = new Set(this.#readings.peek().keys());
   }
 
   /** Calls back after each fresh reading. */
@@ -104,6 +112,7 @@ export class Knowledge {
     let expected = verified || !before || isSame(before, program);
     batch(() => {
       this.#readings.value = new Map(this.#readings.value).set(key, { state: 'read', program, at, verified });
+      this.#stale.value = new Set([...this.#stale.peek()].filter((each) => each !== key));
       for (const record of this.#recordsOf(key)) {
         if (this.isOfOther(record.key)) continue;
         const { extent } = partWritten(record.before, record.goal, program);

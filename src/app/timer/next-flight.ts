@@ -30,8 +30,8 @@ export class NextFlight {
   readonly #left = signal(false, { name: 'left' });
   readonly #asked = signal<number | null>(null, { name: 'asked' });
   /**
-   * Whether no memory was read since the timer came, or since another one was selected: the memory on the screen may
-   * not be the current one.
+   * Whether no memory was read since the timer came, or since another one was selected: nobody knows which one is
+   * current.
    */
   readonly open: ReadonlySignal<boolean> = this.#open;
   /**
@@ -39,18 +39,20 @@ export class NextFlight {
    * fly since. Null when that was not known before another one was selected.
    */
   readonly original: ReadonlySignal<number | null> = this.#original;
+  /** The memory that flies next; null when that is not known. It need not be the one on the screen. */
+  readonly memory: ReadonlySignal<number | null> = computed(() => (this.#open.value ? null : this.#current.value));
   /** The memory that was current when the timer was connected, if that is known. */
   readonly came: ReadonlySignal<number | null> = this.#came;
   /** Null while the memory of connecting flies next. It is no accident, so nothing warns of it. */
   readonly chosen: ReadonlySignal<ChosenFlight | null> = computed(() => {
-    const memory = this.#open.value ? null : this.#current.value;
+    const memory = this.memory.value;
     const before = this.#came.value;
     return memory === null || memory !== this.#original.value || memory === before ? null : { memory, before };
   });
   /** What to warn the pilot of; null while the memory that is meant is current, or none was selected. */
   readonly word: ReadonlySignal<NextFlightWord | null> = computed(() => {
     const original = this.#original.value;
-    const current = this.#open.value ? null : this.#current.value;
+    const current = this.memory.value;
     if (current === original && current !== null) return null;
     if (current !== null) return { code: 'other', memory: current, original };
     return this.#left.value ? { code: 'unknown', asked: this.#asked.value, original } : null;
@@ -76,20 +78,18 @@ export class NextFlight {
     });
   }
 
-  /**
-   * Until the next reading, the memory on the screen may not be the current one, or the timer may hold something else.
-   */
+  /** Until the next reading, another memory may be current, or the timer may hold something else. */
   doubt(): void {
     this.#open.value = true;
   }
 
   /**
    * The timer has told the current memory; null when it does not say.
-   * @param onScreen whether it is the memory on the screen.
+   * @param isKnown whether it is the one from before, or the screen need not show it; else it is read first.
    */
-  found(memory: number | null, onScreen = true): void {
+  found(memory: number | null, isKnown = true): void {
     batch(() => {
-      this.#open.value = !onScreen;
+      this.#open.value = !isKnown;
       this.#current.value = memory;
       if (memory === null) return;
       if (!this.#left.value) {

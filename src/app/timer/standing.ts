@@ -5,6 +5,7 @@ import type { ModelRecord } from '../storage/index.js';
 import type { Knowledge } from './knowledge.js';
 import { type Known, lastRead } from './known.js';
 import type { Link } from './link.js';
+import type { NextFlight } from './next-flight.js';
 
 /**
  * How certain it is that the timer still holds what was read of the memory on the screen.
@@ -40,6 +41,7 @@ interface StandingParts {
   readonly knowledge: Pick<Knowledge, 'of' | 'isSent'>;
   readonly editor: Pick<Editor, 'working' | 'baseline' | 'fresh' | 'changes'>;
   readonly link: Pick<Link, 'connection' | 'simulated'>;
+  readonly nextFlight: Pick<NextFlight, 'memory' | 'open'>;
   /** The model of the connected timer; null when it is not known. */
   readonly model: ReadonlySignal<Model | null>;
 }
@@ -49,8 +51,10 @@ interface StandingParts {
  * the screen and on paper.
  */
 export class Standings {
-  /** About the program on the screen. */
+  /** About the program on the screen, which need not be of the memory that flies next. */
   readonly screen: ReadonlySignal<Standing>;
+  /** About the memory that flies next, whatever is on the screen; null while it is not known which one that is. */
+  readonly next: ReadonlySignal<Held | null>;
   /** How it differs from what was last read of its memory: by what was typed, and by what was sent since. */
   readonly sinceRead: ReadonlySignal<readonly Change[]>;
   readonly #parts: StandingParts;
@@ -59,9 +63,10 @@ export class Standings {
 
   constructor(parts: StandingParts) {
     this.#parts = parts;
-    const { editor } = parts;
+    const { editor, nextFlight } = parts;
     this.#memory = computed(() => editor.working.value?.memory ?? null);
     const held = computed(() => this.of(this.#memory.value));
+    this.next = computed(() => (nextFlight.open.value ? null : this.of(nextFlight.memory.value)));
     this.screen = computed(() => {
       const { known, sure } = held.value;
       if (known.state === 'uncertain') return { sure: 'not', at: known.readAt };

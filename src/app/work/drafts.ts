@@ -129,7 +129,7 @@ export class Drafts {
   }
 
   /** Keeps the content of the screen while it has anything to bring back or to undo; forgets it when it has not. */
-  readonly keep = (content: EditorContent & Pick<Draft, 'model'>, simulated: boolean): void => {
+  readonly keep = (content: EditorContent & Pick<Draft, 'model' | 'apart'>, simulated: boolean): void => {
     if (!this.#hasBegun) {
       this.#early = () => this.keep(content, simulated);
       this.#note(EARLY, false);

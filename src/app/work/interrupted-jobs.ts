@@ -31,6 +31,8 @@ export interface RoundTrip {
 interface Reading {
   readonly read: TimerProgram;
   readonly simulated: boolean;
+  /** The current memory, counted from 0; null when the timer does not say. */
+  readonly current: number | null;
 }
 
 /**
@@ -118,12 +120,15 @@ export class InterruptedJobs {
     await this.#records.remove(kindKey(identity, simulated));
   }
 
-  /** The current memory was read: looks for what an earlier job may have left behind. */
-  wasRead(read: TimerProgram, simulated: boolean): void {
-    this.#reading.value = { read, simulated };
+  /**
+   * The current memory was read, or another one came to the screen: looks for what an earlier job may have left behind.
+   * @param current the current memory.
+   */
+  wasRead(read: TimerProgram, simulated: boolean, current = read.memory): void {
+    this.#reading.value = { read, simulated, current };
     const trip = this.#roundTripOf(read.identity, simulated);
     // The pilot meant one of two memories to fly, and now reads which of them does.
-    const isSettled = trip?.job === 'select' || trip?.original === read.memory;
+    const isSettled = trip?.job === 'select' || trip?.original === current;
     if (trip && isSettled) void this.#records.remove(trip.key);
   }
 
@@ -158,10 +163,10 @@ export class InterruptedJobs {
     await Promise.all(old.map(({ key }) => this.#knowledge.forget(key)));
   }
 
-  #offerFor({ read, simulated }: Reading): Offer | null {
+  #offerFor({ read, simulated, current }: Reading): Offer | null {
     const trip = this.#roundTripOf(read.identity, simulated);
-    if (trip && trip.job !== 'select' && trip.original !== read.memory && !this.#notNow.value.has(trip.key)) {
-      return { kind: 'memories', record: trip, current: read.memory };
+    if (trip && trip.job !== 'select' && trip.original !== current && !this.#notNow.value.has(trip.key)) {
+      return { kind: 'memories', record: trip, current };
     }
     const kind = `${kindKey(read.identity, simulated)}/`;
     const key = programKey(read, simulated);

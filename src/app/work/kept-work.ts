@@ -58,7 +58,8 @@ export class KeptWork {
       const model = origin.key.value;
       const ofModel = model === null ? {} : { model };
       const isSimulated = onScreen.simulated.value;
-      if (content) this.#late = () => drafts.keep({ ...content, readAt, ...ofModel }, isSimulated);
+      const apart = onScreen.apart.value ? { apart: true } : {};
+      if (content) this.#late = () => drafts.keep({ ...content, readAt, ...ofModel, ...apart }, isSimulated);
       if (!content?.history || !isMoving(content.history)) this.#keepLate();
       else this.#lateTimer ??= setTimeout(() => this.#keepLate(), MOVING_WAIT);
     });

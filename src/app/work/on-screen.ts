@@ -1,4 +1,4 @@
-import { batch, type ReadonlySignal, signal } from '@preact/signals';
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import { NOBODY, type Owner, replaceAll } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
@@ -25,10 +25,19 @@ export class OnScreen {
   readonly #simulated = signal(false, { name: 'simulated' });
   /** Whether it comes from the simulated timer. */
   readonly simulated: ReadonlySignal<boolean> = this.#simulated;
+  /** The memory that it is of, counted from 0; null when it is of none, or the timer does not say. */
+  readonly memory: ReadonlySignal<number | null>;
+  readonly #apart = signal(false, { name: 'apart' });
+  /**
+   * Whether the pilot has opened it there without making it fly next. It stays on the screen when the memory that does
+   * is read. Nothing about the next flight comes from it: for that see `NextFlight` and `Standings.next`.
+   */
+  readonly apart: ReadonlySignal<boolean> = this.#apart;
   readonly #parts: OnScreenParts;
 
   constructor(parts: OnScreenParts) {
     this.#parts = parts;
+    this.memory = computed(() => parts.editor.working.value?.memory ?? null);
   }
 
   /**
@@ -66,6 +75,7 @@ export class OnScreen {
     batch(() => {
       if (!editor.restore(draft)) return;
       this.#simulated.value = draft.simulated;
+      this.#apart.value = draft.apart ?? false;
       origin.take(draft.model);
       if (typeof draft.readAt === 'number') knowledge.remember(draft.baseline, draft.readAt);
       // A program that is in no timer differs from none: the line at the top says what it is.
@@ -96,7 +106,10 @@ export class OnScreen {
     const { editor, drafts } = this.#parts;
     const madeAt = editor.madeAt.value;
     if (madeAt !== null) drafts.shelve(madeAt);
-    editor.clear();
+    batch(() => {
+      this.#apart.value = false;
+      editor.clear();
+    });
   }
 
   /** The key of such a program, from the same timer as the one on the screen: see `programKey`. */
@@ -104,9 +117,15 @@ export class OnScreen {
     return programKey(program, this.#simulated.value);
   }
 
-  /** @param simulated whether the last reading was of the simulated timer. */
-  wasRead(simulated: boolean): void {
-    this.#simulated.value = simulated;
+  /**
+   * @param simulated whether the last reading was of the simulated timer.
+   * @param apart see {@link apart}.
+   */
+  wasRead(simulated: boolean, apart: boolean): void {
+    batch(() => {
+      this.#simulated.value = simulated;
+      this.#apart.value = apart;
+    });
   }
 
   /** Whether the present program can have the values of this one. */

@@ -4,6 +4,7 @@ import type { TimerConnection } from '../../serial/index.js';
 import { replaceAll } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { isOfOneShape } from '../editing/shape.js';
+import type { Draft } from '../storage/index.js';
 import type { JobContext, JobRunner } from '../timer/job-runner.js';
 import type { Knowledge } from '../timer/knowledge.js';
 import type { Link } from '../timer/link.js';
@@ -11,6 +12,7 @@ import type { NextFlight } from '../timer/next-flight.js';
 import type { Notices } from '../timer/notices.js';
 import { kindKey, programKey } from '../timer/record-keys.js';
 import type { Safety } from '../timer/safety.js';
+import type { Standings } from '../timer/standing.js';
 import type { Drafts } from './drafts.js';
 import type { InterruptedJobs } from './interrupted-jobs.js';
 import type { OnScreen } from './on-screen.js';
@@ -21,6 +23,7 @@ interface ReaderParts {
   readonly editor: Editor;
   readonly onScreen: OnScreen;
   readonly origin: Origin;
+  readonly standings: Standings;
   readonly link: Link;
   readonly runner: JobRunner;
   readonly notices: Notices;
@@ -73,32 +76,73 @@ export class Reader {
 
   /**
    * Reads the current memory again. Edits stay.
+   * @param comes whether it comes to the screen even when the pilot has opened another one: see `OnScreen.apart`.
    * @returns whether it was read.
    */
-  async read(): Promise<boolean> {
-    return await this.#parts.runner.run('read', async ({ client }, options) =>
-      this.#show(await client.readProgram(options), options),
-    );
+  async read(comes = false): Promise<boolean> {
+    return await this.#parts.runner.run('read', async ({ client }, options) => {
+      await this.#show(await client.readProgram(options), options, comes ? 'comes' : 'current');
+    });
+  }
+
+  /** Within a job: shows a memory that was read on a round trip, and that does not fly next. */
+  async showApart(read: TimerProgram, options: JobContext): Promise<void> {
+    await this.#show(read, options, 'apart');
+  }
+
+  /**
+   * Shows the memory that flies next in place of one that was opened apart from it: as last read, with the edits that
+   * belong to it. Sends nothing.
+   * @returns whether it is on the screen.
+   */
+  async showNext(): Promise<boolean> {
+    const { editor, onScreen, runner, standings, notices, drafts, link } = this.#parts;
+    if (!onScreen.apart.peek()) return true;
+    const next = standings.next.peek();
+    const simulated = link.simulated.peek();
+    if (next?.known.state !== 'read') return false;
+    const { program } = next.known;
+    const draft = await drafts.of(program, simulated);
+    // Meanwhile it may have been read, or the connection may have ended.
+    const now = standings.next.peek()?.known;
+    if (runner.busy.peek() || now?.state !== 'read' || now.program !== program) return false;
+    const isKept = editor.dirty.peek();
+    batch(() => {
+      const moved = this.#bring(program, simulated, draft, false);
+      if (moved) notices.say('moved');
+      else if (draft && editor.dirty.value) notices.say('back');
+      else if (isKept) notices.say('kept');
+    });
+    return true;
+  }
+
+  /**
+   * Within a job that selects another memory: reads the current one if something was sent into it. Later nobody could
+   * say whether it went there.
+   */
+  async readSent({ client }: Pick<TimerConnection, 'client'>, options: JobContext): Promise<void> {
+    const { editor } = this.#parts;
+    if (editor.baseline.peek() !== null && !editor.fresh.peek()) {
+      await this.#show(await client.readProgram(options), options);
+    }
   }
 
   /**
    * Selects another memory and reads it. Edits of the memory before are kept until it is read again. If this is stopped
    * or fails on the way, it reads the memory that is then current.
-   *
-   * What was sent into the memory before is read first: later nobody could say whether it went there.
    */
   async selectMemory(memory: number): Promise<boolean> {
-    const { runner, nextFlight, editor, recovery, link } = this.#parts;
+    const { runner, nextFlight, editor, onScreen, recovery, link } = this.#parts;
     const select = async ({ client, identity }: TimerConnection, options: JobContext): Promise<void> => {
-      const isSent = editor.baseline.peek() !== null && !editor.fresh.peek();
-      if (isSent) await this.#show(await client.readProgram(options), options);
+      await this.readSent({ client }, options);
+      const before = onScreen.apart.peek() ? nextFlight.memory.peek() : editor.baseline.peek()?.memory;
       nextFlight.leave(memory);
       // Cut on the way, this is said until a reading shows which of the two flies next.
-      const original = editor.baseline.peek()?.memory ?? memory;
+      const original = before ?? memory;
       await recovery.leave({ job: 'select', memory }, identity, original, link.simulated.peek());
       options.stillOn();
       await client.selectMemory(memory, options);
-      await this.#show(await client.readProgram(options), options);
+      await this.#show(await client.readProgram(options), options, 'comes');
     };
     const good = await runner.run('select', select, memory);
     if (good) this.#chose(memory);
@@ -136,10 +180,15 @@ export class Reader {
     });
   }
 
-  /** Shows a reading, with the edits that belong to it. */
-  async #show(read: TimerProgram, { stillOn }: JobContext): Promise<void> {
+  /**
+   * Shows a reading, with the edits that belong to it. One of the current memory leaves another one on the screen that
+   * the pilot has opened there, also when the timer comes back; not when a new timer is connected.
+   * @param which `comes`: the current memory, which comes to the screen in any case. `apart`: a memory that is not
+   * current.
+   */
+  async #show(read: TimerProgram, { stillOn }: JobContext, which: 'current' | 'comes' | 'apart' = 'current') {
     const at = Date.now();
-    const { editor, onScreen, origin, link, knowledge, recovery, nextFlight, notices, drafts } = this.#parts;
+    const { editor, onScreen, link, knowledge, recovery, nextFlight, notices, drafts } = this.#parts;
     const simulated = link.simulated.value;
     const wasSimulated = onScreen.simulated.value;
     const before = editor.working.value;
@@ -150,11 +199,13 @@ export class Reader {
     const held = editor.baseline.value;
     const same = before !== null && programKey(before, wasSimulated) === programKey(read, simulated);
     const otherKind = before !== null && kindKey(before.identity, wasSimulated) !== kindKey(read.identity, simulated);
+    const isApart = which === 'apart';
+    const stays = which === 'current' && onScreen.apart.value && !this.#isNew && !same && !otherKind;
     const setAside = before !== null && !same && editor.dirty.value;
     // Both at once, so that a storage that does not answer is waited for only once.
     const [draft] = await Promise.all([
       // The screen may still show the earlier reading.
-      same && (editor.dirty.value || !this.#isNew) ? undefined : drafts.of(read, simulated),
+      stays || (same && (editor.dirty.value || !this.#isNew)) ? undefined : drafts.of(read, simulated),
       knowledge.refresh(),
     ]);
     this.#isNew = false;
@@ -163,18 +214,17 @@ export class Reader {
     this.#wasAway = false;
     batch(() => {
       const shown = knowledge.read(read, at);
-      recovery.wasRead(read, simulated);
+      recovery.wasRead(read, simulated, isApart ? nextFlight.memory.value : read.memory);
+      if (!isApart) {
+        nextFlight.found(read.memory);
+        this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
+      }
+      const moved = !stays && this.#bring(read, simulated, draft, isApart);
+      if (laid) editor.apply({ ...replaceAll({ code: 'open', params: {} }, laid), owner });
       // What was tried explains the reading, and the offer to finish an interrupted write does; no other message does.
       const explained = shown === 'tried' || recovery.offer.value?.kind === 'write';
-      if (!same) onScreen.clear();
-      if (draft) editor.restore(draft);
-      const moved = editor.rebase(read);
-      if (draft) origin.take(draft.model);
-      if (laid) editor.apply({ ...replaceAll({ code: 'open', params: {} }, laid), owner });
-      nextFlight.found(read.memory);
-      this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
-      onScreen.wasRead(simulated);
       if (shown === 'completed') notices.say('write-completed');
+      else if (stays) return;
       else if (made) notices.say(laid ? 'made-laid' : 'kept');
       else if (moved && !explained) notices.say('moved');
       else if (draft && editor.dirty.value && !explained) notices.say('back');
@@ -184,5 +234,21 @@ export class Reader {
         notices.say('timer-moved');
       }
     });
+  }
+
+  /**
+   * Brings a reading to the screen.
+   * @returns whether the timer has changed under the edits: see `Editor.rebase`.
+   */
+  #bring(read: TimerProgram, simulated: boolean, draft: Draft | undefined, isApart: boolean): boolean {
+    const { editor, onScreen, origin } = this.#parts;
+    const before = editor.working.value;
+    const same = before !== null && programKey(before, onScreen.simulated.value) === programKey(read, simulated);
+    if (!same) onScreen.clear();
+    if (draft) editor.restore(draft);
+    const moved = editor.rebase(read);
+    if (draft) origin.take(draft.model);
+    onScreen.wasRead(simulated, isApart);
+    return moved;
   }
 }

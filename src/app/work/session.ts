@@ -69,7 +69,7 @@ export function createSession({ storage, ...sources }: SessionOptions) {
   const nextFlight = new NextFlight();
   const wire = { link, connection, engaged, runner, notices, safety, knowledge, recovery, nextFlight };
   const origin = new Origin({ editor, library, recognition, connection });
-  const standings = new Standings({ knowledge, editor, link, model: recognition.model });
+  const standings = new Standings({ knowledge, editor, link, nextFlight, model: recognition.model });
   const onScreen: OnScreen = new OnScreen({ ...wire, ...kept, editor, origin });
   const shown = { editor, origin, standings, onScreen };
   const reader = new Reader({ ...wire, ...kept, ...shown });
@@ -101,7 +101,7 @@ export function createSession({ storage, ...sources }: SessionOptions) {
     servoMoves: new ServoMoves(connection, safety),
     settled: new Settled(),
     servoUses: new ServoUses({ ...kept, ...shown }),
-    shortDt: new ShortDt({ ...shown, nextFlight, reader }),
+    shortDt: new ShortDt({ ...shown, reader }),
     /** What may be said of the program on the screen. */
     standing: standings.screen,
     /** Whether the program on the screen comes from the simulated timer. */

@@ -4,7 +4,6 @@ import type { TimerProgram } from '../../program/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import type { Editor } from '../editing/editor.js';
 import { time } from '../records/preferences.js';
-import type { NextFlight } from '../timer/next-flight.js';
 import { programKey } from '../timer/record-keys.js';
 import type { Standings } from '../timer/standing.js';
 import type { OnScreen } from './on-screen.js';
@@ -31,11 +30,10 @@ const MOST = 100;
 const remembered = v.record(v.pipe(v.string(), v.maxLength(200)), time);
 
 interface ShortDtParts {
-  readonly editor: Pick<Editor, 'baseline' | 'shortDt'>;
+  readonly editor: Pick<Editor, 'shortDt'>;
   readonly onScreen: Pick<OnScreen, 'simulated'>;
   readonly origin: Pick<Origin, 'timer'>;
-  readonly standings: Pick<Standings, 'screen'>;
-  readonly nextFlight: Pick<NextFlight, 'open'>;
+  readonly standings: Pick<Standings, 'next'>;
   readonly reader: Pick<Reader, 'byteOrderOpen'>;
 }
 
@@ -50,11 +48,11 @@ export class ShortDt {
 
   constructor(parts: ShortDtParts) {
     this.#parts = parts;
-    const { editor, standings, nextFlight, reader } = parts;
+    const { standings, reader } = parts;
     /** What flies next, by a reading of this connection: not an older reading, and not another memory. */
     const now = computed(() => {
-      const isSure = standings.screen.value.sure === 'now' && !nextFlight.open.value && !reader.byteOrderOpen.value;
-      return isSure ? editor.baseline.value : null;
+      const { known, sure } = standings.next.value ?? {};
+      return sure === 'now' && known?.state === 'read' && !reader.byteOrderOpen.value ? known.program : null;
     });
     this.held = computed(() => {
       const program = now.value;

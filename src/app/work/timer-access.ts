@@ -142,7 +142,7 @@ export class TimerAccess {
     const { runner, link, reader } = this.#parts;
     if (runner.busy.value) return;
     await link.assume(quirks);
-    await reader.read();
+    await reader.read(true);
   }
 
   /** Forgets all assumptions about the connected kind of timer on its port, and reads it again without them. */
@@ -151,7 +151,7 @@ export class TimerAccess {
     const connection = link.connection.value;
     if (runner.busy.value || !connection) return;
     await link.forgetAssumed(connection);
-    if (connection === link.connection.value) await reader.read();
+    if (connection === link.connection.value) await reader.read(true);
   }
 
   /** The state of the link has changed: tells everything that depends on which timer is there. */

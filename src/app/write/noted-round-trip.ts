@@ -6,7 +6,7 @@ import type { JobContext } from '../timer/job-runner.js';
 import type { RoundTrip } from '../work/interrupted-jobs.js';
 import type { Session } from '../work/session.js';
 
-export type RoundTripParts = Pick<Session, 'recovery' | 'nextFlight' | 'editor' | 'reader' | 'simulated'>;
+export type RoundTripParts = Pick<Session, 'recovery' | 'nextFlight' | 'editor' | 'onScreen' | 'reader' | 'simulated'>;
 
 /** A memory round trip: notes on the way which memory to restore, and at the end what is known. */
 export class NotedRoundTrip {
@@ -51,12 +51,12 @@ export class NotedRoundTrip {
    * not if it could not be selected, or another timer answers.
    */
   async wasRestored(identity: Identity, original: number | null, stopped: unknown): Promise<void> {
-    const { recovery, simulated, nextFlight, editor } = this.#parts;
+    const { recovery, simulated, nextFlight, editor, onScreen } = this.#parts;
     const wasLeft = this.#original !== null;
     this.#original = null;
     const isOpen = stopped instanceof TimerError && ['memory-left', 'other-timer'].includes(stopped.code);
     if (original === null || isOpen) return;
-    nextFlight.found(original, original === editor.baseline.value?.memory);
+    nextFlight.found(original, onScreen.apart.value || original === editor.baseline.value?.memory);
     if (wasLeft && recovery.offer.value?.kind !== 'memories') await recovery.wasRestored(identity, simulated.value);
   }
 }

@@ -19,7 +19,10 @@ import type { RoundTrip } from '../work/interrupted-jobs.js';
 /** What a write is to do. */
 export type Plan = EditsPlan | MemoriesPlan;
 
-/** Writes what was edited on the screen into its memory. `only`: nothing but these fields; the other edits wait. */
+/**
+ * Writes what was edited on the screen into its memory, which flies next. `only`: nothing but these fields; the other
+ * edits wait.
+ */
 export interface EditsPlan {
   readonly kind: 'edits';
   readonly only?: readonly ProgramField[];
@@ -114,6 +117,11 @@ export function isGood({ stopped, ends }: Outcome): boolean {
 /** Whether it writes what is on the screen: what is copied or restored was in a memory before. */
 export function isOfScreen({ kind }: Plan): boolean {
   return kind === 'edits' || kind === 'screen';
+}
+
+/** Whether it writes the changes on the screen into the memory that they are of. */
+export function isOwn(plan: Plan): boolean {
+  return plan.kind === 'edits' || (plan.kind === 'screen' && plan.to === plan.program.memory);
 }
 
 /** Whether it puts back what this memory held, and leaves all else on the screen for another write. */

@@ -8,6 +8,7 @@ import type { Session } from '../work/session.js';
 import { NotedRoundTrip, type RoundTripParts } from './noted-round-trip.js';
 import {
   isOfScreen,
+  isOwn,
   isPart,
   type MemoriesPlan,
   type MemoryChange,
@@ -103,7 +104,7 @@ export class Sending {
   }
 
   async #writeMemories(plan: MemoriesPlan, options: JobContext): Promise<Stopped> {
-    const { knowledge, reader, servoMoves } = this.#parts;
+    const { knowledge, reader, editor, servoMoves } = this.#parts;
     const { connection, changes } = this.#review;
     const { client, identity } = connection;
     const trip = new NotedRoundTrip(this.#parts, tripOf(plan));
@@ -127,6 +128,7 @@ export class Sending {
       // Nothing is waited for: another timer may be there when the storage answers.
       if (report.held && !report.stopped) void knowledge.ended(before);
       if (report.held) reader.took(report.held, report.result === 'verified');
+      if (report.held && isOwn(plan)) editor.wrote(report.held);
     }
     this.#doubt();
     this.#notHeld = servoMoves.wanted(moveServos, [...this.#reports.values()]);

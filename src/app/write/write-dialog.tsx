@@ -16,6 +16,7 @@ import { JobStep } from './dialog-steps.js';
 import { Difference } from './difference.js';
 import {
   isOfScreen,
+  isOwn,
   isPart,
   type MemoriesPlan,
   type MemoryChange,
@@ -132,7 +133,7 @@ function ReviewStep({ session, write, review }: ReviewProps) {
           <NoticeText said={{ ...timer.stale, ...(moved === 'timer' ? {} : words.moved[moved]) }} />
         </div>
       )}
-      {isEdits && !isPart(plan) && <Conflicts editor={session.editor} />}
+      {isOwn(plan) && !isPart(plan) && <Conflicts editor={session.editor} />}
       <Refusals session={session} changes={changes} />
       {crossing && <CrossingCheck crossing={crossing} write={write} />}
       {isOfScreen(plan) && <Serious write={write} identity={changes[0]?.goal.identity} />}
@@ -260,8 +261,7 @@ function Conflicts({ editor }: { readonly editor: Editor }) {
 function leadOf(session: Session, { plan, changes, model }: Review): string {
   const { write, memories: words } = messages.value;
   if (plan.kind === 'edits') return write.lead(whereText(session, changes[0]?.memory ?? null, model));
-  const { editor, nextFlight } = session;
-  const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
+  const current = session.nextFlight.memory.value;
   const does = doesOf(session, plan, changes, model);
   return current === null ? does : `${does} ${words.atEnd(memoryText(session, current))}`;
 }

@@ -12,6 +12,7 @@ import {
   goalOf,
   isGood,
   isOfScreen,
+  isOwn,
   isPart,
   type MemoriesPlan,
   type MemoryEnd,
@@ -91,7 +92,8 @@ export class WriteJob {
     });
     effect(() => {
       const { value } = this.current;
-      const written = this.verified.value && value?.step === 'done' ? value.ends[0]?.change?.changes : null;
+      const end = value?.step === 'done' && isOwn(value.plan) ? value.ends[0] : null;
+      const written = end?.state === 'verified' ? end.change?.changes : null;
       parts.editor.confirm((written ?? []).map(({ field }) => field));
     });
   }
@@ -100,8 +102,10 @@ export class WriteJob {
    * Shows what would change, by a fresh reading. Writes it when the pilot agrees, and says what came of it. Settles
    * when the pilot has left it.
    */
-  async open(plan: Plan = EDITS): Promise<void> {
-    if (this.#current.value || !this.#parts.runner.ready.value) return;
+  async open(plan: Plan = this.#into(this.#parts.editor.working.peek()?.memory ?? null)): Promise<void> {
+    // Edits of a memory that does not fly next need a round trip.
+    const isLost = plan.kind === 'edits' && this.#parts.onScreen.apart.peek();
+    if (this.#current.value || !this.#parts.runner.ready.value || isLost) return;
     let step = await this.#compare(plan, null);
     while (step) {
       const said = await this.#ask(step);
@@ -123,8 +127,15 @@ export class WriteJob {
 
   /** The pilot wants what is on the screen in this memory, counted from 0: shows what would change there. */
   writeTo(memory: number): void {
-    const program = this.#parts.editor.working.value;
-    if (program) this.#answer(memory === program.memory ? EDITS : { kind: 'screen', program, to: memory });
+    this.#answer(this.#into(memory));
+  }
+
+  /** Into the memory that flies next its own changes go as they are; into any other one by a round trip. */
+  #into(memory: number | null): Plan {
+    const { editor, onScreen } = this.#parts;
+    const program = editor.working.peek();
+    const isEdits = memory === null || !program || (memory === program.memory && !onScreen.apart.peek());
+    return isEdits ? EDITS : { kind: 'screen', program, to: memory };
   }
 
   /** Whether the dialog has to stay open, whatever key is pressed. */
@@ -184,13 +195,17 @@ export class WriteJob {
     return { step: 'review', plan, connection, changes, ...this.#whose(plan), moved };
   }
 
-  async #compareMemories(plan: MemoriesPlan, moved: Review['moved']): Promise<Review | Done | null> {
+  async #compareMemories(wanted: MemoriesPlan, moved: Review['moved']): Promise<Review | Done | null> {
+    let plan = wanted;
     const { runner, connection, reader, editor } = this.#parts;
     const began = connection.value;
     this.#show({ step: 'running', plan });
     const trip = new NotedRoundTrip(this.#parts, tripOf(plan));
     const end = await runner.perform('memories', async (on, options) => {
-      const changes = changesBy(plan, await trip.read(on, { ...options, memories: memoriesOf(plan) }));
+      const read = await trip.read(on, { ...options, memories: memoriesOf(plan) });
+      // That reading is on the screen by now, below the edits.
+      if (plan.kind === 'screen' && isOwn(plan)) plan = { ...plan, program: editor.working.peek() ?? plan.program };
+      const changes = changesBy(plan, read);
       if (!changes) throw new TimerError('other-timer', 'a backup is of another kind');
       return changes;
     });

@@ -119,11 +119,11 @@ function EndTable({ session, end, isOnly }: EndProps & { readonly isOnly: boolea
 /** Which memory flies next after the job, as soon as that is known. */
 function Current({ session }: { readonly session: Session }) {
   const { nextFlight } = messages.value;
-  const { nextFlight: next, connection, runner, editor } = session;
-  const memory = editor.baseline.value?.memory ?? null;
+  const { nextFlight: next, connection, runner } = session;
+  const memory = next.memory.value;
   const word = next.word.value;
   if (runner.busy.value) return null;
-  const isKnown = connection.value && !next.open.value && memory !== null;
+  const isKnown = connection.value && memory !== null;
   const said = word
     ? nextFlightText(session, word, connection.value ? 'now' : 'last')
     : isKnown

@@ -19,9 +19,9 @@ interface WriteToProps {
 export function WriteTo({ session, write, chosen }: WriteToProps) {
   const { write: words, memoryName } = messages.value;
   const { editor, nextFlight } = session;
-  const { identity, memory } = editor.baseline.value ?? {};
+  const { identity } = editor.baseline.value ?? {};
   // Without it nobody knows which one to come back to.
-  const isKnown = memory !== null && !nextFlight.open.value;
+  const isKnown = nextFlight.memory.value !== null;
   if (!identity || !isKnown || chosen === null || identity.memories < 2) return null;
   const all = Array.from({ length: identity.memories }, (_, each) => each);
   if (all.length > MOST_BUTTONS) {

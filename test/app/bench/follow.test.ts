@@ -262,7 +262,7 @@ describe('following ends', () => {
     ['the pilot stops', ({ follow }) => follow.stop()],
     ['it is read again', ({ session }) => session.reader.read()],
     ['a third memory is selected', ({ session }) => session.reader.selectMemory(2)],
-    ['another memory is looked at', ({ memories }) => memories.look(2)],
+    ['another memory is looked at', ({ memories }) => memories.edit(2)],
     ['all memories are read', ({ memories }) => memories.backUp()],
   ])('as “strayed” when %s and another memory has become current, which has taken positions', async (_, end) => {
     for (const [at, stored] of [

@@ -4,7 +4,7 @@ import { en } from '../../../src/app/messages/en.js';
 import { comparingMessages } from '../../../src/app/messages/en-compare.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, type BenchOptions, idle } from '../bench/bench.js';
-import { button, connected, goTo, opened, press } from '../screen.js';
+import { button, connected, goTo, lookAt, opened, press } from '../screen.js';
 
 async function atMemories(options: BenchOptions = {}): Promise<AppBench> {
   const app = await connected(options);
@@ -44,7 +44,7 @@ describe('the memories', () => {
     expect(said('M2')).toEqual(['DT 3:30 min', 'motor stop 10.0 s', now]);
     expect(document.querySelectorAll('.memory-card .small-lanes')).toHaveLength(4);
     expect(buttons('M1')).toEqual(['Open: M1', 'Compare with M2: M1']);
-    expect(buttons('M3')).toEqual(['Open: M3', 'Make M3 fly next', 'Compare with M1: M3']);
+    expect(buttons('M3')).toEqual(['Edit M3', 'Make M3 fly next', 'Compare with M1: M3']);
   });
 
   it('have one time axis: the later DT lies further on, and motor runs of one length are as long', async () => {
@@ -72,17 +72,17 @@ describe('the memories', () => {
     await idle(0);
     const red = () => [...document.querySelectorAll('.view .bad-text')].map(({ textContent }) => textContent);
     expect(red()).toEqual(['Short DT 3:00 min', 'Short DT 3:30 min']);
-    await press('Open: M2');
+    await goTo('program');
+    await lookAt('M2');
     expect(red()).toEqual(['Short DT 3:30 min']);
-    await goTo('memories');
-    await press('Open: M3');
+    await lookAt('M3');
     expect(red()).toEqual([]);
   });
 
   it('say when they were not read; one click reads one, goes back, and leaves the program as it was', async () => {
     const { timer, memories } = await atMemories();
     expect(said('M3')[0]).toBe(en.look.notRead('M3'));
-    expect(buttons('M3')).toEqual(['Look at M3', 'Make M3 fly next']);
+    expect(buttons('M3')).toEqual(['Look at M3', 'Edit M3', 'Make M3 fly next']);
     const look = button('Look at M3');
     look.focus();
     const focus = vi.spyOn(HTMLElement.prototype, 'focus');
@@ -92,7 +92,7 @@ describe('the memories', () => {
     ]);
     expect(said('M3')[0]).toBe('DT 4:00 min');
     expect(look.isConnected, 'the button has done its work').toBe(false);
-    expect(document.activeElement, 'the focus goes on to').toBe(button('Open: M3'));
+    expect(document.activeElement, 'the focus goes on to').toBe(button('Edit M3'));
     expect([timer.core.memory, memories.looking.value]).toEqual([0, null]);
   });
 
@@ -106,15 +106,18 @@ describe('the memories', () => {
     expect(buttons('M3')).not.toContain('Make M3 fly next');
   });
 
-  it('are opened in the program: the current one to be edited, another to be looked at', async () => {
-    const { models, memories } = await read();
-    await press('Open: M3');
-    expect([models.views.shown.value, memories.looking.value]).toEqual(['program', 2]);
-    expect(screen.getByRole('heading', { name: /^M3, read/ })).toBeTruthy();
+  it('are opened in the table, whichever flies next', async () => {
+    const { models, memories, session } = await read();
+    const shown = () => [models.views.shown.value, memories.looking.value, session.onScreen.memory.value];
+    await press('Edit M3');
+    expect(shown()).toEqual(['program', null, 2]);
     await goTo('memories');
     await press('Open: M1');
-    expect([models.views.shown.value, memories.looking.value]).toEqual(['program', null]);
-    expect(screen.getByRole('textbox', { name: 'DT time' })).toBeTruthy();
+    expect(shown()).toEqual(['program', null, 0]);
+    await goTo('memories');
+    await press('Disconnect');
+    await press('Open: M3');
+    expect(shown(), 'as last read').toEqual(['program', 2, 0]);
   });
 
   it('are not certain since a write into one was cut off: both values stand there', async () => {

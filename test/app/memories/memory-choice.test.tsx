@@ -42,44 +42,49 @@ describe('the memories', () => {
     await idle();
     expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
     expect(screen.getByRole('heading', { name: 'M3 has not been read' })).toBeTruthy();
-    expect(screen.queryByRole('textbox', { name: 'DT time' }), 'only the current memory can be edited').toBeNull();
+    expect(screen.queryByRole('textbox', { name: 'DT time' }), 'it is not read yet').toBeNull();
     expect(screen.queryByRole('button', { name: /^Write/ })).toBeNull();
     expect([timer.core.answered.length - asked, timer.core.memory]).toEqual([0, 0]);
     await lookAt('M1, flies next');
     expect(field('DT time').value).toBe('3:00');
   });
 
-  it('are read by Look, which goes back, and shown with the time and nothing to type into', async () => {
+  it('are shown as last read, with the time and nothing to type into', async () => {
+    const app = await connected();
+    await run(app.memories.readOnce(2));
+    await lookAt('M3');
+    expect(screen.getByRole('heading', { name: /^M3, read \d+:\d\d/ })).toBeTruthy();
+    const held = within(screen.getByRole('table', { name: en.program.tableCaption }));
+    const row = held.getByRole('rowheader', { name: en.program.dt }).parentElement;
+    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00 min');
+    expect(held.queryAllByRole('textbox')).toEqual([]);
+    expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
+    await press('Show M1');
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('are opened in the table by Edit, which goes back', async () => {
     const app = await connected();
     await type('DT time', '5:00');
     await lookAt('M3');
     app.timer.core.answered.length = 0;
-    await press('Look at M3');
+    await press('Edit M3');
     const asked = app.timer.core.answered.map(({ name }) => name);
     expect([selected(app), app.timer.core.memory]).toEqual([[2, 0], 0]);
     expect(
       asked.slice(asked.lastIndexOf('SETMEMORY')),
       'after going back, the timer is asked which memory is current',
     ).toContain('GETMEMORY');
-    expect(screen.getByRole('heading', { name: /^M3, read \d+:\d\d/ })).toBeTruthy();
-    expect(button('Look at M3').disabled).toBe(false);
-    const held = within(screen.getByRole('table', { name: en.program.tableCaption }));
-    const row = held.getByRole('rowheader', { name: en.program.dt }).parentElement;
-    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00 min');
-    expect(held.queryAllByRole('textbox')).toEqual([]);
+    expect(field('DT time').value).toBe('4:00');
     expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
-    expect([app.session.notices.current.value, app.session.nextFlight.word.value]).toEqual([null, null]);
+    expect([app.session.notices.current.value, app.session.nextFlight.word.value]).toEqual([
+      { kind: 'note', code: 'kept' },
+      null,
+    ]);
+    app.timer.core.answered.length = 0;
     await press('Show M1');
+    expect(app.timer.core.answered, 'M1 was read').toEqual([]);
     expect(field('DT time').value, 'the edits of M1 are still there').toBe('5:00');
-  });
-
-  it('keep the focus while one is looked at', async () => {
-    await connected();
-    await lookAt('M2');
-    const look = button('Look at M2');
-    look.focus();
-    await press('Look at M2');
-    expect(document.activeElement).toBe(look);
   });
 
   it('take no typing into the old one while another is read', async () => {
@@ -101,7 +106,7 @@ describe('the memories', () => {
     expect([timer.core.memory, choices()]).toEqual([2, ['M1', 'M2', '* M3, flies next', 'M4']]);
     expect(field('DT time').value).toBe('4:00');
     const line = `${words.other('M3')} ${words.original('M1')}`;
-    expect(screen.getByText(line).className).toBe('hint next-flight');
+    expect(screen.getByText(line).className).toBe('hint');
     expect([screen.queryByRole('alert'), screen.queryByRole('button', { name: words.back('M1') })]).toEqual([
       null,
       null,
@@ -142,7 +147,7 @@ describe('the memories', () => {
     expect(screen.getByText(/^This timer does not say which memory is current/)).toBeTruthy();
     expect(choices()).toEqual(['M1', 'M2', 'M3', 'M4']);
     await lookAt('M2');
-    expect(button('Look at M2').disabled).toBe(true);
+    expect(button('Edit M2').disabled).toBe(true);
     await press('Make M2 fly next');
     expect(timer.core.memory).toBe(1);
     expect(said()).toEqual([
@@ -174,7 +179,7 @@ describe('a look that cannot go back', () => {
       away++;
       app.timer.core.sleep();
     };
-    await press('Look at M3');
+    await press('Edit M3');
     expect([away > 0, app.timer.core.memory]).toEqual([true, 2]);
     expect(app.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
     expect(document.querySelector('.unfinished')?.textContent).toContain(recovery.mayFly('M3 of the F1Q 536'));
@@ -192,7 +197,7 @@ describe('Disconnect', () => {
   it('asks nothing while the memory from the connection flies next', async () => {
     const app = await connected();
     await lookAt('M3');
-    await press('Look at M3');
+    await press('Edit M3');
     await press('Disconnect');
     expect([app.session.link.state.value.status, screen.queryByRole('dialog')]).toEqual(['off', null]);
   });
@@ -261,7 +266,7 @@ describe('Disconnect', () => {
     app.timer.core.onAnswer = ({ name }) => {
       if (name === 'GETTIMERS' && app.timer.core.memory === 2) button('Disconnect').click();
     };
-    await press('Look at M3');
+    await press('Edit M3');
     expect([app.session.link.state.value.status, app.timer.core.memory, selected(app)]).toEqual(['off', 0, [2, 0]]);
   });
 
@@ -271,7 +276,7 @@ describe('Disconnect', () => {
     app.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETMEMORY') app.timer.core.sleep();
     };
-    fireEvent.click(button('Look at M3'));
+    fireEvent.click(button('Edit M3'));
     await idle(5000);
     expect(screen.queryByText(en.write.stoppingBack)).toBeNull();
     fireEvent.click(button('Stop'));

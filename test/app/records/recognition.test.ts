@@ -81,7 +81,7 @@ describe('a timer that holds what a model held', () => {
     );
     await run(bench.session.timer.connect());
     expect(nameOf(bench)).toBe('Lancer 07');
-    await run(bench.memories.look(1));
+    await run(bench.memories.readOnce(1));
     expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
     expect(bench.store.models.records.get('Lancer 07')?.verified[1]?.program.times).toEqual(HELD[3]?.times);
   });
@@ -89,7 +89,7 @@ describe('a timer that holds what a model held', () => {
   it('adds to the model what its other memories hold', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
     await run(bench.session.timer.connect());
-    await run(bench.memories.look(2));
+    await run(bench.memories.readOnce(2));
     const known = bench.store.models.records.get('Lancer 07')?.verified;
     expect(known?.map(({ program }) => program.memory)).toEqual([0, 2]);
     // What was known already keeps its day.

@@ -36,7 +36,7 @@ const CUT: readonly [job: string, said: string, start: (app: AppBench) => Promis
     recovery.mayFly(`M3 of ${OTHER}`),
     async () => {
       await lookAt('M3');
-      await press('Look at M3');
+      await press('Edit M3');
     },
   ],
   [
@@ -91,7 +91,7 @@ describe('a job that was cut while another memory was current', () => {
     const app = await connected();
     cutAtM3(app);
     await lookAt('M3');
-    await press('Look at M3');
+    await press('Edit M3');
     app.timer.core.memory = 0;
     await loadedAgain(app);
     await press(en.knowledge.connect);
@@ -136,7 +136,7 @@ describe('a job that was cut while another memory was current', () => {
     expect([band(), app.store.unfinished.records.size]).toEqual([null, 0]);
     cutAtM3(app);
     await lookAt('M3');
-    await press(en.look.look('M3'));
+    await press(en.look.edit('M3'));
     await loadedAgain(app);
     await press(en.knowledge.forget);
     await press(en.knowledge.forgetNow);
@@ -148,7 +148,7 @@ describe('a job that was cut while another memory was current', () => {
     const seen: (string | null)[] = [];
     app.timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && void seen.push(band());
     await lookAt('M3');
-    await press('Look at M3');
+    await press('Edit M3');
     expect([...new Set(seen)]).toEqual([null]);
     expect(app.store.unfinished.records.size).toBe(0);
   });
@@ -157,7 +157,7 @@ describe('a job that was cut while another memory was current', () => {
     const app = await connected();
     cutAtM3(app);
     await lookAt('M3');
-    await press('Look at M3');
+    await press('Edit M3');
     await loadedAgain(app);
     await goTo('help');
     expect(document.querySelector('.known-now')?.textContent).toBe(recovery.mayFly(`M3 of ${OTHER}`));
