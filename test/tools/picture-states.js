@@ -756,7 +756,8 @@ export const states = {
       await goTo(page, 'settings/settle');
       await promise(page);
       await press(page, 'Read the timer');
-      for (let i = 0; i < 4; i++) await press(page, 'Next');
+      // The strip has a memory that flies next.
+      for (let i = 0; i < 4; i++) await page.locator('.settle-step').getByRole('button', { name: 'Next' }).click();
       await press(page, 'Move the servos to DT');
       await settled(page);
     },

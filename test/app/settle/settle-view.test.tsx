@@ -163,5 +163,6 @@ describe('what is settled', () => {
     await idle(0);
     expect(screen.getByText(`${words.names.layout}: ${words.no}`)).toBeTruthy();
     expect(screen.queryByText(new RegExp(words.names.unlock))).toBeNull();
+    expect(has(en.aboutTimer.forget), 'four zeros were only tried').toBe(false);
   });
 });
