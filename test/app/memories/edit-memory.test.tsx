@@ -101,6 +101,8 @@ describe('another memory than the one that flies next, in the table', () => {
       [2, 0],
       { kind: 'note', code: 'moved' },
     ]);
+    const asked = app.timer.core.answered.map(({ name }) => name);
+    expect(asked.slice(asked.lastIndexOf('SETMEMORY')), 'M1 is not read for it').not.toContain('GETTIMERS');
     await press('Write 1 change…');
     expect(dialog().getByText(en.notes.moved.title)).toBeTruthy();
     await confirm();
@@ -285,8 +287,9 @@ describe('while M3 is in the table', () => {
     expect([where(app), app.timer.core.memory]).toEqual([[0, 0], 0]);
   });
 
-  it('a frame by hand makes it old, and M1 is read', async () => {
+  it('a frame by hand makes it old, and every other memory but M1, which is read', async () => {
     const app = await editing();
+    await run(app.memories.readOnce(1));
     const { form } = app.line;
     app.session.safety.confirm();
     form.type('4e');
@@ -294,6 +297,7 @@ describe('while M3 is in the table', () => {
     await run(form.confirm());
     const { standings, standing } = app.session;
     expect([standing.value.sure, standings.next.value?.sure, where(app)]).toEqual(['once', 'now', [2, 0]]);
+    expect(standings.of(1).sure).toBe('once');
     await run(app.memories.edit(2));
     expect(standing.value.sure).toBe('now');
   });
