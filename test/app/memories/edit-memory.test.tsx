@@ -103,9 +103,11 @@ describe('another memory than the one that flies next, in the table', () => {
     ]);
     const asked = app.timer.core.answered.map(({ name }) => name);
     expect(asked.slice(asked.lastIndexOf('SETMEMORY')), 'M1 is not read for it').not.toContain('GETTIMERS');
+    app.timer.core.memories[2]?.positions[2]?.splice(5, 1, 44);
     await press('Write 1 change…');
     expect(dialog().getByText(en.notes.moved.title)).toBeTruthy();
     await confirm();
+    expect(app.timer.core.memories[2]?.positions[2]?.[5], 'what else has changed there stays').toBe(44);
     expect([dtOf(app)[2], app.editor.conflicts.value.size]).toEqual([12_000, 0]);
   });
 
@@ -329,6 +331,21 @@ describe('while M3 is in the table', () => {
       [0, 0],
       expect.stringContaining('Tried: Function 4, S2'),
     ]);
+  });
+
+  it('positions that were tried in M3 are decided when M3 flies next: they are put back there', async () => {
+    const app = await editing();
+    const before = app.editor.baseline.value;
+    if (!before) throw new Error('nothing was read');
+    app.timer.core.memories[2]?.positions[1]?.splice(4, 1, 77);
+    await press(en.program.read);
+    app.session.trials.set({ before, touched: new Set(['position:1:4']) });
+    await idle(0);
+    expect(screen.queryByRole('button', { name: en.bench.putBack })).toBeNull();
+    await run(app.write.open({ kind: 'edits', only: [{ kind: 'position', servo: 1, slot: 4 }] }));
+    expect(app.write.current.value, 'nothing of M3 is written into M1').toBeNull();
+    await press('Make M3 fly next');
+    expect(screen.getByRole('button', { name: en.bench.putBack })).toBeTruthy();
   });
 
   it('what a pilot says of how the timer writes its times brings what flies next', async () => {
