@@ -44,10 +44,10 @@ const SLOWDOWN = 4;
 /** Milliseconds between two keystrokes: somebody types fast. And between two reports of the mouse. */
 const KEY_PACE = 120;
 const MOUSE_PACE = 16;
-/** Keystrokes in a series, reports of the mouse in a drag, frames by hand on the line. */
+/** Keystrokes in a series, reports of the mouse in a drag, readings while the line is looked at. */
 const KEYS = 30;
 const MOVES = 150;
-const SENT = 24;
+const READ = 6;
 /** So often the timer is read before the line is looked at: more is on it then than is in sight. */
 const READINGS = 12;
 
@@ -133,17 +133,18 @@ export async function screen(/** @type {Options} */ { quick = false, folder } = 
     return figures(name, slowdown, framesOf(events, 'pointermove'));
   };
 
-  /** A timer is asked again and again while the line is looked at, which is full. @returns {Promise<FrameFigures>} */
+  /** A timer is read again and again while the line is looked at, which is full. @returns {Promise<FrameFigures>} */
   const arrive = async () => {
-    const send = page.getByRole('button', { name: 'Send', exact: true });
-    const events = await trace(async () => {
-      for (let frame = 0; frame < SENT * share; frame++) {
-        await send.click();
-        await page.locator('.send-result p').first().waitFor();
-        await pause(KEY_PACE);
-      }
-    });
-    return figures('a frame on the line', SLOWDOWN, framesOf(events, null));
+    const arrived = [];
+    for (let reading = 0; reading < READ * share; reading++) {
+      await page.goto(`${server.url}#program`);
+      await page.locator('.actions').getByRole('button', { name: 'Read again' }).click();
+      await page.goto(`${server.url}#line`);
+      await page.locator('.line-rows li').first().waitFor();
+      const events = await trace(() => page.locator('main[aria-busy=false]').waitFor());
+      arrived.push(...framesOf(events, null));
+    }
+    return figures('a frame on the line', SLOWDOWN, arrived);
   };
 
   const keys = [];
@@ -167,8 +168,6 @@ export async function screen(/** @type {Options} */ { quick = false, folder } = 
     await page.locator('.actions').getByRole('button', { name: 'Read again' }).click();
     await page.locator('main[aria-busy=false]').waitFor();
   }
-  await page.goto(`${server.url}#line`);
-  await page.getByText('Send a frame by hand').click();
   frames.push(await arrive());
   keys.push(await press(SEARCH));
 
