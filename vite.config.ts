@@ -5,6 +5,7 @@ import preact from '@preact/preset-vite';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
 import { SHAPES } from './src/app/ui/shapes.js';
+import { sentences } from './test/tools/catalogue.js';
 import { connectionPage } from './test/tools/connection-page.js';
 import { licences, ownWorkOnly } from './test/tools/licences.js';
 
@@ -139,7 +140,7 @@ const textOf = (file: string): string => readFileSync(new URL(file, import.meta.
 /** The version that the page shows. */
 const { version } = JSON.parse(textOf('package.json')) as { version: string };
 
-export default defineConfig({
+export default defineConfig(({ mode }) => ({
   root: 'src/app',
   publicDir: '../../public',
   // Relative addresses: the same build works at the root of a host and under any sub-path.
@@ -150,6 +151,8 @@ export default defineConfig({
   },
   plugins: [
     preact({ include: [/\.tsx$/] }),
+    // Built with `--mode pseudo`, the page speaks a language that shows what does not come from en.ftl.
+    sentences({ inPseudo: mode === 'pseudo' }),
     shapes,
     whereBuilt,
     firstPicture,
@@ -169,4 +172,4 @@ export default defineConfig({
   },
   server: { port: 5173, host: '127.0.0.1' },
   preview: { cors: false },
-});
+}));

@@ -3,6 +3,7 @@ import preact from '@preact/preset-vite';
 import { playwright } from '@vitest/browser-playwright';
 import { defineConfig } from 'vitest/config';
 import { launchOptions } from './test/tools/browser.js';
+import { sentences } from './test/tools/catalogue.js';
 
 /** As many workers as there are cores; by default Vitest leaves one core idle. */
 const maxWorkers = availableParallelism();
@@ -17,7 +18,7 @@ const parts = {
   hookTimeout: 600_000,
   maxWorkers,
 };
-const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false })];
+const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false }), sentences()];
 
 /**
  * For journeys in a browser on a slow and busy machine. No test judges how long something takes; these limits end what
@@ -94,9 +95,13 @@ export default defineConfig({
           },
         },
       },
-      { test: { ...site, name: 'site', include: ['test/site/**/*.test.ts'], exclude: [MATRICES] } },
-      { test: { ...site, name: 'site-matrix', include: [MATRICES] } },
       {
+        plugins: [sentences()],
+        test: { ...site, name: 'site', include: ['test/site/**/*.test.ts'], exclude: [MATRICES] },
+      },
+      { plugins: [sentences()], test: { ...site, name: 'site-matrix', include: [MATRICES] } },
+      {
+        plugins: [sentences()],
         test: {
           name: 'rig',
           environment: 'node',
@@ -106,6 +111,7 @@ export default defineConfig({
         },
       },
       {
+        plugins: [sentences()],
         test: {
           ...site,
           name: 'site-firefox',
@@ -113,6 +119,7 @@ export default defineConfig({
         },
       },
       {
+        plugins: [sentences()],
         test: {
           name: 'rig-firefox',
           environment: 'node',

@@ -2,7 +2,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { FIRST_VERSIONS } from '../src/app/browser/platform.js';
-import { entriesOf, lowered, overruns } from './tools/budgets.js';
+import { lowered, overruns, sentencesIn } from './tools/budgets.js';
 import { longComments } from './tools/columns.js';
 import { connectionHtml } from './tools/connection-page.js';
 import { root } from './tools/pack.js';
@@ -258,12 +258,18 @@ describe('the styles of the page', () => {
 });
 
 describe('the size of the code', () => {
-  it('counts each text, each function that makes one and each element of a list', () => {
-    const text = `import { en } from './en.js';
-      const count = (n: number): string => \`\${n}\`;
-      export const words = { title: 'A', steps: ['one', 'two'], of: count, more: { n: (n: number) => count(n), x: en.x } } as const;
-      export const codes = [1, 2];`;
-    expect(entriesOf('en-x.ts', text)).toBe(5);
+  it('counts the sentences of each group', () => {
+    const text = `# A comment = no sentence.
+line_title = Line
+line_names_a-code =
+    { $count ->
+        [one] { $count } = one
+       *[other] { $count }
+    }
+cancel = Cancel
+delete = Delete
+`;
+    expect(sentencesIn(text)).toEqual({ alone: 2, line: 2 });
   });
 
   it('is held by ceilings, which only come down', () => {
@@ -271,7 +277,7 @@ describe('the size of the code', () => {
       lines: { 'src/client': client },
       styles: 1,
       tests: 1,
-      sentences: { 'en.ts': sentences },
+      sentences: { line: sentences },
     });
     expect(overruns(figures(11, 3), figures(10, 4))).toEqual([expect.stringContaining('lines of src/client: 11')]);
     expect(overruns({ ...figures(1, 1), lines: { 'src/other': 1 } }, figures(1, 1))).toHaveLength(1);

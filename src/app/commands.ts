@@ -3,12 +3,9 @@ import { FLIGHTS } from './flights/flight-filter.js';
 import type { SaveSetting } from './library/save-setting.js';
 import { offerScreen } from './library/share/share-screen.js';
 import { filesOf } from './library-files.js';
-import { comparingMessages } from './messages/en-compare.js';
-import { filesMessages } from './messages/en-files.js';
-import { flightMessages } from './messages/en-flights.js';
-import { libraryMessages } from './messages/en-library.js';
-import { share } from './messages/en-share.js';
 import { messages, stepText } from './messages/index.js';
+import { moreMessages } from './messages/more.js';
+import { programOf } from './messages/names.js';
 import type { AppModels } from './models.js';
 import type { PaletteCommand } from './shell/palette.js';
 import { VIEWS } from './shell/views.js';
@@ -32,10 +29,15 @@ function programCommands(models: AppModels): PaletteCommand[] {
   const found: (PaletteCommand | false | null)[] = [
     isFree &&
       connection.value !== null &&
-      !editor.blocked.value && { name: program.write(editor.changes.value.length), run: () => void write.open() },
+      !editor.blocked.value && {
+        name: program.write({ count: editor.changes.value.length }),
+        run: () => void write.open(),
+      },
     ...saveCommands(session, saveSetting),
-    isFree && undo && { name: edits.undo(stepText(identity, undo)), keys: 'Ctrl+Z', run: () => editor.undo() },
-    isFree && redo && { name: edits.redo(stepText(identity, redo)), keys: 'Ctrl+Y', run: () => editor.redo() },
+    isFree &&
+      undo && { name: edits.undo({ step: stepText(identity, undo) }), keys: 'Ctrl+Z', run: () => editor.undo() },
+    isFree &&
+      redo && { name: edits.redo({ step: stepText(identity, redo) }), keys: 'Ctrl+Y', run: () => editor.redo() },
     isFree && {
       name: words.print,
       // Elsewhere the key prints what is shown there.
@@ -51,7 +53,7 @@ function programCommands(models: AppModels): PaletteCommand[] {
 }
 
 function saveCommands(session: Session, saveSetting: SaveSetting): PaletteCommand[] {
-  const { save } = libraryMessages;
+  const { save } = moreMessages.value.library;
   const { unsaved, undoable } = session.opened;
   const { setting, model } = session.origin;
   const name = setting.value?.name;
@@ -59,9 +61,9 @@ function saveCommands(session: Session, saveSetting: SaveSetting): PaletteComman
   const differs = (unsaved.value?.changes ?? 0) + (unsaved.value?.unreadable ?? 0) > 0;
   return [
     ...(name !== undefined && differs
-      ? [{ name: save.over(name, model.value?.name ?? ''), run: () => void saveSetting.save() }]
+      ? [{ name: save.over({ program: programOf(name, model.value?.name ?? '') }), run: () => void saveSetting.save() }]
       : []),
-    ...(undo ? [{ name: save.undo(undo.name), run: () => session.opened.undoSave() }] : []),
+    ...(undo ? [{ name: save.undo({ name: undo.name }), run: () => session.opened.undoSave() }] : []),
     { name: name === undefined ? save.open : save.asNew, run: () => saveSetting.open() },
   ];
 }
@@ -94,15 +96,15 @@ function libraryCommands(models: AppModels): PaletteCommand[] {
   };
   return [
     ...(flights.flyable.value && !session.onScreen.apart.value
-      ? [{ name: flightMessages.flying.button, run: flying }]
+      ? [{ name: moreMessages.value.flights.flying.button, run: flying }]
       : []),
-    { name: comparingMessages.compare.open, run: () => views.show('library', COMPARE) },
-    { name: filesMessages.import.button, run: () => filesOf(models).choose() },
+    { name: moreMessages.value.compare.open, run: () => views.show('library', COMPARE) },
+    { name: moreMessages.value.files.import.button, run: () => filesOf(models).choose() },
     // Nobody may have looked yet at what is kept.
     ...(isEmpty && kept.loaded.value
       ? []
-      : [{ name: filesMessages.export.all, run: () => void filesOf(models).export() }]),
-    { name: share.paste.title, run: () => sharing.paste() },
+      : [{ name: moreMessages.value.files.export.all, run: () => void filesOf(models).export() }]),
+    { name: moreMessages.value.share.paste.title, run: () => sharing.paste() },
   ];
 }
 
@@ -113,7 +115,7 @@ function viewCommands({ views }: AppModels): PaletteCommand[] {
       name: names[view],
       run: () => views.show(view),
     })),
-    { name: flightMessages.title, run: () => views.show('library', FLIGHTS) },
+    { name: moreMessages.value.flights.title, run: () => views.show('library', FLIGHTS) },
     { name: names.help, keys: '?', run: () => views.show('help') },
   ];
 }

@@ -10,7 +10,7 @@ import { LibraryView } from './library/library-view.js';
 import type { Places } from './library/places.js';
 import { PasteLinkButton, ShareButton } from './library/share/share-buttons.js';
 import { filesOf } from './library-files.js';
-import { flightMessages } from './messages/en-flights.js';
+import { moreMessages } from './messages/more.js';
 import type { AppModels } from './models.js';
 import { PrintButton } from './print/print-button.js';
 import { sharedOf } from './work/setting-link.js';
@@ -54,7 +54,7 @@ function placesOf(models: AppModels): Places {
         <ul class="panel ruled library-list">
           <li>
             <a class="stack library-item" href={`#library/${FLIGHTS}`} onClick={() => flights.showOnly()}>
-              <b>{flightMessages.title}</b>
+              <b>{moreMessages.value.flights.title}</b>
             </a>
           </li>
         </ul>

@@ -17,7 +17,7 @@ import { media } from './browser/doors.js';
 import { holdDroppedFiles } from './browser/dropped-files.js';
 import { tried } from './browser/services.js';
 import { earlyClicks } from './early-clicks.js';
-import { first } from './messages/en-first.js';
+import english from './messages/en.ftl?first';
 import { Theme } from './settings/theme.js';
 
 /*
@@ -63,8 +63,8 @@ function offerReload(): void {
   notice.role = 'alert';
   notice.className = 'notice bad';
   const again = document.createElement('button');
-  again.textContent = first.again;
+  again.textContent = english.first.again;
   again.addEventListener('click', () => location.reload());
-  notice.replaceChildren(first.failed, ' ', again);
+  notice.replaceChildren(english.first.failed, ' ', again);
   document.body.prepend(notice);
 }

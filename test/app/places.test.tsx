@@ -6,11 +6,8 @@ import { sideName } from '../../src/app/compare/compare-page.js';
 import { SaveButtons } from '../../src/app/library/save-buttons.js';
 import { SaveDialog } from '../../src/app/library/save-dialog.js';
 import { offerScreen } from '../../src/app/library/share/share-screen.js';
-import { comparingMessages } from '../../src/app/messages/en-compare.js';
-import { knowledge as words } from '../../src/app/messages/en-knowledge.js';
-import { libraryMessages } from '../../src/app/messages/en-library.js';
-import { modelMessages } from '../../src/app/messages/en-which-model.js';
 import { messages } from '../../src/app/messages/index.js';
+import { programOf } from '../../src/app/messages/names.js';
 import { Print } from '../../src/app/print/print.js';
 import { memoryKey, ON_SCREEN, PrintOrder } from '../../src/app/print/print-order.js';
 import { KnownLine } from '../../src/app/shell/known-line.js';
@@ -19,6 +16,7 @@ import { StripModel } from '../../src/app/shell/strip-model.js';
 import type { ModelRecord } from '../../src/app/storage/index.js';
 import { BackupList } from '../../src/app/write/backup-list.js';
 import { decodeLink, fieldsOf } from '../../src/program/index.js';
+import { en } from '../tools/en.js';
 import { type AppBench, goOn, review, run } from './bench/bench.js';
 import { BACKUP, CALM, DT, LANCER_HELD, lancerBench, type, WIND } from './two-models.js';
 
@@ -163,10 +161,10 @@ function placesOf(bench: AppBench, memoryOfTimer: number) {
 
 /** The beginnings of the sentences that say something of a timer. */
 const SAYS = {
-  now: words.readAt('').trim(),
-  verified: words.verified('').trim(),
-  once: words.lastReadAt(null),
-  not: words.unknown('M').replace(/M .*/, 'M'),
+  now: en.knowledge.readAt({ time: '' }).trim(),
+  verified: en.knowledge.verified({ time: '' }).trim(),
+  once: en.knowledge.lastRead,
+  not: en.knowledge.unknown({ memory: 'M' }).replace(/M .*/, 'M'),
 };
 
 /** Which of them stand in a text. “As in the timer, read” is no part of “verified”. */
@@ -198,7 +196,7 @@ describe('every place that names a model or says what a timer holds', () => {
     const saved = { setting: CALM, 'setting of another': WIND }[origin as string];
     const isSaved =
       saved !== undefined && JSON.stringify(saved.program.times) === JSON.stringify(editor.working.value?.times);
-    const title = setting === '' || isSaved ? setting : words.changed(setting);
+    const title = setting === '' || isSaved ? setting : en.knowledge.changed({ name: setting });
 
     // What may be said of the timer, by what has happened to it alone.
     const sentence = ((): string[] => {
@@ -214,14 +212,14 @@ describe('every place that names a model or says what a timer holds', () => {
     // The connected timer has its own name, whatever lies over it.
     expect(places.strip).toBe(isConnected ? own || messages.value.recognition.which : '');
     expect(saidIn(places.known)).toEqual(sentence);
-    const state = libraryMessages.save.state(setting, isSaved ? 0 : 1).slice(setting.length);
+    const state = en.library.save.state({ name: setting, changes: isSaved ? 0 : 1 }).slice(setting.length);
     if (isConnected && setting !== '') {
-      expect(places.setting.startsWith(words.ofModel(setting, model))).toBe(true);
+      expect(places.setting.startsWith(en.knowledge.ofModel({ name: setting, model }))).toBe(true);
       expect(places.setting.endsWith(isSaved ? state : 'not saved')).toBe(true);
     } else expect(places.setting).toBe('');
 
     // Saving names what it overwrites, and goes to the model of the values.
-    const over = libraryMessages.save.over(setting, model).replaceAll('\u00a0', ' ');
+    const over = en.library.save.over({ program: programOf(setting, model) }).replaceAll('\u00a0', ' ');
     if (setting !== '' && !isSaved) expect(places.save).toContain(over);
     else expect(places.save).not.toContain('over');
     if (model !== '') expect(places.suggested).toBe(model);
@@ -232,7 +230,7 @@ describe('every place that names a model or says what a timer holds', () => {
     expect(sheet?.memory.includes(other), 'a memory has no name of another model').toBe(false);
     expect(saidIn(sheet?.origin ?? '')).toEqual(sentence);
     const isCrossing = isConnected && held === 'Lancer' && model === 'Magpie';
-    const crossing = modelMessages.crossing.title('Magpie', ['Lancer']).replace(/\.$/, '');
+    const crossing = en.whichModel.crossing.title({ from: 'Magpie', to: 'Lancer' }).replace(/\.$/, '');
     expect(sheet?.origin.includes(crossing)).toBe(isCrossing);
     const marks = sheet ? fieldsOf(sheet.program.identity).filter(sheet.was).length : 0;
     if (changes > 0) expect(marks, 'each changed value is marked').toBe(editor.changes.value.length);
@@ -252,8 +250,10 @@ describe('every place that names a model or says what a timer holds', () => {
     }
 
     // Side by side.
-    const { compare } = comparingMessages;
-    expect(places.screenSide).toBe(title === '' ? compare.screen : compare.setting(compare.screen, title));
+    const { compare } = en;
+    expect(places.screenSide).toBe(
+      title === '' ? compare.screen : compare.setting({ model: compare.screen, name: title }),
+    );
     expect([places.timerSide !== '', saidIn(places.timerSide)]).toEqual([
       isConnected,
       standing === 'sent' ? ['once'] : [],
@@ -263,8 +263,8 @@ describe('every place that names a model or says what a timer holds', () => {
       ['Magpie', places.magpieBackups],
     ] as const) {
       const isNow = name === own && (standing === 'read' || standing === 'verified');
-      const { modelBackups } = comparingMessages;
-      if (!isNow) expect(text).not.toContain(modelBackups.same(modelBackups.now));
+      const { modelBackups } = en;
+      if (!isNow) expect(text).not.toContain(modelBackups.same({ when: modelBackups.now }));
     }
 
     // A flight is of the memory that flies next, and of a setting only where the timer holds all of it. What was sent

@@ -1,8 +1,8 @@
 import { act, fireEvent, render, screen, within } from '@testing-library/preact';
 import { onTestFinished } from 'vitest';
 import { App } from '../../src/app/app.js';
-import { en } from '../../src/app/messages/en.js';
 import type { View } from '../../src/app/shell/views.js';
+import { en } from '../tools/en.js';
 import { type AppBench, appBench, type BenchOptions, idle } from './bench/bench.js';
 
 let page: AppBench;

@@ -1,9 +1,9 @@
 import { render, screen } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../src/app/app.js';
-import { en } from '../../src/app/messages/en.js';
 import { SHELF_CALLS, SHELVES } from '../../src/app/storage/index.js';
 import type { ProgramField } from '../../src/program/index.js';
+import { en } from '../tools/en.js';
 import { type AppBench, appBench, type BenchOptions, connectedBench, idle, MemoryStore, run } from './bench/bench.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
 import { HOLD } from '../../src/app/ui/press-and-hold.js';
 import { COMMANDS, type CommandName, encodeFrame } from '../../src/protocol/index.js';
+import { en } from '../tools/en.js';
 import { connected, type Pilot } from './pilot.js';
 import type { Rig, RigOptions } from './rig.js';
 
@@ -31,7 +31,7 @@ describe('servos that follow', () => {
     const stand = (): [slot: number, servos: number[]] => [core.slot, core.servos];
     const toggle = pilot.page.getByRole('switch', { name: en.bench.follow });
     await pilot.button('Function 2').click();
-    await pilot.sees(en.bench.at('function 2'));
+    await pilot.sees(en.bench.at({ slot: 'function 2' }));
     expect(stand()).toEqual([2, [35, 35, 35]]);
     await toggle.click();
     await pilot.sees(en.bench.followingNow);
@@ -49,7 +49,7 @@ describe('servos that follow', () => {
     for (let i = 0; i < 59; i++) await keyboard.down('ArrowUp');
     await keyboard.up('ArrowUp');
     await keyboard.up('Alt');
-    await pilot.sees(en.bench.triedAndWaiting(1, 0));
+    await pilot.sees(en.bench.triedAndWaiting({ tried: 1, waiting: 0 }));
     await expect.poll(stand).toEqual([2, [95, 35, 35]]);
     const { SETSERVO, MOVETOFUNC } = COMMANDS;
     await expect.poll(() => rig.frames.at(-1)?.code).toBe(MOVETOFUNC.reply);
@@ -77,16 +77,16 @@ describe('servos that follow', () => {
     const moves = sent(rig, 'MOVETOFUNC');
     await pilot.field('Function 5, S2').fill('70');
     await pilot.field('Function 5, S2').blur();
-    await pilot.sees(en.bench.triedAndWaiting(1, 1));
+    await pilot.sees(en.bench.triedAndWaiting({ tried: 1, waiting: 1 }));
     expect([core.content.positions[1]?.[5], sent(rig, 'MOVETOFUNC')]).toEqual([65, moves]);
-    await pilot.button(en.bench.bring('function 5')).click();
-    await pilot.sees(en.bench.triedAndWaiting(2, 0));
+    await pilot.button(en.bench.bring({ slot: 'function 5' })).click();
+    await pilot.sees(en.bench.triedAndWaiting({ tried: 2, waiting: 0 }));
     await expect.poll(stand).toEqual([5, [65, 70, 65]]);
 
     await pilot.field('DT, S3').fill('12');
     await pilot.field('DT, S3').blur();
-    await pilot.button(en.bench.bring('DT')).click();
-    await pilot.sees(en.bench.triedAndWaiting(3, 0));
+    await pilot.button(en.bench.bring({ slot: 'DT' })).click();
+    await pilot.sees(en.bench.triedAndWaiting({ tried: 3, waiting: 0 }));
     await expect.poll(stand).toEqual([10, [115, 115, 12]]);
 
     const tried = before.map((row) => [...row]);
@@ -114,7 +114,7 @@ describe('servos that follow', () => {
   test('a movement without an answer ends following, is reported, and is not sent again', async () => {
     const { rig, pilot } = await atTheBench({ asks: ['MOVETOFUNC'] });
     await pilot.button('Function 2').click();
-    await pilot.sees(en.bench.at('function 2'));
+    await pilot.sees(en.bench.at({ slot: 'function 2' }));
     await pilot.page.getByRole('switch', { name: en.bench.follow }).click();
     await pilot.sees(en.bench.followingNow);
     await pilot.goTo('program');

@@ -1,5 +1,5 @@
 import { test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 

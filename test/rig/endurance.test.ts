@@ -1,8 +1,8 @@
 import { env, stdout } from 'node:process';
 import type { CDPSession } from 'playwright';
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
 import { COMMANDS, type CommandName } from '../../src/protocol/index.js';
+import { en } from '../tools/en.js';
 import { Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
 import { exchangeSize } from '../../src/protocol/index.js';
 import { fromHex, toHex } from '../tools/bytes.js';
+import { en } from '../tools/en.js';
 import { connected, Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 

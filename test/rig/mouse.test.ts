@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
 import { COMMANDS } from '../../src/protocol/index.js';
 import { ROUTES, textOf } from '../site/mouse-routes.js';
+import { en } from '../tools/en.js';
 import type { Place } from './chooser.js';
 import { Pilot } from './pilot.js';
 import { Rig } from './rig.js';

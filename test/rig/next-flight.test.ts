@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { connected } from './pilot.js';
 
 const identity = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 } as const;
@@ -15,13 +15,13 @@ test('M3 in the table leaves the timer as it was, and what flies next is what th
   };
 
   await look('M3');
-  await pilot.button(en.look.edit('M3')).click();
-  await pilot.sees(`${en.nextFlight.onScreen('M3')} ${en.nextFlight.other('M1')}`);
+  await pilot.button(en.look.edit({ memory: 'M3' })).click();
+  await pilot.sees(`${en.nextFlight.onScreen({ memory: 'M3' })} ${en.nextFlight.other({ memory: 'M1' })}`);
   expect([core.memory, selected(), core.memories]).toEqual([0, [2, 0], before]);
 
   await pilot.goTo('memories');
-  await pilot.button(en.look.fly('M3')).click();
-  await pilot.sees(`${en.nextFlight.other('M3')} ${en.nextFlight.original('M1')}`);
+  await pilot.button(en.look.fly({ memory: 'M3' })).click();
+  await pilot.sees(`${en.nextFlight.other({ memory: 'M3' })} ${en.nextFlight.original({ original: 'M1' })}`);
   expect(core.memory).toBe(2);
   await pilot.button(en.header.disconnect).click();
   await expect.poll(() => rig.sessions, { timeout: 60_000 }).toEqual({ opened: 1, closed: 1 });
@@ -33,8 +33,8 @@ test('M3 is written from the table, and the timer is left at M1', async () => {
   const { core } = rig.timer;
   const [m1] = structuredClone(core.memories);
   await pilot.page.getByRole('radio', { name: 'M3', exact: true }).check({ force: true });
-  await pilot.button(en.look.edit('M3')).click();
-  await pilot.sees(`${en.nextFlight.onScreen('M3')} ${en.nextFlight.other('M1')}`);
+  await pilot.button(en.look.edit({ memory: 'M3' })).click();
+  await pilot.sees(`${en.nextFlight.onScreen({ memory: 'M3' })} ${en.nextFlight.other({ memory: 'M1' })}`);
   await pilot.type({ 'DT time': '2:30' });
   await pilot.review();
   await pilot.button(/^Write 1 change$/).click();

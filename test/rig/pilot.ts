@@ -1,5 +1,5 @@
 import type { Locator, Page } from 'playwright';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { Rig, type RigOptions } from './rig.js';
 
 /** What a pilot does on the page, and sees there; all of it found by role and name. */

@@ -1,22 +1,21 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { settle as words } from '../../src/app/messages/en-settle.js';
 import { COMMANDS, type CommandName } from '../../src/protocol/index.js';
+import { en } from '../tools/en.js';
 import { connected, type Pilot } from './pilot.js';
 
 const identity = { timerClass: 'B', firmware: '536', functions: 10, memories: 4, servos: 3 } as const;
 
 async function toWalk(pilot: Pilot): Promise<void> {
   await pilot.page.evaluate(() => location.assign('#settings/settle'));
-  await pilot.page.getByRole('checkbox', { name: words.safe }).check();
+  await pilot.page.getByRole('checkbox', { name: en.settle.safe }).check();
 }
 
 /** Reads, and goes on to the first position. */
 async function toPosition(pilot: Pilot): Promise<void> {
-  await pilot.button(words.readIt).click();
+  await pilot.button(en.settle.readIt).click();
   for (let i = 0; i < 3; i++) await pilot.button(en.next).click();
-  await pilot.button(words.ask).click();
-  await pilot.button(en.bench.bring('DT')).waitFor();
+  await pilot.button(en.settle.ask).click();
+  await pilot.button(en.bench.bring({ slot: 'DT' })).waitFor();
 }
 
 test('a walk with a timer that takes the servo first sends what was pressed, and leaves the timer as it was', async () => {
@@ -28,12 +27,12 @@ test('a walk with a timer that takes the servo first sends what was pressed, and
   await toPosition(pilot);
   expect([sent('SETSERVO'), sent('MOVETOFUNC')], 'before the first press').toEqual([0, 0]);
   for (const [to, moved] of [
-    ['DT', words.no],
-    ['function 1', words.yes],
+    ['DT', en.settle.no],
+    ['function 1', en.settle.yes],
   ] as const) {
-    await pilot.button(en.bench.bring(to)).click();
-    await pilot.button(words.tryIt).click();
-    await pilot.sees(words.moved);
+    await pilot.button(en.bench.bring({ slot: to })).click();
+    await pilot.button(en.settle.tryIt).click();
+    await pilot.sees(en.settle.moved);
     expect(rig.timer.core.memories).toEqual(before);
     await pilot.button(moved).click();
   }
@@ -41,11 +40,11 @@ test('a walk with a timer that takes the servo first sends what was pressed, and
   expect([sent('SETSERVO'), sent('MOVETOFUNC')]).toEqual([4, 2]);
   const answer = (name: string) =>
     pilot.page.locator('.settle-list > div', { hasText: name }).locator('dd').innerText();
-  expect([await answer(words.names.layout), await answer(words.names.moves), await answer(words.names.zeros)]).toEqual([
-    words.no,
-    words.there,
-    words.yes,
-  ]);
+  expect([
+    await answer(en.settle.names.layout),
+    await answer(en.settle.names.moves),
+    await answer(en.settle.names.zeros),
+  ]).toEqual([en.settle.no, en.settle.there, en.settle.yes]);
 });
 
 test('unplugged before the answer to a position that is tried: it is said until it is put back', async () => {
@@ -53,14 +52,14 @@ test('unplugged before the answer to a position that is tried: it is said until 
   const before = structuredClone(rig.timer.core.memories);
   await toWalk(pilot);
   await toPosition(pilot);
-  await pilot.button(en.bench.bring('DT')).click();
-  await pilot.sees(en.bench.at('DT'));
+  await pilot.button(en.bench.bring({ slot: 'DT' })).click();
+  await pilot.sees(en.bench.at({ slot: 'DT' }));
   const out = new Promise<void>((resolve) => {
     rig.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETSERVO') void rig.unplug().then(resolve);
     };
   });
-  await pilot.button(words.tryIt).click();
+  await pilot.button(en.settle.tryIt).click();
   await out;
   await pilot.page.getByRole('region', { name: 'Not certain' }).getByText('Function 1, S1 is').waitFor();
   expect(rig.timer.core.memories).not.toEqual(before);

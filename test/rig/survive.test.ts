@@ -1,6 +1,6 @@
 import { stdout } from 'node:process';
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { connected, Pilot } from './pilot.js';
 import type { Direction, Rig } from './rig.js';
 

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { connected, type Pilot } from './pilot.js';
 import type { Direction, Rig } from './rig.js';
 

@@ -1,7 +1,7 @@
 import { stderr } from 'node:process';
 import type { BrowserContextOptions, Locator, Page } from 'playwright';
 import { expect, inject, onTestFinished } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { newPage, newVisit } from './page.js';
 import type { Workbench, WorkbenchOptions } from './workbench.js';
 
@@ -144,7 +144,7 @@ export class AppPage {
 
   /** That so many values differ. Write says so, too, so the whole text is looked for. */
   changes(count: number): Locator {
-    return this.page.getByText(en.program.changes(count), { exact: true });
+    return this.page.getByText(en.program.changes({ count }), { exact: true });
   }
 
   get dialog(): Locator {

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { type AppOptions, AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 
@@ -10,7 +10,10 @@ async function following(options: AppOptions = {}): Promise<AppPage> {
   await app.goTo('Bench');
   await app.page.getByRole('checkbox', { name: 'The propeller is off' }).check();
   await app.button('Function 2').click();
-  await app.text(en.bench.at('function 2')).first().waitFor();
+  await app
+    .text(en.bench.at({ slot: 'function 2' }))
+    .first()
+    .waitFor();
   await app.page.getByRole('switch', { name: en.bench.follow }).click();
   await app.page.getByRole('switch', { checked: true }).waitFor();
   return app;

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { flightMessages } from '../../src/app/messages/en-flights.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { contestDay, fillLibrary } from './library.js';
 import { PHONE } from './page.js';
@@ -97,7 +97,7 @@ test('no digit of a score card is cut off on any phone', async () => {
   await fillLibrary(app, { models: [], settings: [], flights });
   await app.page.evaluate(() => location.assign('#library/flights'));
   await app.reload();
-  await app.button(flightMessages.score.open).click();
-  await app.field(flightMessages.score.maximum).waitFor();
+  await app.button(en.flights.score.open).click();
+  await app.field(en.flights.score.maximum).waitFor();
   await expectWhole(app, 'the score card');
 });

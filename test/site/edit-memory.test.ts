@@ -1,9 +1,9 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 
-const LINE = `${en.nextFlight.onScreen('M3')} ${en.nextFlight.other('M1')}`;
+const LINE = `${en.nextFlight.onScreen({ memory: 'M3' })} ${en.nextFlight.other({ memory: 'M1' })}`;
 
 /** The memory that is current in the timer, and DT of M1 and M3. */
 const held = (app: AppPage) =>

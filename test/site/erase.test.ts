@@ -1,8 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { libraryMessages } from '../../src/app/messages/en-library.js';
 import { parseLibraryFile } from '../../src/program/index.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 
 /** All that the browser keeps for this address. */
@@ -70,7 +69,7 @@ test('when the browser deletes everything that it kept, the page stays, says so,
   await page.evaluate(() => location.assign('#library'));
   for (const [open, field, text, make] of [
     ['New model…', 'Name', 'Lancer 07', en.save],
-    [en.newProgram.title, libraryMessages.save.name('program'), 'calm', en.newProgram.make],
+    [en.newProgram.title, en.library.save.name({ of: 'program' }), 'calm', en.newProgram.make],
   ] as const) {
     await app.button(open).click();
     await page.getByRole('dialog').getByRole('textbox', { name: field }).fill(text);

@@ -1,9 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { expect, inject, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { filesMessages } from '../../src/app/messages/en-files.js';
 import { formatLibraryFile, type Library, parseLibraryFile } from '../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { newPage } from './page.js';
 
@@ -41,7 +40,7 @@ test('a dropped file does not replace the page, and the list of commands has Imp
     for (const type of ['dragover', 'drop'])
       document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer }));
   }, TEXT);
-  await page.getByRole('heading', { name: filesMessages.import.title('dropped.sidus') }).waitFor();
+  await page.getByRole('heading', { name: en.files.import.title({ name: 'dropped.sidus' }) }).waitFor();
   await app.button('Cancel').click();
   expect(page.url()).toBe(address);
 
@@ -85,6 +84,6 @@ test('a file that the system opens is shown', async () => {
   const { page } = app;
   await app.hasParts();
   await page.evaluate((text) => (window as unknown as { openWith(text: string): Promise<void> }).openWith(text), TEXT);
-  await page.getByRole('heading', { name: filesMessages.import.title('sent.sidus') }).waitFor();
+  await page.getByRole('heading', { name: en.files.import.title({ name: 'sent.sidus' }) }).waitFor();
   await takeAll(app);
 });

@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { flightMessages } from '../../src/app/messages/en-flights.js';
+import { moreMessages } from '../../src/app/messages/more.js';
 import { meant, readCsv } from '../app/flights/csv-reader.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { contestDay, fillLibrary } from './library.js';
 import { PHONE } from './page.js';
@@ -25,7 +25,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await form.getByRole('button', { name: 'Wind: more' }).click();
   await form.getByRole('textbox', { name: 'Temperature °C' }).fill('-2,5');
   await form.getByRole('textbox', { name: 'Note' }).fill('=1+1, trimmed; "left"');
-  await form.getByText(flightMessages.form.when).click();
+  await form.getByText(moreMessages.value.flights.form.when).click();
   await form.getByRole('combobox', { name: 'Place' }).fill('Gyula');
   await form.getByRole('button', { name: 'Done' }).click();
   await form.waitFor({ state: 'hidden' });
@@ -55,7 +55,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   const trimmed = rows.filter({ hasText: 'DT 20 s' });
 
   const download = page.waitForEvent('download');
-  await app.button(flightMessages.csv.save).click();
+  await app.button(moreMessages.value.flights.csv.save).click();
   const file = await download;
   expect(file.suggestedFilename()).toMatch(/^flights-\d{4}-\d\d-\d\d\.csv$/);
   const bytes = await readFile(await file.path());
@@ -69,17 +69,17 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   expect(cells).toMatchObject({
     Place: 'Gyula',
     'DT (s)': '20',
-    [flightMessages.csv.columns.motorStop]: '10',
+    [moreMessages.value.flights.csv.columns.motorStop]: '10',
     Memory: '1',
     'Wind (m/s)': '2',
-    [flightMessages.csv.columns.temperature]: '-2.5',
+    [moreMessages.value.flights.csv.columns.temperature]: '-2.5',
     'Result (s)': '19.5',
   });
   const { Note: note = '' } = cells;
   expect([note, meant(note)]).toEqual([`'=1+1, trimmed; "left"`, '=1+1, trimmed; "left"']);
 
   await trimmed.click();
-  await form.getByText(flightMessages.form.flown).click();
+  await form.getByText(moreMessages.value.flights.form.flown).click();
   const flown = form.getByRole('table', { name: en.program.tableCaption });
   await expect
     .poll(() => flown.getByRole('row', { name: /^DT/ }).innerText(), { message: 'a copy, whatever was written since' })
@@ -100,13 +100,13 @@ test.each([
   await fillLibrary(app, { models: [], settings: [], flights: contestDay() });
   await page.evaluate(() => location.assign('#library/flights'));
   await app.reload();
-  const { score: words } = flightMessages;
+  const { score: words } = en.flights;
   await app.button(words.open).click();
   await app.field(words.maximum).click();
   await page.keyboard.type("3'00");
   await page.keyboard.press('Enter');
-  await expect.poll(() => app.field(words.maximumOf('Round 2')).inputValue()).toBe('180');
-  await app.field(words.maximumOf('Round 1')).fill('4:00');
+  await expect.poll(() => app.field(words.maximumOf({ round: 'Round 2' })).inputValue()).toBe('180');
+  await app.field(words.maximumOf({ round: 'Round 1' })).fill('4:00');
   // Leaving the field by a tap elsewhere takes it.
   await app.button(words.count).click();
   await page
@@ -139,7 +139,7 @@ test.each([
   await app.reload();
   await app.button(words.open).click();
   await total.waitFor();
-  await expect.poll(() => app.field(words.maximumOf('Round 1')).inputValue()).toBe('240');
+  await expect.poll(() => app.field(words.maximumOf({ round: 'Round 1' })).inputValue()).toBe('240');
 });
 
 test('a log of 1,000 flights is scrolled to its end, where one is changed', async () => {

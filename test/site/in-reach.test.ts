@@ -1,6 +1,5 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { settle as walk } from '../../src/app/messages/en-settle.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { outOfReach } from './in-reach.js';
 import { showTheme } from './themes.js';
@@ -124,9 +123,9 @@ test.each([
     await app.text(en.ports.settings).click();
     await see('settings, all open');
     await page.evaluate(() => location.assign('#settings/settle'));
-    await page.getByRole('checkbox', { name: walk.safe }).check();
-    await app.button(walk.readIt).click();
-    await app.text(walk.unknown).waitFor();
+    await page.getByRole('checkbox', { name: en.settle.safe }).check();
+    await app.button(en.settle.readIt).click();
+    await app.text(en.settle.unknown).waitFor();
     await see('a question of the walk');
     for (let i = 0; i < 4; i++) await page.locator('.settle-step').getByRole('button', { name: en.next }).click();
     await see('a step that moves servos');

@@ -1,8 +1,7 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { HELP_PAGES } from '../../src/app/help/help.js';
-import { en } from '../../src/app/messages/en.js';
-import { write } from '../../src/app/messages/en-write.js';
+import { en } from '../tools/en.js';
 import { AppPage, isInSight } from './app-page.js';
 import { IN_SUN, PHONE } from './page.js';
 
@@ -302,7 +301,10 @@ test('what warns before a write is in sight with its tick, above a long differen
   for (let i = 1; i <= 9; i++) await app.type(`Function ${i}, S1`, '7');
   await app.type('Motor stop time', '4:00');
   await app.review();
-  const words = [write.acknowledge, write.stillToTick([write.ticks.warnings, write.ticks.safety])];
+  const words = [
+    en.write.acknowledge,
+    en.write.stillToTick({ ticks: `${en.write.ticks.warnings}, ${en.write.ticks.safety}` }),
+  ];
   for (const sentence of words) {
     expect(await isInSight(app.dialog.getByText(sentence)), sentence).toBe(true);
   }

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { AppPage, isInSight } from './app-page.js';
 
 /** How many requests the timer got since the page was loaded. */

@@ -1,5 +1,5 @@
 import { expect, inject, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { newKeptPage, newPage } from './page.js';
 
 /** The part of the manifest that these tests use. */

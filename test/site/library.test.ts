@@ -1,6 +1,5 @@
 import { expect, it } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { libraryMessages } from '../../src/app/messages/en-library.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 
@@ -36,11 +35,11 @@ it('what is typed about a setting at last is there after a reload, and what was 
   await expect.poll(() => note.inputValue()).toBe('opens well, in wind too');
   const { hash } = new URL(app.page.url());
   await page.getByRole('button', { name: 'Delete' }).click();
-  await app.says(en.removed(en.counted({ settings: 1 })));
+  await app.says(en.removed({ what: '1\u00a0program' }));
   // At once: for ten seconds it could still be put back.
   await app.reload();
   await open(app, hash);
-  await app.text(libraryMessages.setting.gone).waitFor();
+  await app.text(en.library.setting.gone).waitFor();
 });
 
 it('models are made with the keyboard alone', async () => {
@@ -115,7 +114,7 @@ it('names that are one word without end make nothing wider than a small phone', 
   const own = page.getByRole('article', { name: word });
   for (const [field, text] of [
     ['Note', word.repeat(3)],
-    [libraryMessages.setting.tags, `${word}, ${word.toLowerCase()}`],
+    [en.library.setting.tags, `${word}, ${word.toLowerCase()}`],
   ] as const) {
     await own.getByRole('textbox', { name: field }).fill(text);
     await own.getByRole('textbox', { name: field }).blur();

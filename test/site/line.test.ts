@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { describe, expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
 import { parseCapture } from '../../src/protocol/index.js';
+import { en } from '../tools/en.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 
 const { send, ...words } = en.line;

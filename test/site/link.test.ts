@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 
 test('the help for a port that is taken leads to a page with all steps', async () => {

@@ -1,7 +1,7 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
 import { exampleMemories } from '../../src/simulator/index.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { fillLibrary } from './library.js';
 import { IN_SUN, PHONE } from './page.js';

@@ -1,5 +1,5 @@
 import type { Locator } from 'playwright';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 
 /** A drag over the table, from one field to another, and the selection after it. */
 type Route = readonly [from: string, to: string, selected: string];

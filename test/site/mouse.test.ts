@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { EDGE_ROUTES, ROUTES, textOf } from './mouse-routes.js';
 

@@ -1,9 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { filesMessages } from '../../src/app/messages/en-files.js';
-import { libraryMessages } from '../../src/app/messages/en-library.js';
-import { share } from '../../src/app/messages/en-share.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { importFile } from './library.js';
 
@@ -22,9 +19,9 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await app.result('Verified.');
   await app.close();
 
-  await app.button(libraryMessages.save.open).click();
-  await app.field(libraryMessages.save.name('program')).fill('windy');
-  await app.field(libraryMessages.save.name('model')).fill('Lancer 07');
+  await app.button(en.library.save.open).click();
+  await app.field(en.library.save.name({ of: 'program' })).fill('windy');
+  await app.field(en.library.save.name({ of: 'model' })).fill('Lancer 07');
   await app.button('Save').click();
   await page.getByRole('dialog').waitFor({ state: 'hidden' });
   await app.type('Function 4, S2', '77');
@@ -57,11 +54,11 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await page.evaluate(() => location.assign('#library'));
   await importFile(app, 'friend.sidus.json', file.replaceAll('"windy"', '"windy, by a friend"'));
   await page.getByRole('heading', { name: 'Import friend.sidus.json' }).waitFor();
-  await page.getByRole('dialog').getByText(filesMessages.import.ways.both, { exact: true }).click();
+  await page.getByRole('dialog').getByText(en.files.import.ways.both, { exact: true }).click();
   await app.button(/^Import \d+$/).click();
   await app.text(/^Imported from “friend\.sidus\.json”: /).waitFor();
   await page.evaluate((to) => location.assign(to), hash);
-  await page.getByRole('dialog', { name: share.received.title }).getByText('windy', { exact: true }).waitFor();
+  await page.getByRole('dialog', { name: en.share.received.title }).getByText('windy', { exact: true }).waitFor();
   await app.button('Do not keep').click();
 
   await page.evaluate(() => location.assign('#help/checklist'));

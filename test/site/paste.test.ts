@@ -1,6 +1,5 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { edits } from '../../src/app/messages/en-edits.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 
 /** A pilot who copies from a spreadsheet, with the real clipboard of the browser. */
@@ -62,9 +61,9 @@ test('a sheet as the page shows it for printing is copied and pasted back', asyn
     await app.type(field, field.endsWith('time') ? '40 s' : '0');
   }
   await paste(app, 'Function 5, S3', copied);
-  const dialog = app.page.getByRole('dialog', { name: edits.pasting.apply });
-  await expect.poll(() => dialog.innerText()).toContain(edits.pasting.lead(4));
-  await dialog.getByRole('button', { name: edits.pasting.apply, exact: true }).click();
+  const dialog = app.page.getByRole('dialog', { name: en.edits.pasting.apply });
+  await expect.poll(() => dialog.innerText()).toContain(en.edits.pasting.lead({ count: 4 }));
+  await dialog.getByRole('button', { name: en.edits.pasting.apply, exact: true }).click();
   await dialog.waitFor({ state: 'hidden' });
   await expect.poll(() => app.entries()).toEqual(before);
 });

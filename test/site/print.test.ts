@@ -1,10 +1,8 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { print as words } from '../../src/app/messages/en-print.js';
-import { share } from '../../src/app/messages/en-share.js';
 import { PAPERS, type Paper } from '../../src/app/print/print-order.js';
 import { encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
 import { programOf } from '../app/programs.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 import { type PdfPage, pagesOf } from './pdf.js';
@@ -62,14 +60,14 @@ test('sheets of several programs: each page names its model, and every row is on
   const app = await AppPage.open();
   for (const setting of SETTINGS) {
     await app.page.evaluate((to) => void location.assign(to), LINK_MARK + encodeLink(setting));
-    await app.button(share.received.keep).click();
+    await app.button(en.share.received.keep).click();
   }
   await app.page.evaluate(() => location.assign('#print'));
   for (const { name } of SETTINGS) await app.page.getByRole('checkbox', { name: new RegExp(`${name}$`) }).check();
   const sizes: Readonly<Record<Paper, string>> = { a5: '148x210', a4: '210x297', letter: '216x279' };
   for (const [paper, size] of Object.entries(sizes)) {
     await app.page.getByRole('radio', { name: PAPERS[paper as Paper], exact: true }).check({ force: true });
-    // Waits for the fonts: they may come later than the words.
+    // Waits for the fonts: they may come later than the print.
     await app.page.evaluate(() => document.fonts.ready);
     expect(await struckThrough(app), paper).toEqual([]);
     const pages = await solidPages(app);
@@ -114,9 +112,9 @@ test('a changed value is marked on paper, and nothing there says that it is in t
   await app.page.locator('.leaf').waitFor();
   const [page, ...others] = await solidPages(app);
   expect(others).toEqual([]);
-  expect(page?.text).toContain(solid(`4:10 min${en.knowledge.marks.now('3:00')}`));
-  expect(page?.text).toContain(solid(en.program.changes(1)));
-  expect(page?.text).not.toContain(solid(en.knowledge.readAt('')));
+  expect(page?.text).toContain(solid(`4:10 min${en.knowledge.marks.now({ value: '3:00' })}`));
+  expect(page?.text).toContain(solid(en.program.changes({ count: 1 })));
+  expect(page?.text).not.toContain(solid(en.knowledge.readAt({ time: '' })));
 });
 
 test('the print view is well made, on a phone too, and prints what the browser offers', async () => {
@@ -180,10 +178,10 @@ test('the QR code on a sheet is read back, and brings the program', async () => 
   await app.trySimulated('F1Q');
   await app.type('DT time', '4:10');
   await app.page.evaluate(() => location.assign('#print'));
-  await app.page.getByRole('checkbox', { name: words.parts.code }).check();
+  await app.page.getByRole('checkbox', { name: en.print.parts.code }).check();
   const buffer = await app.page.locator('.leaf-code .qr-code').screenshot();
   const reader = await app.sibling();
   await reader.page.goto(await textOfCode(app.page, buffer));
-  const shown = reader.page.getByRole('dialog', { name: share.received.title });
+  const shown = reader.page.getByRole('dialog', { name: en.share.received.title });
   await expect.poll(() => shown.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:10');
 });

@@ -1,12 +1,10 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { flightMessages } from '../../src/app/messages/en-flights.js';
-import { libraryMessages } from '../../src/app/messages/en-library.js';
-import { modelMessages } from '../../src/app/messages/en-which-model.js';
+import { moreMessages } from '../../src/app/messages/more.js';
 import { type LibraryFile, parseLibraryFile } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { importFile } from './library.js';
 
@@ -95,7 +93,7 @@ class Device {
     const { app } = this;
     await app.page.evaluate(() => location.assign('#library'));
     await app.page
-      .getByRole('region', { name: libraryMessages.models.title })
+      .getByRole('region', { name: en.library.models.title })
       .getByRole('link', { name: new RegExp(`^${model}`) })
       .click();
     const column = app.page.getByRole('region', { name: model, exact: true });
@@ -119,10 +117,10 @@ class Device {
   /** Saves what is on the screen under a name. */
   async saveAs(name: string, model: string, note: string): Promise<void> {
     const { app } = this;
-    const first = app.button(libraryMessages.save.open);
-    await first.or(app.button(libraryMessages.save.asNew)).first().click();
+    const first = app.button(en.library.save.open);
+    await first.or(app.button(en.library.save.asNew)).first().click();
     const dialog = app.page.getByRole('dialog', { name: 'Save' });
-    await dialog.getByRole('textbox', { name: libraryMessages.save.name('program') }).fill(name);
+    await dialog.getByRole('textbox', { name: en.library.save.name({ of: 'program' }) }).fill(name);
     await dialog.getByRole('combobox', { name: 'Model' }).selectOption({ label: model });
     await dialog.getByRole('textbox', { name: 'Note' }).fill(note);
     await dialog.getByRole('button', { name: 'Save', exact: true }).click();
@@ -133,7 +131,7 @@ class Device {
   async tag(model: string, settings: readonly Pick<Kept, 'name' | 'tags'>[]): Promise<void> {
     for (const { name, tags } of settings) {
       const page = await this.goTo(model, name);
-      await page.getByRole('textbox', { name: libraryMessages.setting.tags }).fill(tags);
+      await page.getByRole('textbox', { name: en.library.setting.tags }).fill(tags);
     }
   }
 
@@ -160,11 +158,11 @@ class Device {
         await form.getByRole('button', { name: 'Wind: more' }).click();
         await form.getByRole('textbox', { name: 'Temperature °C' }).fill('-2,5');
         await form.getByRole('textbox', { name: 'Note' }).fill(`First of ${count} at ${place}`);
-        await form.getByText(flightMessages.form.when).click();
+        await form.getByText(moreMessages.value.flights.form.when).click();
         await form.getByRole('combobox', { name: 'Place' }).fill(place);
       }
       const isLast = at === count - 1;
-      await form.getByRole('button', { name: isLast ? 'Done' : flightMessages.flying.again }).click();
+      await form.getByRole('button', { name: isLast ? 'Done' : moreMessages.value.flights.flying.again }).click();
     }
     await form.waitFor({ state: 'hidden' });
   }
@@ -178,7 +176,7 @@ class Device {
   async takeFile(text: string): Promise<void> {
     const { page } = this.app;
     await page.evaluate(() => location.assign('#library'));
-    await this.app.text(libraryMessages.empty.title).waitFor();
+    await this.app.text(en.library.empty.title).waitFor();
     await importFile(this.app, 'from the lost one.sidus.json', text);
     await this.app.text('It holds 3 models, 12 programs, 30 flights.').waitFor();
     await this.app.button('Import 45').click();
@@ -203,7 +201,7 @@ class Device {
     const flyOff = await this.goTo('Vega 12', 'fly-off');
     await flyOff.getByText('8:00 min').first().waitFor();
     await expect
-      .poll(() => flyOff.getByRole('textbox', { name: libraryMessages.setting.tags }).inputValue())
+      .poll(() => flyOff.getByRole('textbox', { name: en.library.setting.tags }).inputValue())
       .toBe('fly-off');
     await page.evaluate(() => location.assign('#library/flights'));
     await this.app.text('30 flights').first().waitFor();
@@ -253,7 +251,7 @@ test('a season of three models is flown, and a lost device comes back on another
   await app.connect();
   await app.button(en.recognition.which).click();
   await page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill('Lancer 07');
-  await app.button(modelMessages.recognition.dialog.keep).click();
+  await app.button(en.whichModel.recognition.dialog.keep).click();
   await app.button('Model Lancer 07: say which model it is').waitFor();
   await app.goTo('Memories');
   for (const [memory, name] of [
@@ -297,10 +295,10 @@ test('a season of three models is flown, and a lost device comes back on another
   await first.hold(memoriesOf(2));
   await page.evaluate(() => location.assign('#program'));
   await app.connect();
-  await app.text(modelMessages.recognition.unknown).waitFor();
+  await app.text(en.whichModel.recognition.unknown).waitFor();
   await app.button('Choose…').click();
   await page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill('Vega 12');
-  await app.button(modelMessages.recognition.dialog.keep).click();
+  await app.button(en.whichModel.recognition.dialog.keep).click();
   for (const { name, dt, note } of VEGA) {
     await app.type('DT time', dt);
     await first.saveAs(name, 'Vega 12', note);
@@ -313,14 +311,14 @@ test('a season of three models is flown, and a lost device comes back on another
 
   // Ridge 3: typed by hand; its timer comes later.
   await page.evaluate(() => location.assign('#library'));
-  await app.button(libraryMessages.models.make).click();
+  await app.button(en.library.models.make).click();
   const make = page.getByRole('dialog', { name: 'New model' });
   await make.getByRole('textbox', { name: 'Name' }).fill('Ridge 3');
   await make.getByText('F1E', { exact: true }).click();
   await app.button(en.save).click();
   for (const { name, note } of RIDGE) {
     await (await first.goTo('Ridge 3')).getByRole('button', { name: en.newProgram.title }).click();
-    await page.getByRole('textbox', { name: libraryMessages.save.name('program') }).fill(name);
+    await page.getByRole('textbox', { name: en.library.save.name({ of: 'program' }) }).fill(name);
     await app.button(en.newProgram.make).click();
     await page.getByRole('article', { name, exact: true }).getByRole('textbox', { name: 'Note' }).fill(note);
   }

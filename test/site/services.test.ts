@@ -1,7 +1,7 @@
 import type { CDPSession, Page } from 'playwright';
 import { afterAll, beforeAll, describe, expect, inject, test } from 'vitest';
 import { SERVICES, type ServiceName, type Uses } from '../../src/app/browser/services.js';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { newPage, newProfile, STORED } from './page.js';
 
 const { notKept, oneTab, title } = en.keeping;

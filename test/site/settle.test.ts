@@ -1,8 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { settle as words } from '../../src/app/messages/en-settle.js';
 import { parseCapture } from '../../src/protocol/index.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 
 const { bench } = en;
@@ -12,20 +11,20 @@ test('a walk with a timer of the other byte order settles what is so, keeps it, 
   await app.connect();
   const before = await app.bench(({ content }) => JSON.stringify(content));
   await app.showAbout();
-  await app.page.getByRole('link', { name: words.title }).click();
-  await app.page.getByRole('checkbox', { name: words.safe }).check();
-  await app.button(words.readIt).click();
+  await app.page.getByRole('link', { name: en.settle.title }).click();
+  await app.page.getByRole('checkbox', { name: en.settle.safe }).check();
+  await app.button(en.settle.readIt).click();
   await app.button(/^Function\s5\s12\.50\ss\s/).click();
-  await app.button(words.yes).click();
+  await app.button(en.settle.yes).click();
   await app.button('M1').click();
-  await app.button(words.ask).click();
+  await app.button(en.settle.ask).click();
   for (const [to, moved] of [
-    ['DT', words.no],
-    ['function 1', words.yes],
+    ['DT', en.settle.no],
+    ['function 1', en.settle.yes],
   ] as const) {
-    await app.button(bench.bring(to)).click();
-    await app.button(words.tryIt).click();
-    await app.text(words.moved).waitFor();
+    await app.button(bench.bring({ slot: to })).click();
+    await app.button(en.settle.tryIt).click();
+    await app.text(en.settle.moved).waitFor();
     await app.button(moved).click();
   }
   await app.button(bench.unlock).hover();
@@ -37,13 +36,13 @@ test('a walk with a timer of the other byte order settles what is so, keeps it, 
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.button('Save').click()]);
   const text = await readFile(await download.path(), 'utf8');
   expect(parseCapture(text).length).toBeGreaterThan(50);
-  expect(text).toContain(`# ${words.names.order}: ${words.no}`);
+  expect(text).toContain(`# ${en.settle.names.order}: ${en.settle.no}`);
   await app.reload();
   await app.page.getByRole('main').getByRole('button', { name: 'Connect' }).click();
-  await app.page.getByRole('checkbox', { name: words.safe }).waitFor();
+  await app.page.getByRole('checkbox', { name: en.settle.safe }).waitFor();
   await app.page.getByRole('link', { name: 'Settings', exact: true }).last().click();
   await app.text(en.aboutTimer.title).click();
-  for (const name of Object.values({ ...words.names, reserved: null })) {
+  for (const name of Object.values({ ...en.settle.names, reserved: null })) {
     if (name) await app.text(`${name}:`).waitFor();
   }
 });
@@ -53,12 +52,12 @@ test('a plug that is pulled while a position is tried leaves it said, and to be 
   await app.connect();
   const before = await app.bench(({ content }) => JSON.stringify(content));
   await app.page.evaluate(() => location.assign('#settings/settle'));
-  await app.page.getByRole('checkbox', { name: words.safe }).check();
-  await app.button(words.readIt).click();
+  await app.page.getByRole('checkbox', { name: en.settle.safe }).check();
+  await app.button(en.settle.readIt).click();
   for (let i = 0; i < 4; i++) await app.button(en.next).click();
-  await app.button(bench.bring('DT')).click();
+  await app.button(bench.bring({ slot: 'DT' })).click();
   await app.bench((it) => it.unplugAt('SETSERVO'));
-  await app.button(words.tryIt).click();
+  await app.button(en.settle.tryIt).click();
   await app.page.getByRole('region', { name: 'Not certain' }).getByText('Function 1, S1 is').waitFor();
   expect(await app.bench(({ content }) => JSON.stringify(content))).not.toBe(before);
   await app.bench((it) => it.replug());

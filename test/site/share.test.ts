@@ -1,8 +1,7 @@
 import { expect, inject, test } from 'vitest';
-import { libraryMessages } from '../../src/app/messages/en-library.js';
-import { share } from '../../src/app/messages/en-share.js';
 import { decodeLink, encodeLink, LIMITS, LINK_MARK } from '../../src/program/index.js';
 import { SETTING } from '../program/library-examples.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 import { textOfCode } from './qr.js';
@@ -17,9 +16,9 @@ test('a setting that is shared by link can be kept on another device, after one 
   const pilot = await AppPage.open();
   await pilot.trySimulated('F1Q');
   await pilot.type('DT time', '4:00');
-  await pilot.button(libraryMessages.save.open).click();
-  await pilot.field(libraryMessages.save.name('program')).fill('windy');
-  await pilot.field(libraryMessages.save.name('model')).fill('Lancer 07');
+  await pilot.button(en.library.save.open).click();
+  await pilot.field(en.library.save.name({ of: 'program' })).fill('windy');
+  await pilot.field(en.library.save.name({ of: 'model' })).fill('Lancer 07');
   await pilot.button('Save').click();
   await pilot.page.getByRole('dialog').waitFor({ state: 'hidden' });
   await pilot.goTo('Library');
@@ -32,11 +31,11 @@ test('a setting that is shared by link can be kept on another device, after one 
   const friend = await AppPage.open();
   await friend.page.goto('about:blank');
   await friend.page.goto(link);
-  const dialog = friend.page.getByRole('dialog', { name: share.received.title });
+  const dialog = friend.page.getByRole('dialog', { name: en.share.received.title });
   await dialog.getByText('windy', { exact: true }).waitFor();
   await expect.poll(() => dialog.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:00');
   await friend.reload();
-  await dialog.getByRole('button', { name: share.received.keep }).click();
+  await dialog.getByRole('button', { name: en.share.received.keep }).click();
   await friend.page.getByRole('heading', { name: 'windy' }).waitFor();
   await friend.reload();
   await friend.page.getByRole('heading', { name: 'windy' }).waitFor();
@@ -49,7 +48,7 @@ test('the QR code of a setting can be read from the screen, in every theme', asy
   for (const size of [{}, PHONE]) {
     const app = await AppPage.open(size);
     await arrive(app, HASH);
-    await app.button(share.received.keep).click();
+    await app.button(en.share.received.keep).click();
     await app.button('Share…').click();
     await app.page.getByRole('img', { name: 'QR code of “calm morning”' }).waitFor();
     for (const theme of ['light', 'dark', 'sun', 'forced']) {
@@ -65,7 +64,7 @@ const NAMES = [name, 'WETTBEWERBSFLIEGER '.repeat(4).slice(0, LIMITS.name)];
 test.each(NAMES)('code and link of “%s” are in sight at once, on every size and in every theme', async (name) => {
   const app = await AppPage.open();
   await arrive(app, LINK_MARK + encodeLink({ ...SHARED, name, note: '' }));
-  await app.button(share.received.keep).click();
+  await app.button(en.share.received.keep).click();
   await app.button('Share…').click();
   await app.page.getByRole('img', { name: `QR code of “${name}”` }).waitFor();
   for (const [width, height] of [

@@ -1,5 +1,5 @@
 import { expect } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import type { AppPage } from './app-page.js';
 
 /**

@@ -1,5 +1,5 @@
 import { expect, inject, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { newPage, PHONE } from './page.js';
 
@@ -12,7 +12,7 @@ test.each([
 ])('a first visit on a phone of %i by %i has both ways to a timer in sight', async (width, height) => {
   const app = await AppPage.open({ ...PHONE, userAgent: ANDROID, viewport: { width, height }, bench: {} });
   await app.page.getByText(en.start.android).waitFor();
-  const ways = [en.header.connect, ...['F1Q', 'F1B', 'F1E'].map(en.start.simulated)];
+  const ways = [en.header.connect, ...['F1Q', 'F1B', 'F1E'].map((name) => en.start.simulated({ name }))];
   for (const name of ways) {
     const box = await app.button(name).boundingBox();
     expect(box && box.y + box.height, name).toBeLessThanOrEqual(height);

@@ -1,6 +1,6 @@
 import type { Locator } from 'playwright';
 import { describe, expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { type AppOptions, AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 
@@ -50,7 +50,7 @@ async function isMoved({ app, mark }: Seen): Promise<void> {
   await expect
     .poll(() => cell(app).getAttribute('aria-describedby'), { message: 'the old value is said with it' })
     .not.toBeNull();
-  await app.table.getByText(en.knowledge.marks.now('11.5 s')).waitFor();
+  await app.table.getByText(en.knowledge.marks.now({ value: '11.5 s' })).waitFor();
   await app.changes(1).waitFor();
   await app.button(`Undo ${MOVING}`).click();
   await expect.poll(() => cell(app).inputValue()).toBe('11.50');

@@ -1,6 +1,6 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { PHONE } from './page.js';
 import { showTheme } from './themes.js';

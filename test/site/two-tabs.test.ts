@@ -1,13 +1,13 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { type AppOptions, AppPage } from './app-page.js';
 
-const { holds, takeOver, gone } = en.otherTab;
+const { takeOver, gone } = en.otherTab;
 const timers: Readonly<Record<string, { options?: AppOptions; reach: (app: AppPage) => Promise<void> }>> = {
   simulated: { reach: (app) => app.trySimulated('F1Q') },
   real: { options: { bench: { granted: true } }, reach: (app) => app.connect() },
 };
-const isOpen = new RegExp(`^${holds('\\d\\d:\\d\\d')}`);
+const isOpen = new RegExp(`^${en.otherTab.holdsSince({ since: '\\d\\d:\\d\\d' })}`);
 
 test.each(Object.entries(timers))(
   'one tab at a time works with a %s timer, and the work goes along to the other one',

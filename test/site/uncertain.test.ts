@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 
 const HOLDS = 'holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';

@@ -1,6 +1,6 @@
 import type { Page } from 'playwright';
 import { expect, test } from 'vitest';
-import { update as words } from '../../src/app/messages/en-update.js';
+import { en } from '../tools/en.js';
 import { openHost, publish, update, visited } from './host.js';
 import { newPage } from './page.js';
 
@@ -18,8 +18,8 @@ test('a new version is offered, also without a network, and can be used', async 
   expect(await update(page)).toBe('installed');
   await page.context().setOffline(true);
   await page.reload();
-  await page.getByText(words.ready).waitFor();
-  await page.getByRole('button', { name: words.take }).click();
+  await page.getByText(en.update.ready).waitFor();
+  await page.getByRole('button', { name: en.update.take }).click();
   await isTaken(page);
   await page.getByRole('button', { name: 'Connect', exact: true }).waitFor();
   expect(

@@ -1,9 +1,7 @@
 import { expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { libraryMessages } from '../../src/app/messages/en-library.js';
-import { share } from '../../src/app/messages/en-share.js';
 import { decodeLink, encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
+import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
 import { pagesOf } from './pdf.js';
 
@@ -43,15 +41,15 @@ async function goToProgram(app: AppPage): Promise<void> {
 test('values of one model over the timer of another keep their name, on paper, in a link and when saved', async () => {
   const app = await AppPage.open();
   await app.page.evaluate((to) => void location.assign(to), LINK_MARK + encodeLink(WIND));
-  await app.button(share.received.keep).click();
+  await app.button(en.share.received.keep).click();
   await app.page.waitForURL(/#library\//);
   await app.page.evaluate(() => location.assign('#program'));
   await app.trySimulated('F1Q');
-  await app.button(libraryMessages.save.open).click();
+  await app.button(en.library.save.open).click();
   const dialog = app.page.getByRole('dialog');
-  await dialog.getByRole('textbox', { name: libraryMessages.save.name('program') }).fill('calm');
-  await dialog.getByRole('combobox', { name: 'Model' }).selectOption(libraryMessages.models.make);
-  await dialog.getByRole('textbox', { name: libraryMessages.save.name('model') }).fill('Lancer');
+  await dialog.getByRole('textbox', { name: en.library.save.name({ of: 'program' }) }).fill('calm');
+  await dialog.getByRole('combobox', { name: 'Model' }).selectOption(en.library.models.make);
+  await dialog.getByRole('textbox', { name: en.library.save.name({ of: 'model' }) }).fill('Lancer');
   await dialog.getByRole('button', { name: 'Save', exact: true }).click();
   await app.text('calm of Lancer: saved').waitFor();
   await app.button('Model Lancer: say which model it is').waitFor();

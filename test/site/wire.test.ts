@@ -1,6 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { en } from '../../src/app/messages/en.js';
-import { unsupportedHere } from '../../src/app/messages/en-browsers.js';
+import { en } from '../tools/en.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 import { edited } from './edited.js';
 
@@ -98,7 +97,7 @@ describe('without Web Serial', () => {
 
   test('the page names the browsers that have it; edits of a simulated timer are kept, and can be written', async () => {
     const app = await AppPage.open({ before: without });
-    await app.text(unsupportedHere.advice).waitFor();
+    await app.text(en.unsupportedHere.advice).waitFor();
     await expect.poll(() => app.button('Connect').count()).toBe(0);
     await app.trySimulated('F1Q');
     await app.type('Function 2, S1', '7');
@@ -109,7 +108,7 @@ describe('without Web Serial', () => {
     await app.dialog.waitFor();
     await expect.poll(() => app.difference()).toEqual([expect.stringMatching(/^Function 2, S1 .* 7$/)]);
     await app.tickSafety();
-    await app.dialog.getByRole('button', { name: en.write.start(1) }).click();
+    await app.dialog.getByRole('button', { name: en.write.start({ count: 1 }) }).click();
     await app.result('Verified.');
   });
 });

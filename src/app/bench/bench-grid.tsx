@@ -1,4 +1,5 @@
-import { dutyName, messages } from '../messages/index.js';
+import { messages } from '../messages/index.js';
+import { dutyName } from '../messages/names.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
 import type { Session } from '../work/session.js';
 import type { Bench } from './bench.js';

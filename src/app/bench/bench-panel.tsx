@@ -1,5 +1,6 @@
 import { type Identity, slotCount } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
+import { memoryName } from '../messages/names.js';
 import type { Session } from '../work/session.js';
 import { SafetyCheck } from '../write/safety-check.js';
 import type { Bench } from './bench.js';
@@ -54,10 +55,10 @@ export function BenchPanel({ session, bench, follow, expert }: BenchPanelProps) 
 
 /** Why nothing moves while another memory than the one that flies next is on the screen. */
 function Elsewhere({ session }: Pick<BenchPanelProps, 'session'>) {
-  const { bench: words, memoryName } = messages.value;
+  const { bench: words } = messages.value;
   const memory = session.nextFlight.memory.value;
   if (!session.onScreen.apart.value || memory === null) return null;
-  return <p class="notice">{words.elsewhere(memoryName(memory))}</p>;
+  return <p class="notice">{words.elsewhere({ memory: memoryName(memory) })}</p>;
 }
 
 /** Announces what was done last, once it is done, with buttons to the previous and the next function. */

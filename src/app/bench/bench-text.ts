@@ -5,7 +5,7 @@ import type { Done } from './bench.js';
 /** Where the servos stand. @param at the slot; null when it is not known. */
 export function standText(identity: Identity, at: number | null): string {
   const { bench: words } = messages.value;
-  return at === null ? words.atNone : words.at(slotInSentence(identity, at));
+  return at === null ? words.atNone : words.at({ slot: slotInSentence(identity, at) });
 }
 
 /** What was done last, and its result. For an acknowledged movement: where the servos have stood since. */

@@ -1,7 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { useId, useMemo } from 'preact/hooks';
 import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
-import { dutyName, fieldLabel, figureText, messages, slotInSentence } from '../messages/index.js';
+import { fieldLabel, figureText, messages, slotInSentence } from '../messages/index.js';
+import { dutyName, servoName } from '../messages/names.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import { SHAPES } from '../ui/shapes.js';
 import { StepKey } from '../ui/step-key.js';
@@ -25,7 +26,7 @@ interface BenchTrimProps {
  * them moves its servo. A phone has room for one servo at a time.
  */
 export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
-  const { bench: words, servoName } = messages.value;
+  const { bench: words } = messages.value;
   const working = session.editor.working.value;
   const uses = session.servoUses.named.value?.map(dutyName);
   const isPhone = useQuery(SHAPES.phone).value;
@@ -33,7 +34,7 @@ export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
   const at = bench.stand.at.value;
   if (!working || at === null) return null;
   const { identity, positions } = working;
-  const title = words.trim(slotInSentence(identity, at));
+  const title = words.trim({ slot: slotInSentence(identity, at) });
   const servos = positions.map((_, servo) => String(servo));
   const one = isPhone && servos.length > 1 ? (servos.find((servo) => servo === chosen.value) ?? '0') : null;
   return (
@@ -111,7 +112,7 @@ export function Trim({ session, follow, field, name, use = '' }: TrimProps) {
         {isChanged && (
           <span class="trim-was" id={id}>
             {isTried ? (
-              messages.value.knowledge.marks.now(figureText(working.identity, field, before))
+              messages.value.knowledge.marks.now({ value: figureText(working.identity, field, before) })
             ) : (
               <WasText standing={standing} value={was ?? ''} />
             )}

@@ -106,8 +106,13 @@ function unlikeText(identity: Identity, { notTaken, beside }: Unlike): string {
   const { bench: words } = messages.value;
   const named = beside.slice(0, NAMED).map((change) => changeText(identity, change));
   return [
-    notTaken && words.notTaken(fieldLabel(identity, notTaken.field), String(notTaken.from), String(notTaken.to)),
-    beside.length > 0 && words.beside(named, beside.length - named.length),
+    notTaken &&
+      words.notTaken({
+        field: fieldLabel(identity, notTaken.field),
+        wanted: String(notTaken.from),
+        held: String(notTaken.to),
+      }),
+    beside.length > 0 && words.beside({ named: named.join('; '), more: beside.length - named.length }),
   ]
     .filter(Boolean)
     .join(' ');

@@ -50,7 +50,7 @@ export function ServosOffer({ bench, follow, identity, slot, width }: ServosOffe
               if (detail === 0 && input instanceof HTMLElement) input.focus();
             }}
           >
-            {words.bring(slotInSentence(identity, slot))}
+            {words.bring({ slot: slotInSentence(identity, slot) })}
           </button>
         </div>
       </td>

@@ -1,10 +1,10 @@
-import { comparingMessages } from '../messages/en-compare.js';
+import { moreMessages } from '../messages/more.js';
 
 /** Opens the comparison of two programs. */
 export function CompareButton({ onCompare }: { readonly onCompare: () => void }) {
   return (
     <button type="button" onClick={onCompare}>
-      {comparingMessages.compare.open}
+      {moreMessages.value.compare.open}
     </button>
   );
 }

@@ -1,8 +1,8 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { type Change, differences } from '../../program/index.js';
-import { comparingMessages, versions } from '../messages/en-compare.js';
-import { obstacles } from '../messages/en-library.js';
 import { clockText, dateText, dayText, fieldInSentence, figureText, messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName } from '../messages/names.js';
 import { BackHead } from '../ui/back-head.js';
 import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
@@ -23,7 +23,7 @@ export interface ComparePageProps {
 /** Two programs side by side. Single values can be taken from one into the other, if that one is on the screen. */
 export function ComparePage({ session, pair, following, onBack }: ComparePageProps) {
   const compare = useMemo(() => new Compare(session, pair), [session, pair]);
-  const { compare: words } = comparingMessages;
+  const { compare: words } = moreMessages.value;
   const heading = useRef<HTMLHeadingElement>(null);
   useEffect(() => {
     heading.current?.focus({ preventScroll: true });
@@ -68,7 +68,7 @@ interface PairProps extends Pick<ComparePageProps, 'session' | 'following'> {
 }
 
 function Pair({ session, compare, following, first, second }: PairProps) {
-  const { compare: words } = comparingMessages;
+  const { compare: words } = moreMessages.value;
   const names = [sideName(session, first), sideName(session, second)] as const;
   const onScreen = first.key === SCREEN || second.key === SCREEN;
   const isSame = differences(first.program, second.program).length === 0;
@@ -83,7 +83,10 @@ function Pair({ session, compare, following, first, second }: PairProps) {
     return (
       <button
         type="button"
-        aria-label={words.takeOf(fieldInSentence(identity, change.field), figureText(identity, change.field, value))}
+        aria-label={words.takeOf({
+          field: fieldInSentence(identity, change.field),
+          value: figureText(identity, change.field, value),
+        })}
         onClick={() => compare.take(change.field)}
       >
         {words.take}
@@ -98,10 +101,10 @@ function Pair({ session, compare, following, first, second }: PairProps) {
       title={messages.value.timeline.title}
       actionOf={onScreen && !following ? action : undefined}
     >
-      {onScreen && !isSame && <p class="hint">{following ? obstacles.following : words.takeHint}</p>}
+      {onScreen && !isSame && <p class="hint">{following ? moreMessages.value.obstacles.following : words.takeHint}</p>}
       {canOpen && (
         <button type="button" onClick={() => void compare.open(setting)}>
-          {words.openFirst(setting.record.setting.name)}
+          {words.openFirst({ name: setting.record.setting.name })}
         </button>
       )}
     </ProgramPair>
@@ -117,12 +120,12 @@ interface ChoiceProps {
 }
 
 function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
-  const { compare: words } = comparingMessages;
+  const { compare: words } = moreMessages.value;
   const { backups } = messages.value;
   const groups = [
     { name: words.groups.now, of: sides.filter(({ kind }) => kind === 'screen' || kind === 'timer') },
     { name: words.groups.settings, of: sides.filter(({ kind }) => kind === 'setting') },
-    { name: versions.title, of: sides.filter(({ kind }) => kind === 'version') },
+    { name: moreMessages.value.versions.title, of: sides.filter(({ kind }) => kind === 'version') },
     { name: backups.title, of: sides.filter(({ kind }) => kind === 'backup') },
   ];
   return (
@@ -151,21 +154,28 @@ function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
 
 /** The name of a program on this page. */
 export function sideName(session: Session, side: Side): string {
-  const { compare: words } = comparingMessages;
-  const { memoryName, recovery } = messages.value;
+  const { compare: words } = moreMessages.value;
+  const { recovery } = messages.value;
   const { library } = session;
   if (side.kind === 'screen') {
     const name = programName(session);
-    return name === '' ? words.screen : words.setting(words.screen, name);
+    return name === '' ? words.screen : words.setting({ model: words.screen, name });
   }
-  if (side.kind === 'timer') return heldName(words.timer(memoryText(session, side.held.memory)), side.held, clockText);
+  if (side.kind === 'timer')
+    return heldName(words.timer({ memory: memoryText(session, side.held.memory) }), side.held, clockText);
   if (side.kind === 'setting') {
     const { setting } = side.record;
-    return words.setting(library.models.get(setting.model)?.model.name ?? null, setting.name);
+    const model = library.models.get(setting.model)?.model.name;
+    return model === undefined ? setting.name : words.setting({ model, name: setting.name });
   }
   if (side.kind === 'version')
-    return words.setting(side.record.setting.name, versions.until(dateText(side.version.until)));
-  const { program, savedAt, model } = side.backup;
+    return words.setting({
+      model: side.record.setting.name,
+      name: moreMessages.value.versions.until({ when: dateText(side.version.until) }),
+    });
+  const { program, savedAt } = side.backup;
   const memory = program.memory === null ? recovery.unknownMemory : memoryName(program.memory);
-  return words.backup(memory, dayText(savedAt), library.models.get(model ?? null)?.model.name ?? null);
+  const model = library.models.get(side.backup.model ?? null)?.model.name;
+  const when = dayText(savedAt);
+  return model === undefined ? words.backup({ memory, when }) : words.backupOf({ model, memory, when });
 }

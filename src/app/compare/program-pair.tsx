@@ -2,6 +2,7 @@ import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useMemo } from 'preact/hooks';
 import { type Change, differences, type TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
 import { Timeline } from '../timeline/timeline.js';
 import { TimelineModel } from '../timeline/view-model.js';
@@ -24,7 +25,8 @@ interface ProgramPairProps {
 
 /** Two programs: what differs, in figures and over time. */
 export function ProgramPair({ first, second, names, title, actionOf, children }: ProgramPairProps) {
-  const { overview: words, write } = messages.value;
+  const { write } = messages.value;
+  const { overview: words } = moreMessages.value;
   const changes = differences(first, second);
   const grid = changes.length > LONG_LIST && !actionOf;
   const servo = firstServo(changes);
@@ -35,10 +37,17 @@ export function ProgramPair({ first, second, names, title, actionOf, children }:
     <div class="stack gap-4 program-pair">
       <div class="stack gap-3 panel pair-values">
         <p role="status">
-          <strong>{changes.length === 0 ? words.same : words.differs(changes.length)}</strong>
+          <strong>{changes.length === 0 ? words.same : words.differs({ count: changes.length })}</strong>
         </p>
         {children}
-        {grid && <ProgramGrid program={first} other={second} caption={write.sideBySide(names)} names={names} />}
+        {grid && (
+          <ProgramGrid
+            program={first}
+            other={second}
+            caption={write.sideBySide({ names: names.join(', ') })}
+            names={names}
+          />
+        )}
         {!grid && changes.length > 0 && (
           <ValueTable
             identity={first.identity}

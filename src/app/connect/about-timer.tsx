@@ -1,9 +1,10 @@
 import type { AssumedQuirks } from '../../client/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { dotted } from '../messages/dotted.js';
-import { settle } from '../messages/en-settle.js';
 import { identityText } from '../messages/frame-text.js';
-import { messages, portName } from '../messages/index.js';
+import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { portName } from '../messages/names.js';
 import { settledTexts } from '../messages/settled-text.js';
 import { Check } from '../ui/check.js';
 import type { Session } from '../work/session.js';
@@ -11,11 +12,12 @@ import type { Session } from '../work/session.js';
 /** The place of the walk that settles what is open, in the view of the settings. */
 export const SETTLE = 'settle';
 
-type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
+type Assumption = keyof AssumedQuirks & keyof typeof moreMessages.value.aboutTimer.assumptions;
 
 /** What the connected timer is, and how it differs from others. The numbers of its line are in the report. */
 export function AboutTimer({ session }: { readonly session: Session }) {
-  const { aboutTimer: about, alike, header, ports } = messages.value;
+  const { alike, header } = messages.value;
+  const { aboutTimer: about, ports } = moreMessages.value;
   const connection = session.link.connection.value;
   if (!connection) return null;
   // Findings of a job or a write are shown when it ends.
@@ -23,14 +25,14 @@ export function AboutTimer({ session }: { readonly session: Session }) {
   const { client, identity, settings } = connection;
   const port = session.link.simulated.value ? header.simulated : portName(connection);
   const found = [...client.quirksFound].map(([code, params]) =>
-    code === 'replies-alike' ? alike.title(Object.keys(params).join(', ')) : about.quirkNames[code],
+    code === 'replies-alike' ? alike.title({ request: Object.keys(params).join(', ') }) : about.quirkNames[code],
   );
   return (
     <details>
       <summary>{about.title}</summary>
       <div class="stack">
         <p>{identityText(identity)}</p>
-        <p class="hint">{dotted([port, ports.baud(settings.baudRate)])}</p>
+        <p class="hint">{dotted([port, ports.baud({ rate: settings.baudRate })])}</p>
         {client.damageSeen && <p class="bad-text">{about.damage}</p>}
         {client.strays > 0 && <p class="bad-text">{about.crowd}</p>}
         <h2>{about.found}</h2>
@@ -74,13 +76,13 @@ function Settled({ session, identity }: { readonly session: Session; readonly id
   return (
     <>
       <a class="alone" href={`#settings/${SETTLE}`}>
-        {settle.title}
+        {moreMessages.value.settle.title}
       </a>
       {settled.length > 0 && (
         <ul>
           {settled.map(([name, text]) => (
             <li key={name}>
-              {messages.value.about(name)} {text}
+              {messages.value.about({ name })} {text}
             </li>
           ))}
         </ul>

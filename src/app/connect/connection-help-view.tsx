@@ -1,6 +1,5 @@
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import { type Platform, whyUnsupported } from '../browser/platform.js';
-import { unsupported } from '../messages/en-browsers.js';
 import { messages, type Said } from '../messages/index.js';
 import { type Link, portInfoOf } from '../timer/link.js';
 import { CopyButton } from '../ui/copy-button.js';
@@ -72,5 +71,5 @@ function stepsFor({ code, platform, link, info = portInfoOf(link.state.value) }:
 export function connectionSaid(code: ConnectionErrorCode, platform: Platform): Said {
   const { connection } = messages.value;
   const reason = code === 'unsupported' ? whyUnsupported(platform) : null;
-  return reason ? unsupported[reason] : connection[code];
+  return reason ? messages.value.unsupported[reason] : connection[code];
 }

@@ -1,6 +1,6 @@
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import type { Browser, Platform, System } from '../browser/platform.js';
-import type { Messages } from '../messages/index.js';
+import type { PageSentences } from '../messages/sentences.js';
 
 /** What there is help for: a connection that failed, or a timer that does not answer. */
 export type HelpCode = ConnectionErrorCode | 'waiting';
@@ -17,7 +17,7 @@ export interface Situation {
 }
 
 /** One thing to do. messages/ has its sentence under this code. */
-export type HelpStepCode = keyof Messages['help']['steps'];
+export type HelpStepCode = keyof PageSentences['help']['steps'];
 
 /** One thing to do, with a line to copy that it mentions. */
 export interface HelpStep {

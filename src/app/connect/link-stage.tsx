@@ -39,7 +39,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
   const progress = job?.progress ?? null;
   const share = progress && progress.total > 0 && { value: progress.done, max: progress.total };
   const left = disturbedFor(progress);
-  const now = left === null ? waiting.now : messages.value.disturbed(left);
+  const now = left === null ? waiting.now : messages.value.disturbed({ seconds: left });
   return (
     <section class="stack gap-4 link-stage" aria-labelledby="stage-title">
       {share ? <progress aria-label={waiting.said.title} {...share} /> : <span class="stage-ring" />}

@@ -1,6 +1,8 @@
 import type { SerialSettings } from '../../serial/index.js';
 import { DEFAULT_SETTINGS, RATES } from '../../serial/index.js';
-import { messages, portName } from '../messages/index.js';
+import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { portName } from '../messages/names.js';
 import type { Link } from '../timer/link.js';
 import { Choice } from '../ui/choice.js';
 import type { Session } from '../work/session.js';
@@ -14,7 +16,8 @@ interface PortListProps {
 
 /** The plugged-in adapters that were allowed before, the last used first. */
 export function PortList({ session, onConnect }: PortListProps) {
-  const { header, of, ports: words } = messages.value;
+  const { header, of } = messages.value;
+  const { ports: words } = moreMessages.value;
   const { link, timer, engaged, runner } = session;
   const ports = link.ports.value;
   if (ports.length === 0) return null;
@@ -29,7 +32,7 @@ export function PortList({ session, onConnect }: PortListProps) {
               <strong>{name}</strong>
               <button
                 type="button"
-                aria-label={of(header.connect, name)}
+                aria-label={of({ button: header.connect, name })}
                 disabled={engaged.value}
                 onClick={() => {
                   void timer.connectTo(port.port);
@@ -42,7 +45,7 @@ export function PortList({ session, onConnect }: PortListProps) {
                 <button
                   type="button"
                   class="quiet"
-                  aria-label={of(words.forget, name)}
+                  aria-label={of({ button: words.forget, name })}
                   disabled={runner.busy.value}
                   onClick={() => void link.forget(port)}
                 >
@@ -62,7 +65,7 @@ export function PortList({ session, onConnect }: PortListProps) {
  * @param expert whether to ask for what no adapter is known to need: no document states the form of a byte.
  */
 export function SerialSettingsForm({ link, expert }: { readonly link: Link; readonly expert: boolean }) {
-  const { ports: words } = messages.value;
+  const { ports: words } = moreMessages.value;
   const settings = link.settings.value ?? DEFAULT_SETTINGS;
   const set = (part: Partial<SerialSettings>): void => {
     link.setSettings({ ...settings, ...part });
@@ -75,7 +78,7 @@ export function SerialSettingsForm({ link, expert }: { readonly link: Link; read
         <Choice
           label={words.rate}
           choices={['find', ...[...RATES].sort((a, b) => a - b)] as const}
-          nameOf={(rate) => (rate === 'find' ? words.findRate : words.baud(rate))}
+          nameOf={(rate) => (rate === 'find' ? words.findRate : words.baud({ rate }))}
           chosen={settings.baudRate}
           onChoose={(baudRate) => set({ baudRate })}
         />

@@ -1,8 +1,9 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
-import { clockText, messages, timerName } from '../messages/index.js';
+import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
+import { memoryName, timerName } from '../messages/names.js';
 import type { Backups } from '../records/backups.js';
 import type { Draft } from '../storage/index.js';
 import { NewProgramDialog } from '../ui/new-program-dialog.js';
@@ -35,7 +36,7 @@ export function KeptCard({ session }: { readonly session: Session }) {
           {models.slice(0, NAMED).map(({ key, model }) => (
             <li key={key}>
               <a class="kept" href={`#library/${key}`}>
-                <strong>{model.name}</strong> <span>{words.programs(counts.get(key) ?? 0)}</span>
+                <strong>{model.name}</strong> <span>{words.programs({ count: counts.get(key) ?? 0 })}</span>
               </a>
             </li>
           ))}
@@ -75,7 +76,7 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
   const asked = useSignal(false);
   const { working, madeAt, savedAt } = draft;
   const setting = draft.of && session.library.settings.get(draft.of.id)?.setting.name;
-  const what = setting === undefined ? nameOf(draft) : words.changesOf(setting);
+  const what = setting === undefined ? nameOf(draft) : words.changesOf({ timer: setting });
   const when = clockText(draft.of ? savedAt : (madeAt ?? savedAt));
   const [dt] = keyFigures(working);
   if (asked.value) {
@@ -107,7 +108,7 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
       <button
         type="button"
         class="quiet"
-        aria-label={of(remove, `${what}, ${when}`)}
+        aria-label={of({ button: remove, name: `${what}, ${when}` })}
         onClick={() => (asked.value = true)}
       >
         {remove}
@@ -118,10 +119,10 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
 
 /** “F1Q, new”, “F1Q, M2, changes”. */
 function nameOf({ working: { identity, memory }, madeAt }: Draft): string {
-  const { start, memoryName } = messages.value;
+  const { start } = messages.value;
   const timer = timerName(identity);
-  if (madeAt !== undefined) return start.programs.made(timer);
-  return start.programs.changesOf(memory === null ? timer : `${timer}, ${memoryName(memory)}`);
+  if (madeAt !== undefined) return start.programs.made({ timer });
+  return start.programs.changesOf({ timer: memory === null ? timer : `${timer}, ${memoryName(memory)}` });
 }
 
 /** A simulated timer on which a pilot can try everything. */
@@ -138,7 +139,7 @@ export function Simulated({ session }: { readonly session: Session }) {
             <button
               type="button"
               key={timerClass}
-              aria-label={start.simulated(name)}
+              aria-label={start.simulated({ name })}
               disabled={session.engaged.value}
               onClick={() => void session.timer.trySimulated(timerClass)}
             >
@@ -153,7 +154,7 @@ export function Simulated({ session }: { readonly session: Session }) {
 
 /** What timers held before they were written. */
 function KeptBackups({ backups }: { readonly backups: Backups }) {
-  const { start, memoryName } = messages.value;
+  const { start } = messages.value;
   const list = backups.list.value;
   const [last] = list;
   if (!last) return null;
@@ -162,7 +163,7 @@ function KeptBackups({ backups }: { readonly backups: Backups }) {
   return (
     <p>
       <a class="alone" href="#memories">
-        {start.backups(list.length, `${clockText(last.savedAt)}, ${what}`)}
+        {start.backups({ count: list.length, last: `${clockText(last.savedAt)}, ${what}` })}
       </a>
     </p>
   );

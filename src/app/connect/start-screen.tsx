@@ -1,6 +1,7 @@
 import type { Platform } from '../browser/platform.js';
-import { clockText, messages, timerName } from '../messages/index.js';
+import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
+import { memoryName, timerName } from '../messages/names.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
 import { NoticeText } from '../ui/notice-text.js';
 import type { Session } from '../work/session.js';
@@ -86,7 +87,7 @@ function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) 
 
 /** Draws the last program that this device has kept, or an example, with its figures. */
 function KeptPicture({ session }: Pick<StartScreenProps, 'session'>) {
-  const { start, program: words, memoryName } = messages.value;
+  const { start, program: words } = messages.value;
   const kept = session.backups.list.value.find(({ simulated }) => !simulated);
   const program = kept?.program ?? EXAMPLE;
   const [dt, motor] = keyFigures(program);
@@ -95,7 +96,7 @@ function KeptPicture({ session }: Pick<StartScreenProps, 'session'>) {
     <figure class="stack panel kept-picture">
       <figcaption>
         <strong>{kept ? `${timerName(program.identity)}${memory}` : start.picture.example}</strong>
-        {kept && <span>{start.picture.kept(clockText(kept.savedAt))}</span>}
+        {kept && <span>{start.picture.kept({ time: clockText(kept.savedAt) })}</span>}
       </figcaption>
       <div class="kept-lanes">
         <SmallLanes program={program} />

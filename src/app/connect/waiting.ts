@@ -1,5 +1,5 @@
 import type { Heard, LinkState } from '../../serial/index.js';
-import { hexOf } from '../messages/frame-text.js';
+import { hexOf } from '../messages/hex.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { HelpCode } from './connection-help.js';
 
@@ -50,10 +50,10 @@ export function waitingFor(state: LinkState, seconds: number): Waiting | null {
       const heard = state.status === 'waiting' ? state.heard : null;
       if (heard) return { ...heardSaid(heard), step: null, canChoose: true, help: 'waiting' };
       if (seconds < AWAKE && state.status === 'searching')
-        return { ...NOTHING, said: titled(link.status.searching), now: link.stages.asking(state.baudRate) };
+        return { ...NOTHING, said: titled(link.status.searching), now: link.stages.asking({ rate: state.baudRate }) };
       const step = seconds < NEAR ? 'switch' : seconds < OTHER ? 'near' : 'other';
       const said = titled(link.stages.steps[step]);
-      const now = link.stages.noAnswer(seconds);
+      const now = link.stages.noAnswer({ seconds });
       return { said, now, step, canChoose: true, help: seconds < NEAR ? null : 'waiting' };
     }
     case 'away':
@@ -75,7 +75,7 @@ const SHOWN = 20;
 
 function heardSaid({ kind, sample, baudRate }: Heard): Pick<Waiting, 'said' | 'now'> {
   const { heard, itSaid, slow } = messages.value.link;
-  if (kind === 'slow') return { said: slow(baudRate), now: '' };
+  if (kind === 'slow') return { said: { title: slow.title, advice: slow.advice({ rate: baudRate }) }, now: '' };
   const last = sample.slice(-SHOWN);
-  return { said: heard, now: last.length === 0 ? '' : itSaid(hexOf(last), readable(last)) };
+  return { said: heard, now: last.length === 0 ? '' : itSaid({ bytes: hexOf(last), text: readable(last) }) };
 }

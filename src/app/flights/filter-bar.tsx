@@ -1,5 +1,5 @@
-import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { Choice } from '../ui/choice.js';
 import { PERIODS } from './flight-filter.js';
 import type { FlightLog } from './flight-log.js';
@@ -7,7 +7,7 @@ import './filter-bar.css';
 
 /** Chooses which flights of the log are shown. */
 export function FilterBar({ log }: { readonly log: FlightLog }) {
-  const { filter: words } = flightMessages;
+  const { filter: words } = moreMessages.value.flights;
   const { search } = messages.value.label;
   const filter = log.filter.value;
   return (
@@ -28,7 +28,7 @@ export function FilterBar({ log }: { readonly log: FlightLog }) {
         chosen={filter.period}
         onChoose={(period) => log.narrow({ period })}
       />
-      {filter.of && <p>{words.of(filter.of.name)}</p>}
+      {filter.of && <p>{words.of({ name: filter.of.name })}</p>}
     </search>
   );
 }

@@ -1,8 +1,9 @@
 import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
-import { dotted } from '../messages/dotted.js';
-import { flightMessages } from '../messages/en-flights.js';
-import { dtText, messages } from '../messages/index.js';
+import { dotted, whole } from '../messages/dotted.js';
+import { dtText, messages, shortDtText } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName } from '../messages/names.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
 import { Choice } from '../ui/choice.js';
 import { Modal } from '../ui/modal.js';
@@ -13,7 +14,7 @@ import type { Session } from '../work/session.js';
 import { FlightForm } from './flight-form.js';
 import { placesOf, ROUND_MAXIMUM } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
-import { clockOf, dayHeading, heldText, resultText } from './flight-text.js';
+import { clockOf, dayHeading, heldText, resultText, roundText } from './flight-text.js';
 import { measureText } from './measures.js';
 import { Stepper } from './stepper.js';
 import './flight-dialog.css';
@@ -27,7 +28,7 @@ interface FlightDialogProps {
 
 /** A form for one flight, for cold hands. What pilots note first stands first. */
 export function FlightDialog({ session, log, onProgram }: FlightDialogProps) {
-  const { form: words } = flightMessages;
+  const { form: words } = moreMessages.value.flights;
   const { flights, models } = session.library;
   const key = log.filling.value;
   const isHere = flights.get(key) !== undefined;
@@ -48,7 +49,7 @@ interface FormProps extends FlightDialogProps {
 }
 
 function Form({ id, session, log, onProgram }: FormProps) {
-  const { form: words, flying } = flightMessages;
+  const { form: words, flying } = moreMessages.value.flights;
   const { delete: remove, done: doneLabel, label, noModel } = messages.value;
   const { flights } = session.library;
   const form = useMemo(() => {
@@ -121,7 +122,7 @@ function Form({ id, session, log, onProgram }: FormProps) {
 }
 
 function Result({ form }: { readonly form: FlightForm }) {
-  const { form: words } = flightMessages;
+  const { form: words } = moreMessages.value.flights;
   const field = useId();
   const { result } = form.flight.value;
   return (
@@ -155,23 +156,23 @@ function Result({ form }: { readonly form: FlightForm }) {
 
 /** The next round and the last wind of the day, to note with one tap. */
 function Proposed({ form }: { readonly form: FlightForm }) {
-  const { form: words, row } = flightMessages;
+  const { form: words, row } = moreMessages.value.flights;
   const proposed = form.proposed.value;
   if (!proposed) return null;
   const { round, wind } = proposed;
-  const facts = [round && row.round(round), wind !== null && row.wind(measureText(wind))];
+  const facts = [round && roundText(round), wind !== null && row.wind({ wind: measureText(wind) })];
   return (
     <button type="button" class="chip" onClick={() => form.takeProposed()}>
-      {words.propose(dotted(facts))}
+      {words.propose({ facts: dotted(facts) })}
     </button>
   );
 }
 
 /** The result as it was understood: in minutes, and in seconds where those look different. */
 function understood(result: number): string {
-  const { form: words } = flightMessages;
+  const { form: words } = moreMessages.value.flights;
   const text = resultText(result);
-  return result < 60 ? text : words.readAs(text, measureText(result));
+  return result < 60 ? text : words.readAs({ time: text, seconds: measureText(result) });
 }
 
 const FLY_OFF = 'fly-off';
@@ -179,7 +180,7 @@ const FLY_OFF = 'fly-off';
 const ROUNDS: readonly string[] = ['1', '2', '3', '4', '5', FLY_OFF];
 
 function Round({ form }: { readonly form: FlightForm }) {
-  const { form: words } = flightMessages;
+  const { form: words } = moreMessages.value.flights;
   const { round } = form.flight.value;
   return (
     <fieldset class="stack gap-1">
@@ -211,8 +212,8 @@ function Round({ form }: { readonly form: FlightForm }) {
 
 /** A contest round with a short DT for trimming: asks before the flight, says so afterwards. */
 function ShortDtNote({ session, log, form, id }: Omit<FormProps, 'onProgram'> & { readonly form: FlightForm }) {
-  const { shortDt, memoryName } = messages.value;
-  const { form: words } = flightMessages;
+  const { shortDt } = messages.value;
+  const { form: words } = moreMessages.value.flights;
   const flight = form.flight.value;
   const { identity, memory, times } = flight.program;
   const held = session.shortDt.held.value;
@@ -224,16 +225,16 @@ function ShortDtNote({ session, log, form, id }: Omit<FormProps, 'onProgram'> & 
       <p>
         {canPutBack ? (
           <>
-            <strong>{shortDt.held(memory === null ? null : memoryName(memory), dt)}</strong>{' '}
-            {shortDt.ask(dtText(held.back), held.remembered)}
+            <strong>{shortDtText(memory === null ? null : memoryName(memory), dt)}</strong>{' '}
+            {shortDt.ask({ back: whole(dtText(held.back)), remembered: held.remembered })}
           </>
         ) : (
-          <strong>{words.shortDt(dt)}</strong>
+          <strong>{words.shortDt({ dt })}</strong>
         )}
       </p>
       {canPutBack && (
         <button type="button" onClick={() => void log.putBack(id)}>
-          {shortDt.putBack(dtText(held.back), held.remembered)}
+          {shortDt.putBack({ back: whole(dtText(held.back)), remembered: held.remembered })}
         </button>
       )}
     </div>
@@ -241,7 +242,7 @@ function ShortDtNote({ session, log, form, id }: Omit<FormProps, 'onProgram'> & 
 }
 
 function Where({ session, form }: { readonly session: Session; readonly form: FlightForm }) {
-  const { form: words } = flightMessages;
+  const { form: words } = moreMessages.value.flights;
   const { label, noModel } = messages.value;
   const { models, flights } = session.library;
   const flight = form.flight.value;
@@ -293,7 +294,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
 
 /** The program that was flown: a copy that nothing changes any more. */
 function Flown({ form }: { readonly form: FlightForm }) {
-  const { form: words } = flightMessages;
+  const { form: words } = moreMessages.value.flights;
   const { program } = form.flight.value;
   return (
     <details>

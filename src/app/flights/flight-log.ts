@@ -227,8 +227,8 @@ export class FlightLog {
   #likeName({ setting }: SettingRecord, isOwn: boolean, isSame: boolean): string {
     const { knowledge } = messages.value;
     const other = isOwn ? undefined : this.#parts.library.models.get(setting.model)?.model.name;
-    const end = isSame ? '' : knowledge.changed('');
-    const name = other === undefined ? setting.name : knowledge.ofModel(setting.name, other);
+    const end = isSame ? '' : knowledge.changed({ name: '' });
+    const name = other === undefined ? setting.name : knowledge.ofModel({ name: setting.name, model: other });
     return beginningOf(name, LIMITS.name - end.length) + end;
   }
 

@@ -1,13 +1,13 @@
 import type { TimerProgram } from '../../program/index.js';
 import { dotted } from '../messages/dotted.js';
-import { flightMessages } from '../messages/en-flights.js';
 import { dtText, messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { FlightRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
 import type { ShortDt } from '../work/short-dt.js';
 import { type FlightDay, isFull } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
-import { changedText, clockOf, dayHeading, resultText } from './flight-text.js';
+import { changedText, clockOf, dayHeading, resultText, roundText } from './flight-text.js';
 import { measureText } from './measures.js';
 import { scoreOf } from './score.js';
 import { ScoreCard } from './score-card.js';
@@ -23,7 +23,7 @@ interface FlightRowsProps {
 
 /** The flights by day and place. The browser skips the drawing of those far from the window. */
 export function FlightRows({ days, before, ...props }: FlightRowsProps) {
-  const { totals, score: words } = flightMessages;
+  const { totals, score: words } = moreMessages.value.flights;
   const { log } = props;
   const { day, of } = log.filter.value;
   return (
@@ -37,7 +37,7 @@ export function FlightRows({ days, before, ...props }: FlightRowsProps) {
             <div class="row">
               <h2>
                 <span>{title}</span> {/* Of a single day, the totals above say the same. */}
-                {days.length > 1 && <small>{totals.flights(records.length)}</small>}
+                {days.length > 1 && <small>{totals.flights({ count: records.length })}</small>}
               </h2>
               {(isOpen || records.some(({ flight }) => flight.round.trim() !== '')) && (
                 <button
@@ -81,12 +81,12 @@ interface RowProps extends Pick<FlightRowsProps, 'shortDt' | 'log'> {
 const Row = memo(RowContent);
 
 function RowContent({ record: { key, flight }, before, ofDay, shortDt, log }: RowProps) {
-  const { row: words } = flightMessages;
+  const { row: words } = moreMessages.value.flights;
   const { wind, temperature, round, result, note, program } = flight;
   const facts = [
-    round === '' ? null : words.round(round),
-    wind === null ? null : words.wind(measureText(wind)),
-    temperature === null ? null : words.temperature(measureText(temperature)),
+    round === '' ? null : roundText(round),
+    wind === null ? null : words.wind({ wind: measureText(wind) }),
+    temperature === null ? null : words.temperature({ degrees: measureText(temperature).replace('-', '−') }),
     before && changedText(before, program),
     note.split('\n')[0] || null,
   ];

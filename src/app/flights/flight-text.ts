@@ -3,16 +3,23 @@ import { changesSince } from '../editing/content.js';
 import { formatFigure } from '../editing/units.js';
 import { formatDate } from '../messages/date-format.js';
 import { dotted } from '../messages/dotted.js';
-import { flightMessages } from '../messages/en-flights.js';
 import { changeText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName } from '../messages/names.js';
 import { deviceOffset, offsetText, onClock, timeOfDay, type When } from './flight-list.js';
 
 /** A result as a large figure: “2:58 min”, “40.5 s”. */
 export function resultText(seconds: number): string {
   const { text, unit } = formatFigure(Math.round(seconds * 100), 100);
   const { figure, units } = messages.value.times;
-  return figure(text, units[unit]);
+  return figure({ text, unit: units[unit] });
+}
+
+/** “Round 3”, “Fly-off”: a number, or the pilot's own word. */
+export function roundText(round: string): string {
+  if (/^\d/.test(round)) return moreMessages.value.flights.row.round({ round });
+  return `${round.charAt(0).toUpperCase()}${round.slice(1)}`;
 }
 
 /** The figures by which a pilot knows a program: “DT 3:00 min”, “motor stop 10.0 s”. */
@@ -23,7 +30,7 @@ function figuresOf(program: TimerProgram): readonly string[] {
 /** The memory and the figures of a program that a timer holds. */
 export function heldText(program: TimerProgram): string {
   const { memory } = program;
-  return dotted([memory === null ? null : messages.value.memoryName(memory), ...figuresOf(program)]);
+  return dotted([memory === null ? null : memoryName(memory), ...figuresOf(program)]);
 }
 
 /** So many changes are named; of more, only their number. */
@@ -31,11 +38,11 @@ const NAMED = 2;
 
 /** What changed since the flight before: “DT: 3:00 min → 3:30 min”, “3 values changed”. Empty when nothing did. */
 export function changedText(before: TimerProgram, flown: TimerProgram): string {
-  const { row } = flightMessages;
+  const { row } = moreMessages.value.flights;
   const { identity } = flown;
   if (!sameLayout(before.identity, identity)) return row.otherTimer;
   const changes = changesSince(before, flown);
-  if (changes.length > NAMED) return row.changed(messages.value.edits.cells(changes.length));
+  if (changes.length > NAMED) return row.changed({ values: messages.value.edits.cells({ count: changes.length }) });
   return dotted(changes.map((change) => changeText(identity, change)));
 }
 

@@ -1,5 +1,6 @@
 import type { Flight } from '../../program/index.js';
-import { flightMessages } from '../messages/en-flights.js';
+import { moreMessages } from '../messages/more.js';
+import type { MoreSentences } from '../messages/sentences.js';
 import { dayOf, offsetText, timeOfDay } from './flight-list.js';
 
 /** How a country writes tables and numbers. Where numbers have a comma, semicolons stand between columns. */
@@ -14,10 +15,11 @@ export function marksOf(language?: string): Marks {
   return hasComma ? { separator: ';', decimal: ',' } : { separator: ',', decimal: '.' };
 }
 
-const { columns: HEADS } = flightMessages.csv;
-export type CsvColumn = keyof typeof HEADS;
+export type CsvColumn = keyof MoreSentences['flights']['csv']['columns'];
 /** The columns of the file, in their order. */
-export const CSV_COLUMNS = Object.keys(HEADS) as CsvColumn[];
+export function csvColumns(): readonly CsvColumn[] {
+  return Object.keys(moreMessages.value.flights.csv.columns) as CsvColumn[];
+}
 
 /** Texts that a spreadsheet would calculate instead of showing. Some take the wide signs for the narrow ones. */
 const FORMULA = /^(?:'|\s*[=+\-@＝＋－＠]|[\t\r\n])/;
@@ -28,11 +30,13 @@ const FORMULA = /^(?:'|\s*[=+\-@＝＋－＠]|[\t\r\n])/;
  * does a text that begins with one: a reader removes one apostrophe.
  */
 export function flightsCsv(flights: readonly Flight[], marks: Marks): string {
+  const { columns: heads } = moreMessages.value.flights.csv;
+  const columns = csvColumns();
   const rows = [
-    CSV_COLUMNS.map((column) => quoted(HEADS[column])),
+    columns.map((column) => quoted(heads[column])),
     ...flights.map((flight) => {
       const cells = cellsOf(flight, marks);
-      return CSV_COLUMNS.map((column) => cells[column]);
+      return columns.map((column) => cells[column]);
     }),
   ];
   return `\uFEFF${rows.map((row) => `${row.join(marks.separator)}\r\n`).join('')}`;

@@ -1,6 +1,6 @@
 import { useEffect } from 'preact/hooks';
-import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { Session } from '../work/session.js';
 import { type FlownBy, NO_FILTER } from './flight-filter.js';
 import { filtered } from './flight-list.js';
@@ -17,7 +17,7 @@ interface FlightsSectionProps {
 
 /** The flights of a model or a setting: their totals, and the way to them. */
 export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps) {
-  const words = flightMessages;
+  const words = moreMessages.value.flights;
   const { flights } = session.library;
   useEffect(() => void flights.load(), [flights]);
   const records = filtered(flights.list.value, { ...NO_FILTER, of }, 0);

@@ -1,7 +1,7 @@
 import { useEffect, useLayoutEffect, useMemo } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
-import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { FlightRecord } from '../storage/index.js';
 import { BackHead } from '../ui/back-head.js';
 import type { Session } from '../work/session.js';
@@ -25,7 +25,7 @@ const MANY = 10;
 
 /** The log of flights with its filter and totals: newest first, by day and place. */
 export function FlightsView({ session, log }: FlightsViewProps) {
-  const words = flightMessages;
+  const words = moreMessages.value.flights;
   const { parts, views } = messages.value;
   const { library } = session;
   const { list, loaded, failed } = library.flights;

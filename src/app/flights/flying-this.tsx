@@ -1,7 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
-import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
 import type { Session } from '../work/session.js';
 import { timeOfDay } from './flight-list.js';
@@ -20,7 +20,7 @@ export interface FlyingThisProps {
 
 /** One tap logs a flight with what the timer holds. Then it says so, and offers to undo it or to fill it in. */
 export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThisProps) {
-  const { flying: words } = flightMessages;
+  const { flying: words } = moreMessages.value.flights;
   const { noModel, notKept, undo } = messages.value;
   const { flights } = session.library;
   const key = log.logged.value;
@@ -38,7 +38,9 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
     return (
       <div class="row flying-this" {...box}>
         <p role="status">
-          <strong>{dotted([words.logged(timeOfDay(logged)), logged.modelName || noModel, logged.place])}</strong>
+          <strong>
+            {dotted([words.logged({ time: timeOfDay(logged) }), logged.modelName || noModel, logged.place])}
+          </strong>
           {log.unkept.value && <span class="bad-text"> {notKept}</span>}
         </p>
         <div class="buttons">

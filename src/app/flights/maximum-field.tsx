@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { on } from '../browser/lifecycle.js';
-import { flightMessages } from '../messages/en-flights.js';
+import { moreMessages } from '../messages/more.js';
 import { TimeQuestion } from '../ui/time-question.js';
 import { useUnsaved } from '../ui/unsaved.js';
 import { measureText, RANGES, readMeasure } from './measures.js';
@@ -17,7 +17,7 @@ interface MaximumFieldProps {
 
 /** A maximum, typed as a result is. It is taken when the field is left: each key might change a whole day. */
 export function MaximumField({ label, value, otherwise = null, onTake }: MaximumFieldProps) {
-  const { range, unreadable } = flightMessages.form;
+  const { range, unreadable } = moreMessages.value.flights.form;
   /** The typed text; null while the value is shown. */
   const typed = useSignal<string | null>(null);
   const read = readMeasure('maximum', typed.value ?? '');
@@ -54,7 +54,9 @@ export function MaximumField({ label, value, otherwise = null, onTake }: Maximum
       )}
       {problem !== null && problem !== 'ambiguous' && (
         <span class="time-question bad-text" role="alert">
-          {problem === 'out-of-range' ? range(RANGES.maximum.min, RANGES.maximum.max, 's') : unreadable[problem]}
+          {problem === 'out-of-range'
+            ? range({ min: RANGES.maximum.min, max: RANGES.maximum.max, unit: 's' })
+            : unreadable[problem]}
         </span>
       )}
     </>

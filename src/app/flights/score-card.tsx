@@ -1,12 +1,12 @@
 import { useSignal } from '@preact/signals';
 import type { Flight } from '../../program/index.js';
 import { dotted } from '../messages/dotted.js';
-import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { CopyButton } from '../ui/copy-button.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
 import type { FlightLog, FlightScore } from './flight-log.js';
-import { clockOf, resultText } from './flight-text.js';
+import { clockOf, resultText, roundText } from './flight-text.js';
 import { marksOf } from './flights-csv.js';
 import { MaximumField } from './maximum-field.js';
 import { measureText } from './measures.js';
@@ -16,7 +16,7 @@ import './score-card.css';
 
 /** The flights of a day and place as a contestant writes them down. */
 export function ScoreCard({ score, log }: { readonly score: Score; readonly log: FlightLog }) {
-  const { score: words, csv, flying, row } = flightMessages;
+  const { score: words, csv, flying } = moreMessages.value.flights;
   const { rounds, others, maximum, total, models } = score;
   /** What was said of the flights before the last change. */
   const before = useSignal<readonly FlightScore[]>([]);
@@ -31,7 +31,7 @@ export function ScoreCard({ score, log }: { readonly score: Score; readonly log:
   };
   const rowOf = (line: ScoreLine, ofDay: number | null) => {
     const { flight, round, counts, own, points } = line;
-    const name = row.round(flight.round.trim()) || words.noRound;
+    const name = roundText(flight.round.trim()) || words.noRound;
     const isOpen = flight.result === null || name === words.noRound;
     const toDo = isOpen
       ? () => log.fillIn(flight.id)
@@ -46,7 +46,7 @@ export function ScoreCard({ score, log }: { readonly score: Score; readonly log:
         <td>
           {counts && (
             <MaximumField
-              label={words.maximumOf(name)}
+              label={words.maximumOf({ round: name })}
               value={own}
               otherwise={ofDay}
               onTake={(value) => say(round, () => ({ maximum: value }))}

@@ -1,12 +1,12 @@
-import { flightMessages } from '../messages/en-flights.js';
-import { dayHeading } from './flight-text.js';
+import { moreMessages } from '../messages/more.js';
+import { dayHeading, roundText } from './flight-text.js';
 import { type Marks, noFormula } from './flights-csv.js';
 import { measureText } from './measures.js';
 import type { Score, ScoreLine } from './score.js';
 
 /** What a flight adds, in seconds, or why it adds nothing. */
 export function pointsText({ flight, points }: ScoreLine): string {
-  const { row, score } = flightMessages;
+  const { row, score } = moreMessages.value.flights;
   if (points !== null) return measureText(points);
   return flight.result === null ? row.noResult : score.notCounted;
 }
@@ -16,7 +16,7 @@ export function pointsText({ flight, points }: ScoreLine): string {
  * both. Numbers have the decimal mark of the language, as in a saved table.
  */
 export function scoreText({ rounds, others, total, models }: Score, { decimal }: Pick<Marks, 'decimal'>): string {
-  const { csv, row, score: words } = flightMessages;
+  const { csv, score: words } = moreMessages.value.flights;
   const number = (text: string): string => text.replace(/^(\d+)\.(?=\d+$)/, `$1${decimal}`);
   const cellsOf = (line: ScoreLine, name: string): string[] => {
     const { flight, counts, maximum } = line;
@@ -32,7 +32,7 @@ export function scoreText({ rounds, others, total, models }: Score, { decimal }:
     heads.map((head) => head.replace(/ \(.*/, '')),
     ...rounds.map((line) => cellsOf(line, line.flight.round)),
     ...(rounds.length > 0 ? [[words.total, '', '', number(measureText(total))]] : []),
-    ...after.map((line) => cellsOf(line, row.round(line.flight.round))),
+    ...after.map((line) => cellsOf(line, roundText(line.flight.round))),
   ];
   return lines.map((cells) => cells.map((cell) => noFormula(cell.replaceAll(/\s+/g, ' '))).join('\t')).join('\n');
 }

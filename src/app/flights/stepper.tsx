@@ -1,6 +1,6 @@
 import { useId } from 'preact/hooks';
-import { flightMessages } from '../messages/en-flights.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { FlightForm } from './flight-form.js';
 import { type Measure, RANGES } from './measures.js';
 import './stepper.css';
@@ -17,7 +17,7 @@ interface StepperProps {
 /** A number for cold hands: a field between a large button down and one up, and why a typed text is none. */
 export function Stepper({ form, measure, label, unit, field }: StepperProps) {
   const { less, moreOf } = messages.value;
-  const { form: words } = flightMessages;
+  const { form: words } = moreMessages.value.flights;
   const [own, note] = [useId(), useId()];
   const id = field ?? own;
   const problem = form.problems.value.get(measure);
@@ -28,7 +28,7 @@ export function Stepper({ form, measure, label, unit, field }: StepperProps) {
         {label} <small>{unit}</small>
       </label>
       <span class="stepper-line">
-        <button type="button" aria-label={less(label)} onClick={() => form.step(measure, -1)}>
+        <button type="button" aria-label={less({ what: label })} onClick={() => form.step(measure, -1)}>
           {'−'}
         </button>
         <input
@@ -43,13 +43,13 @@ export function Stepper({ form, measure, label, unit, field }: StepperProps) {
           onInput={({ currentTarget }) => form.type(measure, currentTarget.value)}
           onBlur={() => form.leave(measure)}
         />
-        <button type="button" aria-label={moreOf(label)} onClick={() => form.step(measure, 1)}>
+        <button type="button" aria-label={moreOf({ what: label })} onClick={() => form.step(measure, 1)}>
           {'+'}
         </button>
       </span>
       {problem && (
         <p class="bad-text stepper-problem" id={note} role="alert">
-          {problem === 'out-of-range' ? words.range(min, max, unit) : words.unreadable[problem]}
+          {problem === 'out-of-range' ? words.range({ min, max, unit }) : words.unreadable[problem]}
         </p>
       )}
     </div>

@@ -1,17 +1,17 @@
-import { flightMessages } from '../messages/en-flights.js';
+import { moreMessages } from '../messages/more.js';
 import type { FlightRecord } from '../storage/index.js';
 import { totalsOf } from './flight-list.js';
 import { resultText } from './flight-text.js';
 
 /** One line: how many flights, the best, and the average. */
 export function TotalsLine({ records }: { readonly records: readonly FlightRecord[] }) {
-  const { totals: words } = flightMessages;
+  const { totals: words } = moreMessages.value.flights;
   const { flights, best, average } = totalsOf(records);
   return (
     <p class="row flight-totals">
-      <strong>{words.flights(flights)}</strong>
-      {best !== null && <span>{words.best(resultText(best))}</span>}
-      {average !== null && <span>{words.average(resultText(tenthsDown(average)))}</span>}
+      <strong>{words.flights({ count: flights })}</strong>
+      {best !== null && <span>{words.best({ time: resultText(best) })}</span>}
+      {average !== null && <span>{words.average({ time: resultText(tenthsDown(average)) })}</span>}
     </p>
   );
 }

@@ -1,7 +1,9 @@
 import { useEffect } from 'preact/hooks';
-import { checklist as words } from '../messages/en-guide.js';
+import { whole } from '../messages/dotted.js';
 import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName } from '../messages/names.js';
 import { lastRead } from '../timer/known.js';
 import type { Held } from '../timer/standing.js';
 import { Check } from '../ui/check.js';
@@ -18,6 +20,7 @@ interface ChecklistPageProps {
 
 /** What a pilot checks before a flight, one tick after the other. */
 export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
+  const words = moreMessages.value.checklist;
   const ticked = checklist.ticked.value;
   const left = checklist.left.value;
   useEffect(() => checklist.enter(), [checklist]);
@@ -38,7 +41,7 @@ export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
       </ul>
       <div class="row checklist-foot">
         <p class={left === 0 ? 'all-done' : ''} role="status">
-          {left === 0 ? words.done : words.left(left)}
+          {left === 0 ? words.done : words.left({ count: left })}
         </p>
         <button type="button" disabled={ticked.size === 0} onClick={() => checklist.clear()}>
           {words.again}
@@ -52,8 +55,8 @@ const UNKNOWN: Held = { known: { state: 'unread' }, sure: 'once' };
 
 /** What is known about the connected timer: the memory that flies next, and its DT. */
 function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
-  const { memoryName, knowledge, header } = messages.value;
-  const { known } = words;
+  const { knowledge, header } = messages.value;
+  const { known } = moreMessages.value.checklist;
   const { editor, onScreen, nextFlight, connection, simulated } = session;
   // A memory that was opened apart from the one that flies next says nothing here.
   const isApart = onScreen.apart.value;
@@ -70,20 +73,21 @@ function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
   if (standing.sure === 'not') {
     return (
       <p class="known-now bad-text" role="alert">
-        {known.not(memory)}
+        {known.not({ memory })}
       </p>
     );
   }
   const [dt] = keyFigures(held);
   const changes = isApart ? 0 : editor.changes.value.length;
   const time = standing.at === null ? null : clockText(standing.at);
+  const figures = { memory, dt: whole(dt?.text ?? '') };
   // Which memory flies next is certain only while the timer is connected.
   const flies = standing.sure === 'now' && time !== null && connection.value !== null && !nextFlight.open.value;
   const isCertain = flies && held.memory !== null;
   return (
     <p class="known-now">
-      {isCertain ? known.now(memory, dt?.text ?? '', time) : known.once(memory, dt?.text ?? '', time)}{' '}
-      {changes > 0 && <span class="bad-text">{known.unwritten(changes)}</span>}{' '}
+      {time === null ? known.once(figures) : known[isCertain ? 'now' : 'onceAt']({ ...figures, time })}{' '}
+      {changes > 0 && <span class="bad-text">{known.unwritten({ count: changes })}</span>}{' '}
       {simulated.value && <span class="badge">{header.simulated}</span>}
     </p>
   );

@@ -1,10 +1,11 @@
-import { words } from '../messages/en-guide.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import './words-page.css';
 
 /** Explains each value of a program, with unit and range. */
 export function WordsPage() {
   const { program, edits } = messages.value;
+  const { values: words } = moreMessages.value;
   const fields: readonly (readonly [name: string, said: { readonly text: string; readonly range?: string }])[] = [
     [program.slot, words.function],
     [program.time, words.time],

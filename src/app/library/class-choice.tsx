@@ -1,7 +1,7 @@
 import { useId } from 'preact/hooks';
 import { CLASSES } from '../editing/new-program.js';
-import { libraryMessages } from '../messages/en-library.js';
-import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { timerName } from '../messages/names.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 
 const NONE = '';
@@ -14,12 +14,11 @@ interface ClassChoiceProps {
 
 /** The class of a model's timer. */
 export function ClassChoice({ value, onChange }: ClassChoiceProps) {
-  const { model: words } = libraryMessages;
-  const { classNames, unknownClass } = messages.value;
+  const { model: words } = moreMessages.value.library;
   const name = useId();
   const choices = [...new Set<string>([...CLASSES, ...(value === null ? [] : [value]), NONE])];
   const names = Object.fromEntries(
-    choices.map((each) => [each, each === NONE ? words.noClass : (classNames[each] ?? unknownClass(each))]),
+    choices.map((each) => [each, each === NONE ? words.noClass : timerName({ timerClass: each })]),
   );
   return (
     <SegmentChoice

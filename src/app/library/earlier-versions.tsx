@@ -1,7 +1,7 @@
 import { differences, type SettingVersion, type TimerProgram } from '../../program/index.js';
 import { isOfOneShape } from '../editing/shape.js';
-import { comparingMessages, versions as words } from '../messages/en-compare.js';
 import { changeText, dateText, messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { hasSameValues } from '../records/versions.js';
 import type { SettingRecord } from '../storage/index.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
@@ -23,7 +23,7 @@ export function EarlierVersions({ session, record, onCompare }: EarlierVersionsP
   return (
     <div {...box}>
       <details key={record.key}>
-        <summary>{words.title}</summary>
+        <summary>{moreMessages.value.versions.title}</summary>
         <ul class="panel ruled">
           {versions.map((version, at) => (
             <Row
@@ -53,9 +53,10 @@ interface RowProps {
 
 function Row({ version: { program, until }, next, now, onCompare, onGoBack }: RowProps) {
   const { of } = messages.value;
-  const name = words.until(dateText(until));
+  const { versions: words, compare } = moreMessages.value;
+  const name = words.until({ when: dateText(until) });
   const isNow = hasSameValues(program, now);
-  const { open } = comparingMessages.compare;
+  const { open } = compare;
   return (
     <li class="row kept-row">
       <p>
@@ -66,11 +67,11 @@ function Row({ version: { program, until }, next, now, onCompare, onGoBack }: Ro
       ) : (
         <div class="buttons">
           {isOfOneShape(program.identity, now.identity) && (
-            <button type="button" class="quiet" aria-label={of(open, name)} onClick={onCompare}>
+            <button type="button" class="quiet" aria-label={of({ button: open, name })} onClick={onCompare}>
               {open}
             </button>
           )}
-          <button type="button" aria-label={of(words.goBack, name)} onClick={onGoBack}>
+          <button type="button" aria-label={of({ button: words.goBack, name })} onClick={onGoBack}>
             {words.goBack}
           </button>
         </div>
@@ -81,7 +82,8 @@ function Row({ version: { program, until }, next, now, onCompare, onGoBack }: Ro
 
 /** What a save changed: “then DT: 3:00 min → 3:30 min and 2 more”. */
 function changedTo(from: TimerProgram, to: TimerProgram): string {
+  const { versions: words } = moreMessages.value;
   if (!isOfOneShape(from.identity, to.identity)) return words.otherLayout;
   const [first, ...more] = differences(from, to);
-  return first ? words.changed(changeText(from.identity, first), more.length) : '';
+  return first ? words.changed({ change: changeText(from.identity, first), more: more.length }) : '';
 }

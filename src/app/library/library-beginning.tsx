@@ -1,4 +1,4 @@
-import { libraryMessages } from '../messages/en-library.js';
+import { moreMessages } from '../messages/more.js';
 import type { Session } from '../work/session.js';
 import type { Browse } from './browse.js';
 import { SettingList } from './setting-list.js';
@@ -10,7 +10,7 @@ interface LibraryBeginningProps {
 
 /** Stands beside the models while none is chosen: the latest changes, or in an empty library what it is for. */
 export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
-  const { models } = libraryMessages;
+  const { models } = moreMessages.value.library;
   const records = browse.latest.value;
   if (records.length > 0) {
     return (
@@ -25,7 +25,7 @@ export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
 
 /** What an empty library is for, and how it begins. */
 export function EmptyWords() {
-  const { empty } = libraryMessages;
+  const { empty } = moreMessages.value.library;
   return (
     <div class="stack library-empty">
       <h2>{empty.title}</h2>

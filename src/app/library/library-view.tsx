@@ -1,6 +1,6 @@
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
-import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { SHAPES } from '../ui/shapes.js';
 import { useQuery } from '../ui/use-query.js';
 import type { Session } from '../work/session.js';
@@ -89,7 +89,7 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
 function Unread({ library }: { readonly library: Session['library'] }) {
   return (
     <div class="notice bad" role="alert">
-      <p>{libraryMessages.unread}</p>
+      <p>{moreMessages.value.library.unread}</p>
       <button type="button" onClick={() => void library.load()}>
         {messages.value.parts.again}
       </button>

@@ -1,7 +1,8 @@
 import { useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
-import { libraryMessages } from '../messages/en-library.js';
-import { messages, timerName } from '../messages/index.js';
+import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { timerName } from '../messages/names.js';
 import type { ModelRecord } from '../storage/index.js';
 import { BackHead } from '../ui/back-head.js';
 import type { Session } from '../work/session.js';
@@ -27,7 +28,7 @@ interface ModelColumnProps {
 /** One model with its settings. */
 export function ModelColumn(props: ModelColumnProps) {
   const { session, browse, places, model, isLoose, chosen, onGo, children } = props;
-  const words = libraryMessages;
+  const words = moreMessages.value.library;
   const making = useSignal(false);
   const records = browse.byModel.value.get(model?.key ?? null) ?? [];
   const name = model?.model.name ?? messages.value.noModel;

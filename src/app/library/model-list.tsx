@@ -1,7 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { dotted } from '../messages/dotted.js';
-import { libraryMessages } from '../messages/en-library.js';
-import { messages, timerName } from '../messages/index.js';
+import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { timerName } from '../messages/names.js';
 import type { ModelRecord } from '../storage/index.js';
 import type { Session } from '../work/session.js';
 import type { Browse } from './browse.js';
@@ -22,7 +23,7 @@ interface ModelListProps {
 
 /** All models, or the settings that a search finds in all of them. */
 export function ModelList({ session, browse, places, alone, onGo }: ModelListProps) {
-  const words = libraryMessages;
+  const words = moreMessages.value.library;
   const making = useSignal(false);
   const found = browse.found.value;
   const { library } = session;
@@ -55,7 +56,7 @@ export function ModelList({ session, browse, places, alone, onGo }: ModelListPro
                 aria-expanded={isArchiveShown}
                 onClick={() => browse.showArchive(!isArchiveShown)}
               >
-                {words.models.archive(archived)}
+                {words.models.archive({ count: archived })}
               </button>
             )}
           </div>
@@ -64,7 +65,7 @@ export function ModelList({ session, browse, places, alone, onGo }: ModelListPro
       ) : (
         <>
           <p class="hint" role="status">
-            {found.length === 0 ? words.search.nothing : words.models.settings(found.length)}
+            {found.length === 0 ? words.search.nothing : words.models.settings({ count: found.length })}
           </p>
           <SettingList session={session} records={found} chosen={null} withModel />
         </>
@@ -75,15 +76,15 @@ export function ModelList({ session, browse, places, alone, onGo }: ModelListPro
 }
 
 function Models({ session, browse }: Pick<ModelListProps, 'session' | 'browse'>) {
-  const { settings } = libraryMessages.models;
+  const { settings } = moreMessages.value.library.models;
   const count = (model: string | null): number => browse.byModel.value.get(model)?.length ?? 0;
   const refused = session.library.models.refused.value;
   const about = ({ key, model: { timerClass, archived } }: ModelRecord): string =>
     dotted([
       timerClass === null ? '' : timerName({ timerClass }),
-      settings(count(key)),
-      archived && libraryMessages.models.archived,
-      refused.has(key) && libraryMessages.unkept.mark,
+      settings({ count: count(key) }),
+      archived && moreMessages.value.library.models.archived,
+      refused.has(key) && moreMessages.value.library.unkept.mark,
     ]);
   return (
     <ul class="panel ruled library-list">
@@ -91,7 +92,12 @@ function Models({ session, browse }: Pick<ModelListProps, 'session' | 'browse'>)
         <Row key={record.key} address={addressOf(record.key)} name={record.model.name} about={about(record)} />
       ))}
       {count(null) > 0 && (
-        <Row key={NO_MODEL} address={addressOf(null)} name={messages.value.noModel} about={settings(count(null))} />
+        <Row
+          key={NO_MODEL}
+          address={addressOf(null)}
+          name={messages.value.noModel}
+          about={settings({ count: count(null) })}
+        />
       )}
     </ul>
   );

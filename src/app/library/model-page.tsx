@@ -1,6 +1,6 @@
 import { LIMITS, type Model } from '../../program/index.js';
-import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { plainName } from '../records/plain-names.js';
 import type { ModelRecord } from '../storage/index.js';
 import type { Session } from '../work/session.js';
@@ -21,7 +21,7 @@ interface ModelPageProps {
  * All facts about a model. They stand beside or below its settings, which show its name. Each change is saved at once.
  */
 export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
-  const words = libraryMessages;
+  const words = moreMessages.value.library;
   const { label } = messages.value;
   const { library } = session;
   const { model } = record;
@@ -65,7 +65,7 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
           {words.model.remove}
         </button>
       </div>
-      {settings.length > 0 && <p class="hint">{words.model.withSettings(settings.length)}</p>}
+      {settings.length > 0 && <p class="hint">{words.model.withSettings({ count: settings.length })}</p>}
     </div>
   );
 }

@@ -1,7 +1,8 @@
 import { useSignal } from '@preact/signals';
 import type { ServoUse, TimerProgram } from '../../program/index.js';
-import { libraryMessages } from '../messages/en-library.js';
-import { dutyName, messages } from '../messages/index.js';
+import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { dutyName, servoName } from '../messages/names.js';
 import type { ModelRecord } from '../storage/index.js';
 import { ServoDialog } from '../timeline/preview/servo-dialog.js';
 import { guessedUses } from '../timeline/preview/surfaces.js';
@@ -15,8 +16,8 @@ interface ModelServosProps {
 
 /** What the servos of the model move, and between which steps. */
 export function ModelServos({ session, record, onChange }: ModelServosProps) {
-  const { model: words } = libraryMessages;
-  const { servoName, preview } = messages.value;
+  const { model: words } = moreMessages.value.library;
+  const { preview } = messages.value;
   const naming = useSignal(false);
   const { servos } = record.model;
   const program = programOf(session, record);
@@ -29,7 +30,7 @@ export function ModelServos({ session, record, onChange }: ModelServosProps) {
           {servos.map((use, servo) => (
             <li key={servoName(servo)}>
               <b>{servoName(servo)}</b> {dutyName(use)}
-              {use.duty !== 'none' && <span class="hint"> {words.servoWay(use.low, use.high)}</span>}
+              {use.duty !== 'none' && <span class="hint"> {words.servoWay({ low: use.low, high: use.high })}</span>}
             </li>
           ))}
         </ul>

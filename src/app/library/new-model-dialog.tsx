@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
-import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { emptyModel, newId } from '../records/library.js';
 import { FormButtons } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
@@ -20,7 +20,7 @@ interface NewModelDialogProps {
 /** Asks for the name and the class of a new model. */
 export function NewModelDialog({ open, session, ...props }: NewModelDialogProps) {
   return (
-    <Modal open={open} title={libraryMessages.models.make} onEscape={props.onClose}>
+    <Modal open={open} title={moreMessages.value.library.models.make} onEscape={props.onClose}>
       <Form session={session} {...props} />
     </Modal>
   );

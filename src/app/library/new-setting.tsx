@@ -2,7 +2,7 @@ import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { TimerProgram } from '../../program/index.js';
 import { CLASSES } from '../editing/new-program.js';
-import { libraryMessages } from '../messages/en-library.js';
+import { moreMessages } from '../messages/more.js';
 import { newId } from '../records/library.js';
 import type { ModelRecord } from '../storage/index.js';
 import { NewProgramDialog } from '../ui/new-program-dialog.js';
@@ -22,7 +22,7 @@ interface NewSettingProps {
 
 /** Makes a setting without a timer, with the layout of the model's other settings. */
 export function NewSetting({ open, session, model, onClose, onMade }: NewSettingProps) {
-  const { save } = libraryMessages;
+  const { save } = moreMessages.value.library;
   const name = useSignal('');
   useEffect(() => {
     if (open) name.value = '';
@@ -54,7 +54,7 @@ export function NewSetting({ open, session, model, onClose, onMade }: NewSetting
       onClose={onClose}
     >
       <NameField
-        label={save.name('program')}
+        label={save.name({ of: 'program' })}
         placeholder={save.namePlace}
         value={name.value}
         onChange={(text) => (name.value = text)}

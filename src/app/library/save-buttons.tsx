@@ -1,4 +1,5 @@
-import { libraryMessages } from '../messages/en-library.js';
+import { moreMessages } from '../messages/more.js';
+import { programOf } from '../messages/names.js';
 import type { Session } from '../work/session.js';
 import type { SaveSetting } from './save-setting.js';
 import './save-buttons.css';
@@ -12,7 +13,7 @@ interface SaveButtonsProps {
 
 /** Saves the program on the screen: to the setting that it was opened from, or as a new setting. */
 export function SaveButtons({ session, saveSetting, brief = false }: SaveButtonsProps) {
-  const { save: words } = libraryMessages;
+  const { save: words } = moreMessages.value.library;
   const { opened, origin } = session;
   const unsaved = opened.unsaved.value;
   const setting = origin.setting.value;
@@ -25,16 +26,16 @@ export function SaveButtons({ session, saveSetting, brief = false }: SaveButtons
         <button
           type="button"
           class="save-over"
-          title={words.state(setting.name, count)}
+          title={words.state({ name: setting.name, changes: count })}
           onClick={() => void saveSetting.save()}
         >
-          {words.over(setting.name, origin.model.value?.name ?? '')}
+          {words.over({ program: programOf(setting.name, origin.model.value?.name ?? '') })}
         </button>
       )}
       {/* In the place of the other one. The list of commands has it after further changes, too. */}
       {undoable && count === 0 && (
         <button type="button" class="quiet save-over" onClick={() => opened.undoSave()}>
-          {words.undo(undoable.name)}
+          {words.undo({ name: undoable.name })}
         </button>
       )}
       {!brief && (

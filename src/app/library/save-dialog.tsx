@@ -1,7 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { LIMITS } from '../../program/index.js';
-import { libraryMessages } from '../messages/en-library.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { programOf } from '../messages/names.js';
 import { plainName } from '../records/plain-names.js';
 import { Check } from '../ui/check.js';
 import { Choice } from '../ui/choice.js';
@@ -20,7 +21,7 @@ interface SaveDialogProps {
 
 /** Asks how to save the program on the screen. */
 export function SaveDialog({ session, saveSetting }: SaveDialogProps) {
-  const { save: words } = libraryMessages;
+  const { save: words } = moreMessages.value.library;
   return (
     <Modal open={saveSetting.asking.value} title={words.open} onEscape={() => saveSetting.dismiss()}>
       <NameForm {...{ session, saveSetting }} />
@@ -33,7 +34,7 @@ const NEW = ' new';
 const NONE = '';
 
 function NameForm({ session, saveSetting }: SaveDialogProps) {
-  const { save: words } = libraryMessages;
+  const { save: words } = moreMessages.value.library;
   const { label, noModel, save } = messages.value;
   const { library, opened, origin } = session;
   const open = origin.setting.peek();
@@ -60,7 +61,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       }}
     >
       <NameField
-        label={words.name('program')}
+        label={words.name({ of: 'program' })}
         placeholder={words.namePlace}
         value={name.value}
         onChange={(text) => {
@@ -71,7 +72,9 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       <Choice
         label={label.model}
         choices={[...library.models.list.value.map(({ key }) => key), NEW, NONE]}
-        nameOf={(key) => (key === NEW ? libraryMessages.models.make : (library.models.get(key)?.model.name ?? noModel))}
+        nameOf={(key) =>
+          key === NEW ? moreMessages.value.library.models.make : (library.models.get(key)?.model.name ?? noModel)
+        }
         chosen={model.value}
         onChoose={(key) => {
           model.value = key;
@@ -81,7 +84,7 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       />
       {model.value === NEW && (
         <NameField
-          label={words.name('model')}
+          label={words.name({ of: 'model' })}
           first={false}
           value={modelName.value}
           onChange={(text) => (modelName.value = text)}
@@ -98,12 +101,12 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       </label>
       {isOther && (
         <Check checked={crossed.value} onChange={(on) => (crossed.value = on)}>
-          {words.crossing(whose.name, to.name)}
+          {words.crossing({ from: whose.name, to: to.name })}
         </Check>
       )}
       {same && (
         <div class="stack gap-1">
-          <p role="status">{words.taken(same.name, to?.name ?? '')}</p>
+          <p role="status">{words.taken({ program: programOf(same.name, to?.name ?? '') })}</p>
           <Check checked={replaces.value} onChange={(on) => (replaces.value = on)}>
             {words.replace}
           </Check>

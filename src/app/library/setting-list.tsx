@@ -1,7 +1,7 @@
 import { dotted } from '../messages/dotted.js';
-import { libraryMessages } from '../messages/en-library.js';
 import { dateText } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
+import { moreMessages } from '../messages/more.js';
 import type { SettingRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
 import type { Session } from '../work/session.js';
@@ -51,7 +51,7 @@ interface SettingRowProps {
 const SettingRow = memo(SettingRowContent);
 
 function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }: SettingRowProps) {
-  const words = libraryMessages;
+  const words = moreMessages.value.library;
   const { name, at, tags, program } = record.setting;
   const [dt] = keyFigures(program);
   return (

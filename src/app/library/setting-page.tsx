@@ -1,6 +1,7 @@
 import { LIMITS, type Setting } from '../../program/index.js';
-import { libraryMessages } from '../messages/en-library.js';
-import { clockText, messages, servoText } from '../messages/index.js';
+import { clockText, messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName, servoText, timerText } from '../messages/names.js';
 import { plainName } from '../records/plain-names.js';
 import type { SettingRecord } from '../storage/index.js';
 import { BackHead } from '../ui/back-head.js';
@@ -12,7 +13,6 @@ import type { Places } from './places.js';
 import { ProgramFacts } from './program-facts.js';
 import { asTags, tagsText } from './tags.js';
 import { TextField } from './text-field.js';
-import { timerText } from './timer-text.js';
 import './setting-page.css';
 
 interface SettingPageProps {
@@ -30,7 +30,7 @@ interface SettingPageProps {
 /** One setting: its picture and figures, its notes, and what can be done with it. */
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
-  const words = libraryMessages;
+  const words = moreMessages.value.library;
   const { label, noModel, notKept } = messages.value;
   const { library } = session;
   const way = back !== null && (
@@ -102,10 +102,10 @@ export function SettingPage(props: SettingPageProps) {
         }}
       />
       <p class="hint setting-origin">
-        {words.setting.origin(words.setting.from[setting.from], clockText(setting.at))}
+        {words.setting.origin({ source: words.setting.from[setting.from], time: clockText(setting.at) })}
         {'. '}
-        {timerText(setting.program)}
-        {setting.program.memory !== null && `, ${messages.value.memoryName(setting.program.memory)}`}
+        {timerText(setting.program.identity)}
+        {setting.program.memory !== null && `, ${memoryName(setting.program.memory)}`}
       </p>
       <div class="buttons">
         <button
@@ -124,7 +124,7 @@ export function SettingPage(props: SettingPageProps) {
 }
 
 function OpenSetting({ session, record, onProgram }: SettingPageProps & { readonly record: SettingRecord }) {
-  const words = libraryMessages;
+  const words = moreMessages.value.library;
   const { opened } = session;
   const isOpen = session.origin.setting.value?.id === record.key;
   const obstacle = opened.obstacle(record.setting.program);
@@ -145,10 +145,10 @@ function OpenSetting({ session, record, onProgram }: SettingPageProps & { readon
               onProgram();
             }}
           >
-            {words.setting.loadAgain(count)}
+            {words.setting.loadAgain({ count })}
           </button>
         )}
-        {count > 0 && <p class="hint whole-line">{words.save.state(record.setting.name, count)}</p>}
+        {count > 0 && <p class="hint whole-line">{words.save.state({ name: record.setting.name, changes: count })}</p>}
       </>
     );
   }

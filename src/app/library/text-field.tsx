@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useRef } from 'preact/hooks';
 import { on } from '../browser/lifecycle.js';
-import { libraryMessages } from '../messages/en-library.js';
+import { moreMessages } from '../messages/more.js';
 import { useUnsaved } from '../ui/unsaved.js';
 
 interface TextFieldProps {
@@ -27,7 +27,7 @@ const asTyped = (text: string): string => text;
 /** A text of the library that is saved while it is typed. */
 export function TextField(props: TextFieldProps) {
   const { label, value, longest, lines, required, asKept = asTyped } = props;
-  const words = libraryMessages;
+  const words = moreMessages.value.library;
   const id = useId();
   /** The typed text; null while the library's text is shown. */
   const typed = useSignal<string | null>(null);

@@ -1,4 +1,5 @@
-import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
+import { describeFrame, frameName } from '../messages/frame-text.js';
+import { hexOf } from '../messages/hex.js';
 import { messages } from '../messages/index.js';
 import type { LineRecord } from '../timer/line-record.js';
 import { type LineView, STEP } from './line-view.js';
@@ -25,7 +26,7 @@ export function LineRows({ view }: { readonly view: LineView }) {
       {hidden > 0 && (
         <div class="buttons">
           <button type="button" onClick={() => view.showOlder()}>
-            {showMore(Math.min(STEP, hidden))}
+            {showMore({ count: Math.min(STEP, hidden) })}
           </button>
         </div>
       )}

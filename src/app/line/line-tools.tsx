@@ -48,7 +48,7 @@ export function LineTools({ session, view }: { readonly session: Session; readon
           {line.load}
         </button>
         <CopyButton label={line.copyReport} text={() => reportText(session)} />
-        <p role="status">{live && view.paused.value && <strong>{line.came(view.came.value)}</strong>}</p>
+        <p role="status">{live && view.paused.value && <strong>{line.came({ number: view.came.value })}</strong>}</p>
       </div>
       {used && <LineChoice view={view} />}
     </>
@@ -84,7 +84,13 @@ function LineChoice({ view }: { readonly view: LineView }) {
 
 function Counts({ view }: { readonly view: LineView }) {
   const { out, in: incoming, damaged, errors } = view.counts.value;
-  const counts = messages.value.line.counts(out, incoming, damaged, errors);
+  const { counts: words } = messages.value.line;
+  const counts = [
+    words.out({ count: out }),
+    words.in({ count: incoming }),
+    words.damaged({ count: damaged }),
+    words.errors({ count: errors }),
+  ];
   return <p class="hint">{counts.map(whole).join(', ')}</p>;
 }
 

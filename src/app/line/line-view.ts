@@ -1,5 +1,6 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
+import { describeFrame, frameName } from '../messages/frame-text.js';
+import { hexOf } from '../messages/hex.js';
 import { foldedOf, searchFor } from '../messages/search.js';
 import type { LineLog } from '../timer/line-log.js';
 import type { LineRecord } from '../timer/line-record.js';

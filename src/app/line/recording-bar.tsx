@@ -16,7 +16,7 @@ export function RecordingBar({ session, view }: { readonly session: Session; rea
     <>
       {fault && (
         <div class="notice bad" role="alert">
-          <p>{line.noRecording(fault.line)}</p>
+          <p>{fault.line === null ? line.noRecording : line.noRecordingAt({ line: fault.line })}</p>
           <button type="button" class="quiet" onClick={() => view.dismissFault()}>
             {dismiss}
           </button>
@@ -25,7 +25,7 @@ export function RecordingBar({ session, view }: { readonly session: Session; rea
       {recording && (
         <div class="notice" role="status">
           <p>
-            <strong>{line.recording(recording.name, recording.records.length)}</strong>{' '}
+            <strong>{line.recording({ name: recording.name, entries: recording.records.length })}</strong>{' '}
             {!recording.replayable && line.cannotReplay}
           </p>
           <div class="buttons">

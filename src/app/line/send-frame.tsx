@@ -1,5 +1,6 @@
 import type { Frame } from '../../protocol/index.js';
-import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
+import { describeFrame, frameName } from '../messages/frame-text.js';
+import { hexOf } from '../messages/hex.js';
 import { messages } from '../messages/index.js';
 import { Modal } from '../ui/modal.js';
 import type { Session } from '../work/session.js';

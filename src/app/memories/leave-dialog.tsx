@@ -1,4 +1,5 @@
-import { dtText, messages } from '../messages/index.js';
+import { whole } from '../messages/dotted.js';
+import { dtText, messages, shortDtText } from '../messages/index.js';
 import { Modal } from '../ui/modal.js';
 import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
@@ -24,7 +25,7 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
 }
 
 function Question({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
-  const { nextFlight: words, header, shortDt, cancel } = messages.value;
+  const { nextFlight: words, shortDt, cancel } = messages.value;
   const question = leaving.question.value;
   const { original, word } = session.nextFlight;
   if (!question) return null;
@@ -33,26 +34,30 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
   const short = session.shortDt.held.value;
   const dt = short && dtText(short.dt);
   const shortMemory = short && short.memory !== null ? memoryText(session, short.memory) : null;
+  const leaveMemory = word.value && shortMemory;
   const asksMemory = word.value !== null || short === null;
   const blocked = session.editor.blocked.value;
   return (
     <>
       {question === 'failed' && originalName && (
         <p class="notice bad" role="alert">
-          {words.leaving.failed(originalName)}
+          {words.leaving.failed({ original: originalName })}
         </p>
       )}
       <div role="status">
         {asksMemory && (
           <p>
             <strong>
-              {word.value ? nextFlightText(session, word.value, 'now') : originalName && words.other(originalName)}
+              {word.value
+                ? nextFlightText(session, word.value, 'now')
+                : originalName && words.other({ memory: originalName })}
             </strong>
           </p>
         )}
         {short && dt && (
           <p>
-            <strong>{shortDt.held(shortMemory, dt)}</strong> {shortDt.ask(dtText(short.back), short.remembered)}
+            <strong>{shortDtText(shortMemory, dt)}</strong>{' '}
+            {shortDt.ask({ back: whole(dtText(short.back)), remembered: short.remembered })}
           </p>
         )}
         {short && blocked && <p class="hint">{shortDt.blocked}</p>}
@@ -62,7 +67,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
           {cancel}
         </button>
         <button type="button" onClick={() => leaving.answer('leave')}>
-          {dt ? shortDt.disconnect(word.value && shortMemory, dt) : header.disconnect}
+          {leaveText(dt, leaveMemory)}
         </button>
         {short && (
           <button
@@ -71,12 +76,12 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
             disabled={blocked || !session.runner.ready.value}
             onClick={() => leaving.answer('put-back')}
           >
-            {shortDt.putBack(dtText(short.back), short.remembered)}
+            {shortDt.putBack({ back: whole(dtText(short.back)), remembered: short.remembered })}
           </button>
         )}
         {canGoBack && (
           <button type="button" class="primary" onClick={() => leaving.answer('back')}>
-            {words.leaving.back(originalName)}
+            {words.leaving.back({ original: originalName })}
           </button>
         )}
       </div>
@@ -98,4 +103,11 @@ export function GoOn({ write, leaving }: { readonly write: WriteJob; readonly le
       </button>
     </div>
   );
+}
+
+/** What disconnecting leaves in the timer. @param memory null for the one that was current when the pilot connected. */
+function leaveText(dt: string | null, memory: string | null): string {
+  const { shortDt, header } = messages.value;
+  if (dt === null) return header.disconnect;
+  return memory === null ? shortDt.disconnectHere({ dt: whole(dt) }) : shortDt.disconnect({ memory, dt: whole(dt) });
 }

@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { Backup } from '../storage/index.js';
 import type { Session } from '../work/session.js';
 import { BackupList } from '../write/backup-list.js';
@@ -29,7 +30,8 @@ export interface MemoriesPageProps {
 /** All memories of the timer at a glance, and the backups. */
 export function MemoriesPage(props: MemoriesPageProps) {
   const { session, memories, write, following, onProgram, onCompare, onCompareBackup, connect, print } = props;
-  const { overview: words, views } = messages.value;
+  const { views } = messages.value;
+  const { overview: words } = moreMessages.value;
   const baseline = session.editor.baseline.value;
   return (
     <div class="stack gap-4">

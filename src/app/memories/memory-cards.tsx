@@ -2,6 +2,8 @@ import { useId } from 'preact/hooks';
 import type { TimerProgram } from '../../program/index.js';
 import { clockText, figureText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName } from '../messages/names.js';
 import type { Scale } from '../timeline/scale.js';
 import { SmallLanes, sharedScale } from '../timeline/small-lanes.js';
 import { type Known, lastRead, possibleValues } from '../timer/known.js';
@@ -59,7 +61,8 @@ interface CardProps extends MemoryCardsProps {
 
 function Card({ known, scale, ...props }: CardProps) {
   const { session, memories, memory, current } = props;
-  const { overview: words, look, nextFlight, memoryName } = messages.value;
+  const { look, nextFlight } = messages.value;
+  const { overview: words } = moreMessages.value;
   const title = useId();
   // The button that reads it goes, and so does the one that makes it fly next.
   const box = useHandedFocus('.card-actions button');
@@ -82,7 +85,9 @@ function Card({ known, scale, ...props }: CardProps) {
             <p class="bad-text">{words.notCertain}</p>
           ) : (
             <p class="hint">
-              {known.state === 'read' ? words.readAt(clockText(known.at)) : look.notRead(memoryName(memory))}
+              {known.state === 'read'
+                ? words.readAt({ time: clockText(known.at) })
+                : look.notRead({ memory: memoryName(memory) })}
             </p>
           )}
         </header>
@@ -122,7 +127,7 @@ type UnreadProps = Pick<CardProps, 'session' | 'memories' | 'memory' | 'current'
 
 /** In place of a picture, for a memory that nobody has read: a button that reads it and comes back. */
 function Unread({ session, memories, memory, current }: UnreadProps) {
-  const { look, timer, memoryName } = messages.value;
+  const { look, timer } = messages.value;
   const isBusy = !session.runner.ready.value;
   const name = memoryName(memory);
   return (
@@ -133,9 +138,9 @@ function Unread({ session, memories, memory, current }: UnreadProps) {
         aria-disabled={isBusy || current === null}
         onClick={() => void (!isBusy && current !== null && memories.readOnce(memory))}
       >
-        {look.look(name)}
+        {look.look({ memory: name })}
       </button>
-      {current !== null && <p class="hint">{look.hint(name, memoryName(current))}</p>}
+      {current !== null && <p class="hint">{look.hint({ memory: name, current: memoryName(current) })}</p>}
       {memories.noWayBack.value && <p class="hint">{timer['memory-unknown'].advice}</p>}
     </div>
   );
@@ -146,7 +151,8 @@ interface ActionsProps extends Omit<CardProps, 'known' | 'scale'> {
 }
 
 function Actions({ session, memories, write, memory, current, count, isRead, onProgram, onCompare }: ActionsProps) {
-  const { overview: words, memories: all, look, memoryName, of, open } = messages.value;
+  const { memories: all, look, of, open } = messages.value;
+  const { overview: words } = moreMessages.value;
   const ready = session.runner.ready.value;
   const name = memoryName(memory);
   const others = Array.from({ length: count }, (_, other) => other).filter((other) => other !== memory);
@@ -167,13 +173,13 @@ function Actions({ session, memories, write, memory, current, count, isRead, onP
             onProgram();
           }}
         >
-          {look.edit(name)}
+          {look.edit({ memory: name })}
         </button>
       )}
       {!edits && (isRead || memory === current) && (
         <button
           type="button"
-          aria-label={of(open, name)}
+          aria-label={of({ button: open, name })}
           onClick={() => {
             void memories.show(memory);
             onProgram();
@@ -184,29 +190,29 @@ function Actions({ session, memories, write, memory, current, count, isRead, onP
       )}
       {memory !== current && (
         <button type="button" aria-disabled={!ready} onClick={() => void (ready && memories.fly(memory))}>
-          {look.fly(name)}
+          {look.fly({ memory: name })}
         </button>
       )}
       {against !== undefined && canCompare(memory) && canCompare(against) && (
         <button
           type="button"
           class="quiet"
-          aria-label={of(words.compareWith(memoryName(against)), name)}
+          aria-label={of({ button: words.compareWith({ memory: memoryName(against) }), name })}
           onClick={() => onCompare(memory, against)}
         >
-          {words.compareWith(memoryName(against))}
+          {words.compareWith({ memory: memoryName(against) })}
         </button>
       )}
       {others.length > 0 && (
         <details class="copy-to">
-          <summary aria-label={of(words.copyTo, name)}>{words.copyTo}</summary>
+          <summary aria-label={of({ button: words.copyTo, name })}>{words.copyTo}</summary>
           {/* A timer may have 255 memories. */}
           <div class="segments">
             {others.map((to) => (
               <button
                 type="button"
                 key={to}
-                aria-label={all.copy(name, memoryName(to))}
+                aria-label={all.copy({ from: name, to: memoryName(to) })}
                 disabled={!ready || current === null}
                 onClick={() => void write.open({ kind: 'copy', from: memory, to })}
               >

@@ -1,5 +1,6 @@
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
+import { memoryName } from '../messages/names.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
 import { givenName, memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
@@ -11,7 +12,7 @@ const MOST_BUTTONS = 8;
 
 /** Which memory flies next, in words, and which one is shown. Choosing one only shows it: nothing is sent. */
 export function MemoryChoice({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
-  const { program, memoryName, nextFlight } = messages.value;
+  const { program, nextFlight } = messages.value;
   const { editor, onScreen, nextFlight: next, connection, runner } = session;
   const name = useId();
   const identity = editor.identity.value;
@@ -24,7 +25,7 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
   const shown = memories.looking.value ?? (job?.kind === 'select' ? job.memory : open);
   const nameOf = (index: number): string => {
     const text = memoryText(session, index);
-    return index === flying ? nextFlight.named(text) : text;
+    return index === flying ? nextFlight.named({ memory: text }) : text;
   };
   const all = Array.from({ length: identity.memories }, (_, index) => index);
   if (all.length > MOST_BUTTONS) {

@@ -1,5 +1,6 @@
 import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
+import { memoryName } from '../messages/names.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
 import { Timeline } from '../timeline/timeline.js';
 import { type Known, openValues } from '../timer/known.js';
@@ -17,7 +18,7 @@ interface MemoryLookProps {
 
 /** Shows the last reading of a memory that is not in the table, and the two ways to it. */
 export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
-  const { look: words, memoryName, program, timer } = messages.value;
+  const { look: words, program, timer } = messages.value;
   const { nextFlight, runner } = session;
   const name = memoryText(session, memory);
   const { known } = session.standings.of(memory);
@@ -30,7 +31,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
       <div role="status">
         <h2 id="look-title">{headline(known, name)}</h2>
       </div>
-      {current !== null && <p class="hint">{words.lead(memoryText(session, current))}</p>}
+      {current !== null && <p class="hint">{words.lead({ current: memoryText(session, current) })}</p>}
       <div class="row look-way">
         <button
           type="button"
@@ -38,20 +39,22 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
           disabled={noWayBack}
           onClick={() => void (!isBusy && memories.edit(memory))}
         >
-          {words.edit(name)}
+          {words.edit({ memory: name })}
         </button>
         {noWayBack && <p class="hint">{timer['memory-unknown'].advice}</p>}
-        {current !== null && current !== memory && <p class="hint">{words.hint(name, memoryName(current))}</p>}
+        {current !== null && current !== memory && (
+          <p class="hint">{words.hint({ memory: name, current: memoryName(current) })}</p>
+        )}
       </div>
       <div class="buttons">
         {current !== memory && (
           <button type="button" aria-disabled={isBusy} onClick={() => void (!isBusy && memories.fly(memory))}>
-            {words.fly(name)}
+            {words.fly({ memory: name })}
           </button>
         )}
         {current !== null && current !== memory && (
           <button type="button" class="quiet" onClick={() => void memories.show(current)}>
-            {words.show(memoryName(current))}
+            {words.show({ memory: memoryName(current) })}
           </button>
         )}
       </div>
@@ -95,6 +98,6 @@ export function MemoryPicture({ session, memory }: Pick<MemoryLookProps, 'sessio
 /** “M3, read 14:32”. */
 function headline(known: Known, name: string): string {
   const { look: words, knowledge } = messages.value;
-  if (known.state === 'read') return words.read(name, clockText(known.at));
-  return known.state === 'unread' ? words.notRead(name) : knowledge.unknown(name);
+  if (known.state === 'read') return words.read({ memory: name, time: clockText(known.at) });
+  return known.state === 'unread' ? words.notRead({ memory: name }) : knowledge.unknown({ memory: name });
 }

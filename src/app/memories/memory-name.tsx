@@ -1,15 +1,15 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
 import { on } from '../browser/lifecycle.js';
-import { modelMessages } from '../messages/en-which-model.js';
-import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName } from '../messages/names.js';
 import { givenName, nameMemory } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import './memory-name.css';
 
 /** The pilot's name for a memory of the model. Shows nothing while the model is not known. */
 export function MemoryName({ session, memory }: { readonly session: Session; readonly memory: number }) {
-  const { memoryNames: words } = modelMessages;
+  const { memoryNames: words } = moreMessages.value.whichModel;
   const input = useRef<HTMLInputElement>(null);
   const keep = ({ value }: HTMLInputElement): void => void nameMemory(session, memory, value);
   // What was typed is kept when the page goes, as when the field is left.
@@ -24,7 +24,7 @@ export function MemoryName({ session, memory }: { readonly session: Session; rea
       key={given}
       type="text"
       class="memory-name"
-      aria-label={words.label(messages.value.memoryName(memory))}
+      aria-label={words.label({ memory: memoryName(memory) })}
       placeholder={words.give}
       defaultValue={given}
       maxLength={LIMITS.name}

@@ -1,5 +1,6 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
+import { memoryName } from '../messages/names.js';
 import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import './next-flight-line.css';
@@ -28,16 +29,16 @@ function Line({ session }: { readonly session: Session }) {
   const before = nextFlight.chosen.value?.before ?? null;
   const shown = onScreen.apart.value ? onScreen.memory.value : null;
   if (memory === null || (shown === null && !nextFlight.chosen.value)) return null;
-  const flies = words.other(memoryText(session, memory));
+  const flies = words.other({ memory: memoryText(session, memory) });
   return (
     <div class="row next-flight">
       <p class="hint" role="status">
-        {shown !== null && <strong>{words.onScreen(memoryText(session, shown))}</strong>} {flies}{' '}
-        {before !== null && words.original(memoryText(session, before))}
+        {shown !== null && <strong>{words.onScreen({ memory: memoryText(session, shown) })}</strong>} {flies}{' '}
+        {before !== null && words.original({ original: memoryText(session, before) })}
       </p>
       {shown !== null && (
         <button type="button" class="quiet" onClick={() => void showNext(reader)}>
-          {look.show(messages.value.memoryName(memory))}
+          {look.show({ memory: memoryName(memory) })}
         </button>
       )}
     </div>

@@ -31,7 +31,7 @@ export function UnfinishedBand(props: UnfinishedProps) {
             aria-expanded={isOpen.value}
             onClick={() => (isOpen.value = !isOpen.value)}
           >
-            {more(jobs.length - 1)}
+            {more({ count: jobs.length - 1 })}
           </button>
         </p>
       )}

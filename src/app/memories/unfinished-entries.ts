@@ -2,6 +2,7 @@ import type { ComponentProps } from 'preact';
 import { type TimerProgram, valueAt } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import { dateText, messages } from '../messages/index.js';
+import { memoryName } from '../messages/names.js';
 import { isSimulated } from '../timer/knowledge.js';
 import type { OpenTrial } from '../timer/trials.js';
 import type { Offer } from '../work/interrupted-jobs.js';
@@ -66,7 +67,7 @@ export function entriesOf(props: UnfinishedProps, job: OpenJob): readonly Entry[
     const { original } = job.word;
     const canGoBack = original !== null && session.connection.value !== null;
     const back = (memory: number): Way => ({
-      label: nextFlight.back(memoryText(session, memory)),
+      label: nextFlight.back({ original: memoryText(session, memory) }),
       run: () => onFly(memory),
     });
     return [{ ...grave, ways: canGoBack ? [back(original)] : [] }];
@@ -74,7 +75,7 @@ export function entriesOf(props: UnfinishedProps, job: OpenJob): readonly Entry[
   const when = dateText(job.record.startedAt);
   const where = whereOf(job.record);
   const isWrite = job.kind === 'uncertain' && !job.record.tried;
-  const said = isWrite ? words.since(when) : when;
+  const said = isWrite ? words.since({ time: when }) : when;
   const entry: Entry = { ...grave, said, ways: [...waysToRead(props, where), ...waysToForget(session, where)] };
   const offer = job.kind === 'uncertain' && !write.current.value ? job.offer : null;
   return [entry, ...(offer ? [offered(props, offer)] : [])];
@@ -82,7 +83,7 @@ export function entriesOf(props: UnfinishedProps, job: OpenJob): readonly Entry[
 
 /** What makes it certain, where that is possible from here. */
 function waysToRead({ session, onEdit }: UnfinishedProps, where: Where): readonly Way[] {
-  const { knowledge: words, program, look, memoryName } = messages.value;
+  const { knowledge: words, program, look } = messages.value;
   const { memory } = where;
   const disabled = session.runner.busy.value;
   if (isHere(session, where)) {
@@ -91,7 +92,7 @@ function waysToRead({ session, onEdit }: UnfinishedProps, where: Where): readonl
     const current = nextFlight.memory.value ?? (onScreen.apart.value ? null : onScreen.memory.value);
     return memory === null || memory === current
       ? [{ label: program.read, disabled, run: () => void session.reader.read() }]
-      : [{ label: look.edit(memoryName(memory)), disabled, run: () => onEdit(memory) }];
+      : [{ label: look.edit({ memory: memoryName(memory) }), disabled, run: () => onEdit(memory) }];
   }
   if (session.link.state.value.status !== 'off' || session.link.unavailable || isSimulated(where)) return [];
   return [{ label: words.connect, disabled: session.engaged.value, run: () => void session.timer.connect() }];
@@ -107,28 +108,28 @@ function waysToForget({ link, knowledge }: Session, { key }: Where): readonly Wa
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
 function offered({ session, write: job, onEdit }: UnfinishedProps, offer: Offer): Entry {
-  const { recovery: words, write, bench, look, timer, memoryName } = messages.value;
+  const { recovery: words, write, bench, look, timer } = messages.value;
   const { recovery } = session;
   const disabled = session.runner.busy.value;
   const otherTimer: Way = { label: words.otherTimer, run: () => recovery.setAside() };
   const leave: Way = { label: words.leave, look: 'quiet', run: () => void recovery.settle() };
   const fly = (memory: number): Way => ({
-    label: look.fly(memoryName(memory)),
+    label: look.fly({ memory: memoryName(memory) }),
     disabled,
     run: () => void session.reader.selectMemory(memory),
   });
   if (offer.kind === 'elsewhere') {
     const { memory } = offer;
-    const said = words.elsewhere(memoryName(memory));
+    const said = words.elsewhere({ memory: memoryName(memory) });
     // Where the timer does not say which memory is current, there is no way back from a look.
-    const edit: Way = { label: look.edit(memoryName(memory)), disabled, run: () => onEdit(memory) };
+    const edit: Way = { label: look.edit({ memory: memoryName(memory) }), disabled, run: () => onEdit(memory) };
     const way = session.nextFlight.memory.value === null ? fly(memory) : edit;
     return { name: words.title, isGrave: false, title: words.title, said, ways: [way, otherTimer, leave] };
   }
   if (offer.kind === 'memories') {
     const { title } = timer['memory-left'];
     const { original } = offer.record;
-    const said = words.left(memoryName(original), memoryOf(null, offer.current));
+    const said = words.left({ original: memoryName(original), current: memoryOf(null, offer.current) });
     const back: Way = { ...fly(original), look: 'primary' };
     return { name: title, isGrave: false, title, said, ways: [back, otherTimer, leave] };
   }
@@ -141,14 +142,14 @@ function offered({ session, write: job, onEdit }: UnfinishedProps, offer: Offer)
   const isForeign = part.extent === 'foreign';
   const sameTimer: Way = { ...finish(words.sameTimer, 'goal'), run: () => void takeGoal(session) };
   const before = part.extent === 'part' ? [finish(words.goBack, 'before')] : [];
-  const title = record.tried ? bench.triedIn(memoryOf(null, record.goal.memory)) : words.title;
+  const title = record.tried ? bench.triedIn({ memory: memoryOf(null, record.goal.memory) }) : words.title;
   return {
     name: words.title,
     isGrave: false,
     title,
     said: record.tried
       ? extentText(part)
-      : `${words.when(memoryOf(null, record.goal.memory), dateText(record.startedAt))} ${extentText(part)}`,
+      : `${words.when({ memory: memoryOf(null, record.goal.memory), time: dateText(record.startedAt) })} ${extentText(part)}`,
     table: {
       identity: read.identity,
       names: [words.before, write.wanted, write.from],
@@ -172,7 +173,7 @@ function rows({ record: { before, goal }, part }: Extract<Offer, { kind: 'write'
 /** Positions that were tried: to keep them, or to put back what the timer held before. */
 function tried(props: UnfinishedProps, trial: OpenTrial): Entry {
   const { session, write, onEdit, onFly, onKeep } = props;
-  const { bench: words, look, memoryName } = messages.value;
+  const { bench: words, look } = messages.value;
   const { trials, editor, runner } = session;
   const where = whereOf(trial);
   const { memory } = where;
@@ -194,8 +195,8 @@ function tried(props: UnfinishedProps, trial: OpenTrial): Entry {
   const disabled = runner.busy.value;
   const wayTo = (to: number): Way =>
     session.nextFlight.memory.value === to
-      ? { label: look.edit(memoryName(to)), disabled, run: () => onEdit(to) }
-      : { label: look.fly(memoryName(to)), disabled, run: () => onFly(to) };
+      ? { label: look.edit({ memory: memoryName(to) }), disabled, run: () => onEdit(to) }
+      : { label: look.fly({ memory: memoryName(to) }), disabled, run: () => onFly(to) };
   const toIt: readonly Way[] = memory !== null && isHere(session, where) ? [wayTo(memory)] : waysToRead(props, where);
   const keep: Way = { label: words.keep, look: 'quiet', run: () => trials.forget(trial.key) };
   return { ...entry, title: triedElsewhere(session, trial), ways: [...toIt, keep] };

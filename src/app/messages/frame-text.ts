@@ -12,7 +12,8 @@ import {
   type Request,
 } from '../../protocol/index.js';
 import { formatTime } from '../editing/units.js';
-import { figureText, messages, slotLabel, timerName } from './index.js';
+import { figureText, messages, slotLabel } from './index.js';
+import { memoryName, servoName, timerName } from './names.js';
 
 /** The parts of a line entry that its words need. */
 export type Seen = Pick<LineEntry, 'direction' | 'frame' | 'rejected' | 'error'>;
@@ -23,9 +24,9 @@ export function frameName({ direction, frame, rejected, error }: Seen): string {
   if (error) return line.error[error];
   if (rejected || !frame) return line.rejected[rejected ?? 'noise'];
   const command = commandOf(frame.code);
-  if (!command) return line.unknown(letterOf(frame.code));
+  if (!command) return line.unknown({ letter: letterOf(frame.code) });
   const wording = command.direction === 'reply' ? line.reply : direction === 'in' ? line.echo : line.request;
-  return wording(line.names[command.name], command.name);
+  return wording({ name: line.names[command.name], letters: command.name });
 }
 
 /**
@@ -46,17 +47,19 @@ export function describeFrame({ frame, rejected, error }: Seen, layout: LayoutOp
 /** The identity of a timer: “F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos”. */
 export function identityText(identity: Identity): string {
   const { firmware, functions, memories, servos } = identity;
-  return messages.value.line.identity(timerName(identity), firmware, functions - 1, memories, servos);
+  const { line, timeline } = messages.value;
+  return line.identity({
+    name: timerName(identity),
+    firmware,
+    functions: timeline.functions({ count: functions - 1 }),
+    memories: line.memories({ count: memories }),
+    servos: timeline.servos({ count: servos }),
+  });
 }
 
 /** A byte as two hex digits, as in the table of commands. */
 export function letterOf(code: number): string {
   return code.toString(16).padStart(2, '0').toUpperCase();
-}
-
-/** Bytes in hex, as in a capture. */
-export function hexOf(bytes: Iterable<number>): string {
-  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join(' ');
 }
 
 function content(frame: Frame, layout: LayoutOptions): string {
@@ -65,11 +68,11 @@ function content(frame: Frame, layout: LayoutOptions): string {
 }
 
 function requestText(request: Request, { identity }: LayoutOptions): string {
-  const { line, servoName, memoryName } = messages.value;
+  const { line } = messages.value;
   switch (request.name) {
     case 'SETSERVO': {
       const slot = slotLabel(known(identity), request.function);
-      return line.position(slot, servoName(request.servo), request.position);
+      return line.position({ slot, servo: servoName(request.servo), steps: request.position });
     }
     case 'MOVETOFUNC':
       return slotLabel(known(identity), request.function);
@@ -78,14 +81,14 @@ function requestText(request: Request, { identity }: LayoutOptions): string {
     case 'SETMEMORY':
       return memoryName(request.memory);
     case 'SETLOWRPM':
-      return line.idleThrottle(request.idleThrottle);
+      return line.idleThrottle({ value: request.idleThrottle });
     default:
       return '';
   }
 }
 
 function replyText(reply: Reply, { identity }: LayoutOptions): string {
-  const { line, servoName, memoryName } = messages.value;
+  const { line } = messages.value;
   switch (reply.name) {
     case 'GETTIMERS':
       return timesText(known(identity), reply.times);
@@ -98,7 +101,7 @@ function replyText(reply: Reply, { identity }: LayoutOptions): string {
     case 'GETMEMORY':
       return reply.memory === null ? line.memoryUnsaid : memoryName(reply.memory);
     case 'GETLOWRPM':
-      return reply.idleThrottle === null ? line.idleThrottleUnsaid : line.idleThrottle(reply.idleThrottle);
+      return reply.idleThrottle === null ? line.idleThrottleUnsaid : line.idleThrottle({ value: reply.idleThrottle });
     default:
       return line.acknowledged;
   }
@@ -110,9 +113,9 @@ function timesText(identity: Identity, times: readonly number[]): string {
   const figure = (slot: number): string => figureText(identity, { kind: 'time', slot }, times[slot] as number);
   const functions = shown.filter((_, slot) => slotKind(identity, slot) === 'function');
   return [
-    edits.presets.use(figure(times.length - 1)),
-    identity.timerClass === 'Q' ? line.motorStop(figure(0)) : line.reserved(shown[0] as string),
-    ...(functions.length > 0 ? [line.functions(functions)] : []),
+    edits.presets.use({ time: figure(times.length - 1) }),
+    identity.timerClass === 'Q' ? line.motorStop({ time: figure(0) }) : line.reserved({ time: shown[0] as string }),
+    ...(functions.length > 0 ? [line.functions({ times: functions.join(' ') })] : []),
   ].join(', ');
 }
 

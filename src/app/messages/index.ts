@@ -1,4 +1,3 @@
-import { signal } from '@preact/signals';
 import type { TimerError, TimerErrorDetails } from '../../client/index.js';
 import {
   type Change,
@@ -10,7 +9,6 @@ import {
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import type { KnownPort } from '../../serial/index.js';
 import { figureOfTime, formatValue } from '../editing/content.js';
 import type { Obstacle } from '../editing/edit.js';
 import type { GridField } from '../editing/grid.js';
@@ -26,34 +24,26 @@ import {
   plainSeconds,
   spokenParts,
 } from '../editing/units.js';
+import { say } from './catalogue.js';
 import { formatDate } from './date-format.js';
 import { dotted, whole } from './dotted.js';
-import { en } from './en.js';
-import type { Said } from './en-notices.js';
+import { servoName } from './names.js';
+import { messages, type Said } from './page.js';
 import { isToday } from './today.js';
 
-export type { Said };
-
-/** What the parts of the page that are loaded first may say. A missing sentence does not compile. */
-export type Messages = typeof en;
-
-/**
- * Their sentences. Nothing changes this signal: the page is in English. Yet a component that reads a signal is drawn
- * again with its parent only if a property changed, and components such as the groups of the line count on that.
- */
-export const messages = signal<Messages>(en);
+export { messages, type Said };
 
 export function slotLabel(identity: Identity, slot: number): string {
-  return messages.value.slotName(slot, slotKind(identity, slot));
+  return messages.value.slotName({ slot, kind: slotKind(identity, slot) });
 }
 
 /** The name of a field: “DT time”, “Motor stop time”, “Function 3, S1”. */
 export function fieldLabel(identity: Identity, field: ProgramField): string {
-  const { program, servoName } = messages.value;
+  const { program } = messages.value;
   if (field.kind === 'idleThrottle') return program.idleThrottle;
   const slot = slotLabel(identity, field.slot);
-  if (field.kind === 'position') return program.positionOf(slot, servoName(field.servo));
-  return field.slot === 0 && identity.timerClass === 'Q' ? program.motorStopTime : program.timeOf(slot);
+  if (field.kind === 'position') return program.positionOf({ slot, servo: servoName(field.servo) });
+  return field.slot === 0 && identity.timerClass === 'Q' ? program.motorStopTime : program.timeOf({ slot });
 }
 
 /** Where a sentence is about one field: “DT”, “Motor stop”, “Function 3 time”, “Function 3, S1”. */
@@ -76,37 +66,40 @@ export function slotInSentence(identity: Identity, slot: number): string {
 
 /** Several slots, in one line: “start, functions 5 to 9, DT”. @param first the name of slot 0. */
 export function slotsText({ functions }: Identity, slots: readonly number[], first: string): string {
-  const { program, edits } = messages.value;
+  const { program } = messages.value;
   const between = slots.filter((slot) => slot > 0 && slot < functions);
-  return [
-    slots.includes(0) && first,
-    between.length > 0 && edits.shift.functions(between),
-    slots.includes(functions) && program.dt,
-  ]
+  return [slots.includes(0) && first, functionsText(between), slots.includes(functions) && program.dt]
     .filter(Boolean)
     .join(', ');
+}
+
+/** “function 3”, “functions 5 to 9”: usually they follow each other. Empty for none. */
+function functionsText(numbers: readonly number[]): string {
+  const { shift: words } = messages.value.edits;
+  const [first] = numbers;
+  const last = numbers.at(-1);
+  if (first === undefined || last === undefined) return '';
+  if (first === last) return words.function({ number: first });
+  if (last - first + 1 === numbers.length) return words.functionRange({ first, last });
+  return words.functions({ numbers: numbers.join(', ') });
 }
 
 function inSentence(name: string): string {
   return /^[A-Z][a-z]/.test(name) ? name.charAt(0).toLowerCase() + name.slice(1) : name;
 }
 
-/** What a servo moves: the pilot's name for it, or the name of its duty. */
-export function dutyName({ duty, name }: { duty: keyof Messages['preview']['duties']; name: string }): string {
-  return name || messages.value.preview.duties[duty];
-}
-
-/** A servo, with what it moves if the pilot has said that: “S1 Tailplane”. */
-export function servoText(servo: number, use: Parameters<typeof dutyName>[0] | undefined): string {
-  const name = messages.value.servoName(servo);
-  return use ? `${name} ${dutyName(use)}` : name;
-}
-
 /** A time in spoken form: “2 min 30 s”, “20 s”, “2.3 s”. Before launch with a minus. */
 export function spokenTime(hundredths: number): string {
   const { minutes, seconds } = spokenParts(Math.abs(hundredths));
-  const said = messages.value.times.spoken(minutes, seconds);
+  const { times, seconds: secondsOnly } = messages.value;
+  const wholeMinutes = seconds === '0' ? times.minutes({ minutes }) : times.minutesSeconds({ minutes, seconds });
+  const said = minutes > 0 ? wholeMinutes : secondsOnly({ time: seconds });
   return hundredths < 0 ? `-${said}` : said;
+}
+
+/** A time as it is typed: “0.50 s”, “3:00”. */
+export function secondsText(time: string): string {
+  return time.includes(':') ? time : messages.value.seconds({ time });
 }
 
 /** The possible meanings of a text, to choose from: “2 min 30 s” and “2.3 s”, or “230 s, 3:50”. */
@@ -115,7 +108,7 @@ export function eitherTexts(either: Ambiguous['either']): readonly string[] {
   return either.map((value, at) =>
     at < asSeconds || Math.abs(value) < MINUTE
       ? spokenTime(value)
-      : messages.value.times.asSeconds(plainSeconds(value), formatInterval(value)),
+      : messages.value.times.asSeconds({ seconds: plainSeconds(value), clock: formatInterval(value) }),
   );
 }
 
@@ -162,14 +155,14 @@ function withUnit(text: string): string {
 
 function inUnit({ text, unit }: Figure): string {
   const { figure, units } = messages.value.times;
-  return figure(text, units[unit]);
+  return figure({ text, unit: units[unit] });
 }
 
 /** What ended a job with the timer, with the facts that the error gives. */
 export function timerSaid({ code, details }: Pick<TimerError, 'code' | 'details'>): Said {
   const { timer, alike } = messages.value;
   if (!details.alike || !details.request) return timer[code];
-  return { title: alike.title(details.request), advice: alike.advice };
+  return { title: alike.title({ request: details.request }), advice: alike.advice };
 }
 
 /** What could be read of a program, in one line; null when nothing could. */
@@ -192,26 +185,13 @@ export function findingText({ code, params, field }: Finding): string {
     name,
     isTime && typeof value === 'number' ? whole(momentText(value)) : String(value),
   ]);
-  return findings[code](Object.fromEntries(shown));
+  return say(findings[code], Object.fromEntries(shown));
 }
 
 /** The name of a cell in the table, intervals included. */
 export function gridLabel(identity: Identity, field: GridField): string {
   if (field.kind !== 'interval') return fieldName(identity, field);
-  return messages.value.edits.table.intervalOf(slotLabel(identity, field.slot));
-}
-
-export function timerName({ timerClass }: Pick<Identity, 'timerClass'>): string {
-  const { classNames, unknownClass } = messages.value;
-  return classNames[timerClass] ?? unknownClass(timerClass);
-}
-
-/** “FTDI adapter”, “USB adapter 1234:5678”. */
-export function portName({ kind, info }: Pick<KnownPort, 'kind' | 'info'>): string {
-  const { portNames } = messages.value.link;
-  if (kind !== 'usb') return portNames[kind];
-  const hex = (value: number | undefined): string => (value ?? 0).toString(16).padStart(4, '0');
-  return `${portNames.usb} ${hex(info.usbVendorId)}:${hex(info.usbProductId)}`;
+  return messages.value.edits.table.intervalOf({ slot: slotLabel(identity, field.slot) });
 }
 
 /** Readable bytes as text, the others as dots. */
@@ -247,34 +227,40 @@ export function valueText(identity: Identity, field: ProgramField, value: number
 
 /** The name of a step: “shift from function 3 by 0.50 s”. */
 export function stepText(identity: Identity, { code, params }: StepName): string {
-  const { edits, seconds } = messages.value;
+  const { edits } = messages.value;
   const { by, count, from } = params;
-  return edits.steps[code]({
+  return say(edits.steps[code === 'step-servo' && from ? 'step-servo-from' : code], {
     what: subjectText(identity, params),
-    by: seconds(formatInterval(Number(by))),
-    steps: edits.stepServo.signed(Number(by)),
+    by: secondsText(formatInterval(Number(by))),
+    steps: signed(Number(by)),
     from: from ? slotInSentence(identity, Number(from)) : '',
-    count: edits.cells(Number(count)),
+    count: edits.cells({ count: Number(count) }),
   });
+}
+
+/** A number of steps up or down: “+3”, “−3”. */
+export function signed(steps: number): string {
+  return `${steps < 0 ? '−' : '+'}${Math.abs(steps)}`;
 }
 
 /** What a step was done to: a field, a row, some values, or what was opened. */
 function subjectText(identity: Identity, params: StepName['params']): string {
   const { field, slot, count, to, servo = to, name = '' } = params;
-  const { edits, servoName } = messages.value;
+  const { edits } = messages.value;
   const found = fieldsOf(identity).find((each) => fieldKey(each) === field);
   if (found) return fieldInSentence(identity, found);
   if (typeof slot === 'number') return slotInSentence(identity, slot);
   // In a draft of an earlier version also one that was changed, or copied to.
   if (typeof servo === 'number') return servoName(servo);
-  return typeof count === 'number' ? edits.cells(count) : edits.opened(String(name));
+  if (typeof count === 'number') return edits.cells({ count });
+  return name === '' ? edits.openedUnnamed : edits.opened({ name });
 }
 
 /** The sentence that says why an edit was not done. */
 export function obstacleText(identity: Identity, obstacle: Obstacle): string {
   const { edits, about } = messages.value;
-  const where = about(fieldName(identity, obstacle.field));
-  if (obstacle.code === 'unreadable') return `${where} ${edits.refused.unreadable({})}`;
+  const where = about({ name: fieldName(identity, obstacle.field) });
+  if (obstacle.code === 'unreadable') return `${where} ${edits.refused.unreadable}`;
   if (obstacle.field.kind === 'time' && obstacle.params.value < 0) return `${where} ${edits.beforeLaunch}`;
   return `${where} ${reasonText(obstacle.code, obstacle.params, obstacle.field.kind === 'time')}`;
 }
@@ -291,11 +277,11 @@ function reasonText(
   isTime: boolean,
 ): string {
   const { findings, unreadable, edits } = messages.value;
-  const say = (value: number): string => (isTime ? whole(withUnit(formatInterval(value))) : String(value));
-  const shown = Object.fromEntries(Object.entries(params).map(([name, value]) => [name, say(value)]));
-  if (code in edits.refused) return edits.refused[code as keyof typeof edits.refused](shown);
+  const figure = (value: number): string => (isTime ? whole(withUnit(formatInterval(value))) : String(value));
+  const shown = Object.fromEntries(Object.entries(params).map(([name, value]) => [name, figure(value)]));
+  if (code in edits.refused) return say(edits.refused[code as keyof typeof edits.refused], shown);
   if (code in unreadable) return unreadable[code as keyof typeof unreadable];
-  return findings[code as keyof typeof findings](shown);
+  return say(findings[code as keyof typeof findings], shown);
 }
 
 /** A difference in words: “DT: 3:00 min → 6:00 min”. */
@@ -303,5 +289,11 @@ export function changeText(identity: Identity, { field, from, to }: Change): str
   const { edits, write } = messages.value;
   const shown = (value: number | null): string =>
     value === null ? write.status.unknown : figureText(identity, field, value);
-  return edits.change(fieldName(identity, field), shown(from), shown(to));
+  return edits.change({ field: fieldName(identity, field), from: whole(shown(from)), to: whole(shown(to)) });
+}
+
+/** “DT of M1 is 20 s.” @param memory null where the timer does not say which one is current. */
+export function shortDtText(memory: string | null, dt: string): string {
+  const { shortDt } = messages.value;
+  return memory === null ? shortDt.heldHere({ dt: whole(dt) }) : shortDt.held({ memory, dt: whole(dt) });
 }

@@ -1,10 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
-import { comparingMessages } from '../messages/en-compare.js';
-import { libraryMessages } from '../messages/en-library.js';
-import { print as words } from '../messages/en-print.js';
 import { dateText, messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { foldedText, searchFor } from '../messages/search.js';
 import { Check } from '../ui/check.js';
 import { memoryOf } from '../work/memory-names.js';
@@ -31,7 +29,7 @@ export function PrintPicker({ session, print }: PrintPickerProps) {
   // With nothing to print, this is the next step.
   const isFirst = useMemo(() => print.sheets.peek().length === 0, [print]);
   const memories = standings.readMemories().map(({ memory, known }) => {
-    const read = knowledge.lastReadAt(known.state === 'read' ? dateText(known.at) : null);
+    const read = known.state === 'read' ? knowledge.lastReadAt({ time: dateText(known.at) }) : knowledge.lastRead;
     return { key: memoryKey(memory), name: dotted([memoryOf(origin.timer.value, memory), read]) };
   });
   const isFound = searchFor(search.value);
@@ -47,14 +45,14 @@ export function PrintPicker({ session, print }: PrintPickerProps) {
     .filter(({ name }) => isFound(foldedText(name)))
     .sort((a, b) => a.place - b.place);
   const listed = found.slice(0, Math.max(MOST, found.filter(({ place }) => place < 0).length));
-  const screen = { key: ON_SCREEN, name: comparingMessages.compare.screen };
+  const screen = { key: ON_SCREEN, name: moreMessages.value.compare.screen };
   const choices = [...(editor.working.value ? [screen] : []), ...memories, ...listed];
   return (
     <details class="print-picker" open={isFirst}>
-      <summary>{words.choose(print.sheets.value.length)}</summary>
+      <summary>{moreMessages.value.print.choose({ chosen: print.sheets.value.length })}</summary>
       <input
         type="search"
-        aria-label={libraryMessages.search.label}
+        aria-label={moreMessages.value.library.search.label}
         placeholder={messages.value.label.search}
         value={search.value}
         onInput={({ currentTarget }) => {
@@ -68,11 +66,15 @@ export function PrintPicker({ session, print }: PrintPickerProps) {
           </Check>
         ))}
       </div>
-      {listed.length === 0 && search.value.trim() !== '' && <p class="hint">{libraryMessages.search.nothing}</p>}
-      {found.length > listed.length && <p class="hint">{messages.value.more(found.length - listed.length)}</p>}
+      {listed.length === 0 && search.value.trim() !== '' && (
+        <p class="hint">{moreMessages.value.library.search.nothing}</p>
+      )}
+      {found.length > listed.length && (
+        <p class="hint">{messages.value.more({ count: found.length - listed.length })}</p>
+      )}
       {chosen.length > 1 && (
         <button type="button" class="quiet" onClick={() => order.clear()}>
-          {words.clear}
+          {moreMessages.value.print.clear}
         </button>
       )}
     </details>

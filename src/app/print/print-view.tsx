@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import { print as words } from '../messages/en-print.js';
 import { dateText, messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { BackHead } from '../ui/back-head.js';
 import { Check } from '../ui/check.js';
 import { Problem } from '../ui/problem.js';
@@ -52,12 +52,12 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
             {command}
           </button>
         </div>
-        <Problem text={failed.value && words.failed} />
+        <Problem text={failed.value && moreMessages.value.print.failed} />
         <PrintPicker session={session} print={print} />
       </div>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: keys scroll it on a phone */}
       <div class="stack gap-4 print-sheets" tabIndex={0}>
-        {sheets.length === 0 && <p>{words.nothing}</p>}
+        {sheets.length === 0 && <p>{moreMessages.value.print.nothing}</p>}
         {sheets.map((sheet) => (
           <SheetPaper
             key={sheet.key}
@@ -74,6 +74,7 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
 
 /** Chooses the paper, and the parts of the sheet. */
 function Choices({ print }: { readonly print: Print }) {
+  const { print: words } = moreMessages.value;
   const parts: Readonly<Record<SheetPart, string>> = {
     timeline: messages.value.timeline.title,
     notes: words.notes,

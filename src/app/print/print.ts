@@ -4,10 +4,10 @@ import { type SharedSetting, sameLayout, type TimerProgram } from '../../program
 import { tried as attempted } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { changesSince } from '../editing/content.js';
-import { libraryMessages as words } from '../messages/en-library.js';
-import { print as onPaper } from '../messages/en-print.js';
-import { modelMessages } from '../messages/en-which-model.js';
-import { dateText, messages, timerName } from '../messages/index.js';
+import { eitherOf } from '../messages/either.js';
+import { dateText, messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName, timerName } from '../messages/names.js';
 import type { Session } from '../work/session.js';
 import { qrLinkOf, sharedOf } from '../work/setting-link.js';
 import { hintText, madeAs, programName, standingText } from '../work/standing-text.js';
@@ -71,13 +71,14 @@ export class Print {
     if (!setting) return null;
     const { program, name, note, from, at } = setting;
     const model = library.models.get(setting.model)?.model ?? null;
+    const { setting: words } = moreMessages.value.library;
     return {
       key,
       program,
       model,
       name,
       note,
-      origin: words.setting.origin(words.setting.from[from], dateText(at)),
+      origin: words.origin({ source: words.from[from], time: dateText(at) }),
       simulated: from === 'simulated',
       link: this.#linkOf(sharedOf(setting, model)),
     };
@@ -103,13 +104,13 @@ export class Print {
     const read = standings.readMemories().find(({ memory }) => memoryKey(memory) === key);
     if (!read) return null;
     const { known, memory, program } = read;
-    const { knowledge: words, memoryName } = messages.value;
+    const { knowledge: words } = messages.value;
     const model = origin.timer.value;
     const servos = servoUses.named.value ?? model?.servos ?? [];
     const isRead = known.state === 'read';
     return {
       ...this.#ofTimer(key, program, model && { ...model, servos }, ''),
-      origin: isRead ? words.lastReadAt(dateText(known.at)) : words.unknown(memoryName(memory)),
+      origin: isRead ? words.lastReadAt({ time: dateText(known.at) }) : words.unknown({ memory: memoryName(memory) }),
     };
   }
 
@@ -152,14 +153,14 @@ export class Print {
     const isOnlyUnfinished = unfinished > 0 && changes + tried === 0 && standing.sure !== 'not';
     const said = [
       crossing &&
-        modelMessages.crossing.title(
-          crossing.from.name,
-          crossing.to.map(({ name }) => name),
-        ),
+        moreMessages.value.whichModel.crossing.title({
+          from: crossing.from.name,
+          to: eitherOf(crossing.to.map(({ name }) => name)),
+        }),
       !isOnlyUnfinished && standingText(standing, { tried, changes, unfinished }, made, memory, dateText),
       // Read on paper, it is past: the timer may hold something else by then.
       changes + tried > 0 && hintText({ ...standing, sure: 'once' }, dateText),
-      unfinished > 0 && onPaper.unfinished(unfinished),
+      unfinished > 0 && moreMessages.value.print.unfinished({ count: unfinished }),
     ];
     return said
       .filter((text) => typeof text === 'string')
@@ -174,8 +175,10 @@ export class Print {
     const isOpen = standings.screen.value.sure === 'not';
     const working = editor.working.value;
     const saved = origin.setting.value?.program;
-    if (!isMade) return { changes: standings.sinceRead.value, text: isOpen ? marks.once : marks.now };
+    const now = (value: string): string => marks.now({ value });
+    const once = (value: string): string => marks.once({ value });
+    if (!isMade) return { changes: standings.sinceRead.value, text: isOpen ? once : now };
     const isSaved = saved && working && sameLayout(saved.identity, working.identity);
-    return { changes: isSaved ? changesSince(saved, working) : [], text: marks.now };
+    return { changes: isSaved ? changesSince(saved, working) : [], text: now };
   }
 }

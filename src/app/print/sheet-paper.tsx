@@ -1,8 +1,7 @@
 import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
 import { dotted } from '../messages/dotted.js';
-import { flightMessages } from '../messages/en-flights.js';
-import { print } from '../messages/en-print.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { onPaper } from '../timeline/geometry.js';
 import { Picture } from '../timeline/picture.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
@@ -26,13 +25,15 @@ interface SheetPaperProps {
  * the names in its head, which stands on each of them, so that no page is mistaken for one of another model.
  */
 export function SheetPaper({ sheet, paper, parts, printed }: SheetPaperProps) {
+  const { print: words } = moreMessages.value;
   const { program, note, warnings, link } = sheet;
   return (
     <table role="presentation" class={`paper leaf on-${paper}`}>
       <thead>
         <tr>
           <td class="leaf-names">
-            <span>{dotted([sheet.model, sheet.name, sheet.memory])}</span> <span>{print.printed(printed)}</span>
+            <span>{dotted([sheet.model, sheet.name, sheet.memory])}</span>{' '}
+            <span>{words.printed({ date: printed })}</span>
           </td>
         </tr>
       </thead>
@@ -43,7 +44,7 @@ export function SheetPaper({ sheet, paper, parts, printed }: SheetPaperProps) {
               <SheetHead sheet={sheet} />
               {warnings.length > 0 && (
                 <div class="leaf-warnings">
-                  <SheetLines title={print.warnings} lines={warnings} />
+                  <SheetLines title={words.warnings} lines={warnings} />
                 </div>
               )}
               {servoGroups(program.positions.length).map((group) => (
@@ -53,11 +54,11 @@ export function SheetPaper({ sheet, paper, parts, printed }: SheetPaperProps) {
                 </div>
               ))}
               {parts.has('timeline') && <TimelineNotes program={program} />}
-              {parts.has('notes') && note.some(Boolean) && <SheetLines title={print.notes} lines={note} />}
+              {parts.has('notes') && note.some(Boolean) && <SheetLines title={words.notes} lines={note} />}
               {parts.has('code') && link !== null && (
                 <div class="leaf-code">
-                  <QrCode text={link} label={print.parts.code} />
-                  <p>{print.codeHint}</p>
+                  <QrCode text={link} label={words.parts.code} />
+                  <p>{words.codeHint}</p>
                 </div>
               )}
               {parts.has('lines') && <SheetFlights />}
@@ -98,7 +99,7 @@ function SheetHead({ sheet }: { readonly sheet: Sheet }) {
           {messages.value.program.memory} <strong>{sheet.memory || <span class="leaf-blank" />}</strong>
         </span>{' '}
         <span>{dotted([sheet.timer, ...sheet.others.map(({ label, text }) => `${label} ${text}`)])}</span>
-        {sheet.simulated && <span class="leaf-loud">{print.simulated}</span>}
+        {sheet.simulated && <span class="leaf-loud">{moreMessages.value.print.simulated}</span>}
       </p>
       <p class="hint leaf-origin">{sheet.origin}</p>
     </div>
@@ -178,11 +179,11 @@ const FLIGHTS = 3;
 
 /** Empty rows to write flights into by hand. */
 function SheetFlights() {
-  const { date, round, wind, temperature, result, note } = flightMessages.csv.columns;
+  const { date, round, wind, temperature, result, note } = moreMessages.value.flights.csv.columns;
   const columns = [date, round, wind, temperature, result, note];
   return (
     <table class="leaf-flights">
-      <caption>{flightMessages.title}</caption>
+      <caption>{moreMessages.value.flights.title}</caption>
       <thead>
         <tr>
           {columns.map((column) => (

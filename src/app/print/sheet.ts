@@ -7,9 +7,9 @@ import {
   type TimerProgram,
 } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
-import { libraryMessages } from '../messages/en-library.js';
-import { dutyName, fieldLabel, fieldName, findingText, messages, timerName, valueText } from '../messages/index.js';
+import { fieldLabel, fieldName, findingText, messages, secondsText, valueText } from '../messages/index.js';
 import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
+import { dutyName, timerText } from '../messages/names.js';
 import { memoryOf } from '../work/memory-names.js';
 
 /** The source of a sheet. */
@@ -67,13 +67,7 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
   return {
     ...source,
     model: model?.name ?? '',
-    // A program that was made here has no firmware.
-    timer: libraryMessages.setting.timer(
-      timerName(identity),
-      identity.firmware === '000' ? null : identity.firmware,
-      identity.functions - 1,
-      identity.servos,
-    ),
+    timer: timerText(identity),
     memory: memory === null ? '' : memoryOf(model, memory),
     figures: keyFigures(program).map((figure) => ({
       ...figure,
@@ -89,7 +83,9 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
     warnings: findings
       .filter(({ severity }) => severity !== 'warning')
       .map((finding) =>
-        finding.field ? `${about(fieldName(identity, finding.field))} ${findingText(finding)}` : findingText(finding),
+        finding.field
+          ? `${about({ name: fieldName(identity, finding.field) })} ${findingText(finding)}`
+          : findingText(finding),
       ),
     note: source.note.split('\n').map((line) => line.trimEnd()),
   };
@@ -105,14 +101,16 @@ function wasIn(identity: TimerProgram['identity'], marks: Marks | undefined): (f
 }
 
 function othersOf(program: TimerProgram, was: (field: ProgramField) => string): Sheet['others'] {
-  const { program: words, seconds } = messages.value;
+  const { program: words } = messages.value;
   const { identity, idleThrottle } = program;
   const first = program.times[0] ?? 0;
   const start = { kind: 'time', slot: 0 } as const;
   const marked = (text: string, field: ProgramField): string => [text, was(field)].filter(Boolean).join(' ');
   const idle = idleThrottle !== null && marked(String(idleThrottle), { kind: 'idleThrottle' });
   const reserved =
-    identity.timerClass !== 'Q' && first !== 0 && marked(words.reserved(seconds(formatTime(first))), start);
+    identity.timerClass !== 'Q' &&
+    first !== 0 &&
+    marked(words.reserved({ time: secondsText(formatTime(first)) }), start);
   return [
     ...(idle ? [{ label: words.idleThrottle, text: idle }] : []),
     ...(reserved ? [{ label: fieldLabel(identity, start), text: reserved }] : []),

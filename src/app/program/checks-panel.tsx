@@ -56,12 +56,12 @@ function FixButton({ editor, finding }: { readonly editor: Editor; readonly find
     <button
       type="button"
       class="fix"
-      aria-label={edits.fixOf(fieldName(identity, field), shown)}
+      aria-label={edits.fixOf({ field: fieldName(identity, field), value: shown })}
       onClick={() =>
         editor.apply(setValues({ code: 'change', params: { field: fieldKey(field) } }, [{ field, value }]))
       }
     >
-      {edits.fix(shown)}
+      {edits.fix({ value: shown })}
     </button>
   );
 }

@@ -77,7 +77,13 @@ function Sheet({ table, identity, standing, isBehind, held }: EditSheetProps & {
     ));
   const goTo = (goal: Goal | null, text: (name: string) => string): ComponentChildren =>
     goal ? (
-      <button type="button" class="go" tabIndex={-1} aria-label={words.goTo(text(goal.name))} onClick={() => go(goal)}>
+      <button
+        type="button"
+        class="go"
+        tabIndex={-1}
+        aria-label={words.goTo({ name: text(goal.name) })}
+        onClick={() => go(goal)}
+      >
         {text(goal.name)}
       </button>
     ) : (
@@ -88,7 +94,7 @@ function Sheet({ table, identity, standing, isBehind, held }: EditSheetProps & {
       ref={element}
       class="stack low-sheet edit-sheet"
       popover="manual"
-      aria-label={words.title(label)}
+      aria-label={words.title({ field: label })}
       // The focus stays in the field.
       onPointerDown={(event) => event.preventDefault()}
       onMouseDown={(event) => event.preventDefault()}
@@ -129,7 +135,7 @@ function Sheet({ table, identity, standing, isBehind, held }: EditSheetProps & {
       {notes && <p class="notes bad-text">{notes}</p>}
       {either ? (
         <fieldset class="sheet-question">
-          <legend class="visually-hidden">{messages.value.times.meaning(label)}</legend>
+          <legend class="visually-hidden">{messages.value.times.meaning({ field: label })}</legend>
           {eitherTexts(either).map((text, at) => (
             <button
               type="button"

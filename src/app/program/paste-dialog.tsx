@@ -7,6 +7,7 @@ import { cellFor, TIME_COLUMN } from '../editing/grid.js';
 import { type PastePreview, type PasteProblem, pasted, previewPaste } from '../editing/paste.js';
 import type { PasteAnswer, PasteQuestion } from '../editing/paste-questions.js';
 import { gridLabel, messages, pasteProblemText, slotLabel, spokenTime } from '../messages/index.js';
+import { servoName } from '../messages/names.js';
 import { type GridRow, ProgramGrid } from '../timeline/program-grid.js';
 import { Choice } from '../ui/choice.js';
 import { CancelButton } from '../ui/form-buttons.js';
@@ -38,7 +39,7 @@ export function PasteDialog({ session, table }: PasteDialogProps) {
 /** Where a problem is: in the program, or, for what has no place there, in the pasted text. */
 function placeOf(identity: Identity, { field, row, column }: PasteProblem): string {
   if (field) return gridLabel(identity, field);
-  return messages.value.edits.pasting.place(row + 1, column + 1);
+  return messages.value.edits.pasting.place({ row: row + 1, column: column + 1 });
 }
 
 interface PreviewProps {
@@ -85,19 +86,20 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
             <strong>{words.problems}</strong>
           </p>
           <Told
-            texts={problems.map((problem) =>
-              words.problem(placeOf(identity, problem), problem.text, pasteProblemText(problem)),
-            )}
+            texts={problems.map((problem) => {
+              const said = { place: placeOf(identity, problem), reason: pasteProblemText(problem) };
+              return problem.text === '' ? words.problem(said) : words.problemOf({ ...said, text: problem.text });
+            })}
           />
         </div>
       )}
-      <p>{words.lead(changes.length)}</p>
+      <p>{words.lead({ count: changes.length })}</p>
       <PasteTable before={working} after={withValues(working, values)} preview={preview} />
       {readings.length > 0 && (
         <div class="notice">
           <Told
             texts={readings.map(({ field, text, value }) =>
-              words.reading(gridLabel(identity, field), text, spokenTime(value)),
+              words.reading({ field: gridLabel(identity, field), text, time: spokenTime(value) }),
             )}
           />
         </div>
@@ -120,7 +122,7 @@ function Told({ texts }: { readonly texts: readonly string[] }) {
           <li key={text}>{text}</li>
         ))}
       </ul>
-      {texts.length > TOLD && <p>{messages.value.more(texts.length - TOLD)}</p>}
+      {texts.length > TOLD && <p>{messages.value.more({ count: texts.length - TOLD })}</p>}
     </>
   );
 }
@@ -138,7 +140,11 @@ function Question({ identity, question, onAnswer }: QuestionProps) {
   const choices = question.answer === null ? [null, ...names.keys()] : [...names.keys()];
   return (
     <Choice<PasteAnswer | null>
-      label={question.text === '' ? words.place(question.row + 1, question.column + 1) : `“${question.text}”`}
+      label={
+        question.text === ''
+          ? words.place({ row: question.row + 1, column: question.column + 1 })
+          : `“${question.text}”`
+      }
       choices={choices}
       nameOf={(choice) => (choice === null ? words.choose : (names.get(choice) ?? ''))}
       chosen={question.answer}
@@ -158,7 +164,7 @@ function rowChoices(identity: Identity): ReadonlyMap<PasteAnswer, string> {
 }
 
 function columnChoices(identity: Identity): ReadonlyMap<PasteAnswer, string> {
-  const { program, edits, servoName, times } = messages.value;
+  const { program, edits, times } = messages.value;
   const servos = Array.from({ length: identity.servos }, (_, servo) => servo);
   return new Map<PasteAnswer, string>([
     ['time', `${program.time}, ${times.units.s}`],

@@ -34,7 +34,7 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
         <button
           type="button"
           key={value}
-          aria-label={edits.presets.use(presetText(value))}
+          aria-label={edits.presets.use({ time: presetText(value) })}
           aria-current={value === current}
           onClick={() => editor.apply(setValues({ code: 'change', params }, [{ field, value }]))}
         >

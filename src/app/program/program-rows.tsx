@@ -7,7 +7,7 @@ import type { Follow } from '../bench/follow.js';
 import { ServosHere, ServosOffer } from '../bench/servos-here.js';
 import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN } from '../editing/grid.js';
 import { formatTime } from '../editing/units.js';
-import { figureOf, messages, slotLabel, valueText } from '../messages/index.js';
+import { figureOf, messages, secondsText, slotLabel, valueText } from '../messages/index.js';
 import type { Session } from '../work/session.js';
 import { RowMenu } from './row-menu.js';
 import { RowNotes } from './row-notes.js';
@@ -48,7 +48,7 @@ export function ProgramRow(props: SlotProps) {
         {...props}
         {...{ kind, slot }}
         name={slotLabel(identity, slot)}
-        short={messages.value.slotShort(slot, kind)}
+        short={messages.value.slotShort({ slot, kind })}
         fields={ownsTime ? [time, ...positions] : positions}
         shifts={!isStart}
         sign={<ServosHere bench={bench} follow={follow} slot={slot} />}
@@ -160,7 +160,11 @@ function CountedFrom({ identity, slot, table }: Pick<SlotProps, 'identity' | 'sl
   const isBelow = useComputed(() => table.motorBefore.value === slot).value;
   if (!isBelow) return null;
   const { edits, slotShort } = messages.value;
-  return <span class="cell-name">{edits.table.countedFrom(slotShort(slot - 1, slotKind(identity, slot - 1)))}</span>;
+  return (
+    <span class="cell-name">
+      {edits.table.countedFrom({ row: slotShort({ slot: slot - 1, kind: slotKind(identity, slot - 1) }) })}
+    </span>
+  );
 }
 
 /** At a time in minutes: the heading of the column says seconds. Screen readers hear it at the field. */
@@ -178,7 +182,7 @@ function TimeUnit({ table, identity, slot }: Pick<SlotProps, 'identity' | 'slot'
 
 /** What a timer of class B or E holds in the place of the start's time. Nobody knows what it means, so it stays. */
 function ReservedTime({ table }: Pick<RowsProps, 'table'>) {
-  const { program, seconds } = messages.value;
+  const { program } = messages.value;
   const time = useComputed(() => table.editor.working.value?.times[0] ?? 0).value;
-  return time === 0 ? null : <span class="row-unit">{program.reserved(seconds(formatTime(time)))}</span>;
+  return time === 0 ? null : <span class="row-unit">{program.reserved({ time: secondsText(formatTime(time)) })}</span>;
 }

@@ -59,6 +59,10 @@ export function RangeBar({ table, identity }: RangeBarProps) {
 
 /** “3 functions, 2 columns”; “rows” when start or DT is among them. */
 function sizeOf({ functions }: Identity, { top, left, bottom, right }: GridRange): string {
-  const { size } = messages.value.edits.table.range;
-  return size(bottom - top + 1, right - left + 1, top > 0 && bottom < functions);
+  const { range: words } = messages.value.edits.table;
+  const cells = top > 0 && bottom < functions ? words.functions : words.rows;
+  return words.size({
+    cells: cells({ count: bottom - top + 1 }),
+    columns: words.columns({ count: right - left + 1 }),
+  });
 }

@@ -40,7 +40,11 @@ function RowPanel({ menu, ...props }: RowMenuProps & { readonly menu: OpenMenu }
   const isChanged = useComputed(() => tools.isChanged(fields)).value;
   const isDt = slot === identity.functions;
   return (
-    <ToolsPanel menu={menu} title={shifts ? shift.from(name, isDt) : name} onSubmit={() => tools.shift(1)}>
+    <ToolsPanel
+      menu={menu}
+      title={shifts ? shift.from({ row: name, isLast: isDt }) : name}
+      onSubmit={() => tools.shift(1)}
+    >
       {shifts && <Moved tools={tools} identity={identity} />}
       {shifts && <ShiftFields tools={tools} />}
       <PanelFoot menu={menu}>
@@ -57,7 +61,7 @@ function RowPanel({ menu, ...props }: RowMenuProps & { readonly menu: OpenMenu }
               menu.close();
             }}
           >
-            {edits.field.putBack(name)}
+            {edits.field.putBack({ field: name })}
           </button>
         )}
       </PanelFoot>
@@ -101,7 +105,7 @@ function Moved({ tools, identity }: Pick<RowMenuProps, 'tools' | 'identity'>) {
     <p class="hint row-panel-moved" role="status">
       {moved === 0
         ? slotsText(identity, tools.moving.value, program.motorStop)
-        : edits.shift.moved(formatInterval(Math.abs(moved)), moved > 0)}
+        : edits.shift.moved({ time: formatInterval(Math.abs(moved)), later: moved > 0 })}
     </p>
   );
 }

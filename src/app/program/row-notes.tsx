@@ -46,7 +46,7 @@ export function RowNotes({ table, identity, fields, width }: RowNotesProps) {
           return (
             // The figures in its text change with each digit, but the element stays the same.
             <p key={`${key} ${at}`} class={`${severity} ${note ? '' : 'over'}`}>
-              <strong>{messages.value.about(fieldName(identity, field))}</strong> {text}
+              <strong>{messages.value.about({ name: fieldName(identity, field) })}</strong> {text}
             </p>
           );
         })}

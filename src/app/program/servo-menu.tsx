@@ -3,7 +3,7 @@ import { useMemo } from 'preact/hooks';
 import type { Identity } from '../../protocol/index.js';
 import { positionsOf, stepServo, stopsOf } from '../editing/edits.js';
 import { parseSteps } from '../editing/units.js';
-import { messages, obstacleText, slotInSentence, slotsText } from '../messages/index.js';
+import { messages, obstacleText, signed, slotInSentence, slotsText } from '../messages/index.js';
 import { Problem } from '../ui/problem.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import type { RowTools } from './row-tools.js';
@@ -46,6 +46,7 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
   const parsed = parseSteps(typed.value.replace(/^\s*\+/, ''));
   const wanted = 'value' in parsed ? parsed.value : 0;
   const positions = positionsOf(working, { servo, from }).map(({ value }) => value);
+  const [lowest, highest] = [Math.min(...positions), Math.max(...positions)];
   const step = (by: number): void => {
     const obstacle = table.editor.apply(stepServo(working, { servo, by, from }));
     problem.value = obstacle && `${edits.nothingDone} ${obstacleText(identity, obstacle)}`;
@@ -53,19 +54,19 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
   return (
     <ToolsPanel
       menu={menu}
-      title={words.title(name)}
+      title={words.title({ servo: name })}
       onSubmit={() => {
         if ('value' in parsed) step(parsed.value);
         else problem.value = unreadable[parsed.unreadable];
       }}
     >
       <p class="hint row-panel-moved" role="status">
-        {words.now(Math.min(...positions), Math.max(...positions))}
+        {lowest === highest ? words.now({ position: lowest }) : words.nowRange({ lowest, highest })}
       </p>
       <div class="shift-fields step-fields">
         {[-1, 1].map((by) => (
           <button type="button" key={by} onClick={() => step(by)}>
-            {words.signed(by)}
+            {signed(by)}
           </button>
         ))}
         <label>
@@ -91,7 +92,7 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
           name="step-servo"
           title={words.which}
           choices={['all', 'from'] as const}
-          names={{ all: words.all, from: words.from(slotInSentence(identity, selected)) }}
+          names={{ all: words.all, from: words.from({ slot: slotInSentence(identity, selected) }) }}
           chosen={scope.value}
           onChoose={(choice) => {
             scope.value = choice;
@@ -117,7 +118,12 @@ function Stops({ identity, by, stops }: StopsProps) {
     <>
       {[...stops].map(([at, slots]) => (
         <p class="stops" key={at}>
-          {words.stops(words.signed(by), slotsText(identity, slots, slotInSentence(identity, 0)), slots.length, at)}
+          {words.stops({
+            steps: signed(by),
+            what: slotsText(identity, slots, slotInSentence(identity, 0)),
+            count: slots.length,
+            at,
+          })}
         </p>
       ))}
     </>

@@ -2,6 +2,7 @@ import { slotKind } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { FIRST_SERVO_COLUMN, type GridCell, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
 import { messages } from '../messages/index.js';
+import { servoName } from '../messages/names.js';
 import { cellOf } from './table-cells.js';
 
 /** A field to which the focus can go. */
@@ -45,7 +46,7 @@ function nameFrom(identity: Identity, from: HTMLInputElement, to: HTMLInputEleme
 }
 
 function columnName({ column }: GridCell): string {
-  const { program, edits, servoName } = messages.value;
+  const { program, edits } = messages.value;
   if (column >= FIRST_SERVO_COLUMN) return servoName(column - FIRST_SERVO_COLUMN);
   return column === INTERVAL_COLUMN ? edits.table.interval : program.time;
 }
@@ -53,5 +54,5 @@ function columnName({ column }: GridCell): string {
 function rowName(identity: Identity, { row, column }: GridCell): string {
   // The time of the start is the motor stop here, which has its own row.
   if (row === 0 && column === TIME_COLUMN && identity.timerClass === 'Q') return messages.value.program.motor;
-  return messages.value.slotShort(row, slotKind(identity, row));
+  return messages.value.slotShort({ slot: row, kind: slotKind(identity, row) });
 }

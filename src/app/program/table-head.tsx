@@ -2,7 +2,8 @@ import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
 import type { ServoUse } from '../../program/index.js';
 import { FIRST_SERVO_COLUMN } from '../editing/grid.js';
-import { dutyName, messages, servoText } from '../messages/index.js';
+import { messages } from '../messages/index.js';
+import { dutyName, servoName, servoText } from '../messages/names.js';
 import { servoColour } from '../timeline/servo-colour.js';
 import { ServoMenu, type ServoMenuProps } from './servo-menu.js';
 import './table-head.css';
@@ -17,7 +18,7 @@ interface TableHeadProps extends Omit<ServoMenuProps, 'servo' | 'name'> {
 
 /** The headings of the columns, with units. */
 export function TableHead({ servos, uses, onSwitch, ...menu }: TableHeadProps) {
-  const { program, edits, servoName } = messages.value;
+  const { program, edits } = messages.value;
   const { table } = edits;
   return (
     <thead>

@@ -53,8 +53,8 @@ export function ToolsMenu({ tools, at, name, children }: ToolsMenuProps) {
         type="button"
         class="cell-cover row-opener"
         tabIndex={-1}
-        aria-label={table.tools(name)}
-        title={table.tools(name)}
+        aria-label={table.tools({ name })}
+        title={table.tools({ name })}
         aria-expanded={isOpen}
         onClick={() => (isOpen ? close() : tools.show(at))}
       />

@@ -56,8 +56,13 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
 }
 
 /** The step in words; null when there is none. While somebody types in a field, the words stay the same. */
-function useStepText({ identity }: Editor, step: Editor['undoStep'], text: (step: string) => string): string | null {
-  return useComputed(() => (identity.value && step.value ? text(stepText(identity.value, step.value)) : null)).value;
+function useStepText(
+  { identity }: Editor,
+  step: Editor['undoStep'],
+  text: (params: { step: string }) => string,
+): string | null {
+  return useComputed(() => (identity.value && step.value ? text({ step: stepText(identity.value, step.value) }) : null))
+    .value;
 }
 
 /**

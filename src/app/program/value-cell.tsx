@@ -102,7 +102,7 @@ export function ValueCell({ table, standing, field, children }: ValueCellProps) 
             value={was}
             figure={old}
             // Otherwise a click into the field would count as a click on it.
-            label={isFocused ? messages.value.edits.field.putBackTo(label, old) : null}
+            label={isFocused ? messages.value.edits.field.putBackTo({ field: label, figure: old }) : null}
             onPutBack={putBack}
           />
         )}

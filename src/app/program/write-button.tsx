@@ -50,7 +50,7 @@ export function WriteButton({ session, write, brief, onField }: WriteButtonProps
       disabled={!isConnected && !(isOff && canConnect)}
       onClick={() => void press()}
     >
-      {isOff ? (brief ? `${header.connect}…` : program.connectAndWrite) : program.write(count)}
+      {isOff ? (brief ? `${header.connect}…` : program.connectAndWrite) : program.write({ count })}
     </button>
   );
 }
@@ -63,7 +63,9 @@ export function BlockedNote({ editor }: { readonly editor: Editor }) {
     if (!cause) return null;
     const key = fieldKey(cause.field);
     const isTyped = editor.unreadable.value.get(key)?.either && !editor.asked.value.has(key);
-    return isTyped ? null : messages.value.program.blocked(fieldName(identity, cause.field), cause.text);
+    return isTyped
+      ? null
+      : messages.value.program.blocked({ field: fieldName(identity, cause.field), why: cause.text });
   }).value;
   if (text === null) return null;
   return (

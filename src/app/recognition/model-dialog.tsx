@@ -1,10 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { LIMITS, type Model } from '../../program/index.js';
-import { comparingMessages } from '../messages/en-compare.js';
-import { libraryMessages } from '../messages/en-library.js';
-import { modelMessages } from '../messages/en-which-model.js';
 import { dayText, messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { foldedText, searchFor } from '../messages/search.js';
 import type { FoundModel, PossibleModel, Recognition } from '../records/recognition.js';
 import { CancelButton } from '../ui/form-buttons.js';
@@ -16,7 +14,7 @@ const SEARCHED = 8;
 
 /** The pilot says which model it is: one of the list, or a new one. */
 export function ModelDialog({ recognition }: { readonly recognition: Recognition }) {
-  const { dialog } = modelMessages.recognition;
+  const { dialog } = moreMessages.value.whichModel.recognition;
   const isAsked = recognition.tells.value && recognition.found.value?.kind !== 'same';
   return (
     <Modal open={recognition.choosing.value} title={dialog.title} onEscape={() => recognition.leave()}>
@@ -36,7 +34,7 @@ export function ModelDialog({ recognition }: { readonly recognition: Recognition
 }
 
 function Choice({ recognition }: { readonly recognition: Recognition }) {
-  const { dialog } = modelMessages.recognition;
+  const { dialog } = moreMessages.value.whichModel.recognition;
   const searched = useSignal('');
   const found = recognition.found.value;
   const possible = possibleOf(found);
@@ -51,7 +49,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
   const shown = inOrder.filter(({ name }) => isFound(foldedText(name)));
   return (
     <>
-      <p class="hint">{found?.kind === 'said' ? dialog.said(found.model.name) : dialog.lead}</p>
+      <p class="hint">{found?.kind === 'said' ? dialog.said({ model: found.model.name }) : dialog.lead}</p>
       {found?.kind === 'several' && <p class="hint">{dialog.moreMemories}</p>}
       {inOrder.length > SEARCHED && (
         <label class="field">
@@ -67,7 +65,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
       {inOrder.length === 0 ? (
         <p>{dialog.none}</p>
       ) : (
-        <ul class="stack gap-1 model-choices" aria-label={libraryMessages.models.title}>
+        <ul class="stack gap-1 model-choices" aria-label={moreMessages.value.library.models.title}>
           {shown.map((model) => (
             <Row
               key={model.id}
@@ -93,14 +91,16 @@ interface RowProps {
 }
 
 function Row({ model, near, chosen, onChoose }: RowProps) {
-  const { modelBackups: held } = comparingMessages;
+  const { modelBackups: held } = moreMessages.value;
   return (
     <li>
       <button type="button" class="row" aria-pressed={chosen} onClick={onChoose}>
         <strong>{model.name}</strong>
         {near && (
           <small>
-            {near.differs === 0 ? held.same(dayText(near.at)) : held.differs(near.differs, dayText(near.at))}
+            {near.differs === 0
+              ? held.same({ when: dayText(near.at) })
+              : held.differs({ count: near.differs, when: dayText(near.at) })}
           </small>
         )}
       </button>
@@ -109,7 +109,7 @@ function Row({ model, near, chosen, onChoose }: RowProps) {
 }
 
 function NewModel({ recognition }: { readonly recognition: Recognition }) {
-  const { dialog } = modelMessages.recognition;
+  const { dialog } = moreMessages.value.whichModel.recognition;
   const name = useSignal('');
   const note = useId();
   const wanted = name.value.trim();

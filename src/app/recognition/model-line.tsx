@@ -1,5 +1,6 @@
-import { modelMessages } from '../messages/en-which-model.js';
+import { eitherOf } from '../messages/either.js';
 import { dayText, messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { FoundModel, PossibleModel, Recognition } from '../records/recognition.js';
 import './model-line.css';
 
@@ -8,7 +9,7 @@ const BUTTONS = 3;
 
 /** Which model the timer belongs to, if its content shows it; otherwise the question to the pilot. */
 export function ModelLine({ recognition }: { readonly recognition: Recognition }) {
-  const { recognition: words } = modelMessages;
+  const { recognition: words } = moreMessages.value.whichModel;
   const found = recognition.found.value;
   if (!found || found.kind === 'said' || !recognition.tells.value) return null;
   const picks = picksOf(found);
@@ -19,7 +20,7 @@ export function ModelLine({ recognition }: { readonly recognition: Recognition }
         <div class="buttons">
           {picks.slice(0, BUTTONS).map(({ model }) => (
             <button type="button" key={model.id} onClick={() => recognition.say(model)}>
-              {found.kind === 'like' ? words.yes(model.name) : model.name}
+              {found.kind === 'like' ? words.yes({ model: model.name }) : model.name}
             </button>
           ))}
           <button
@@ -40,10 +41,12 @@ export function ModelLine({ recognition }: { readonly recognition: Recognition }
 
 /** The sentence to show. */
 function saidOf(found: Exclude<FoundModel, { kind: 'said' }>): string {
-  const { recognition: words } = modelMessages;
-  if (found.kind === 'same') return words.same(found.model.name, dayText(found.of.at));
-  if (found.kind === 'like') return words.like(found.model.name, found.of.differs);
-  return found.kind === 'several' ? words.several(found.candidates.map(({ model }) => model.name)) : words.unknown;
+  const { recognition: words } = moreMessages.value.whichModel;
+  if (found.kind === 'same') return words.same({ model: found.model.name, when: dayText(found.of.at) });
+  if (found.kind === 'like') return words.like({ model: found.model.name, count: found.of.differs });
+  return found.kind === 'several'
+    ? words.several({ models: eitherOf(found.candidates.map(({ model }) => model.name)) })
+    : words.unknown;
 }
 
 /** The models that one press can choose. */

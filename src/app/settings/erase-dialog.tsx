@@ -1,4 +1,4 @@
-import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import type { Session } from '../work/session.js';
@@ -8,7 +8,7 @@ import type { Erase } from './erase.js';
 
 /** Says what would be deleted from this device, and asks once. */
 export function EraseDialog({ session, erase }: { readonly session: Session; readonly erase: Erase }) {
-  const { erase: words } = messages.value;
+  const { erase: words } = moreMessages.value;
   const step = erase.current.value;
   return (
     <Modal
@@ -39,7 +39,7 @@ interface ReviewProps {
 }
 
 function Review({ erase, uncertain }: ReviewProps) {
-  const { erase: words } = messages.value;
+  const { erase: words } = moreMessages.value;
   return (
     <>
       <p>{words.lead}</p>

@@ -3,8 +3,9 @@ import { useLayoutEffect, useRef } from 'preact/hooks';
 import { doneText } from '../bench/bench-text.js';
 import { saveFile } from '../browser/save-file.js';
 import { dotted } from '../messages/dotted.js';
-import { settle as words } from '../messages/en-settle.js';
 import { dtText, fieldName, messages, momentText, slotInSentence, slotLabel } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName } from '../messages/names.js';
 import { settledTexts } from '../messages/settled-text.js';
 import { BackHead } from '../ui/back-head.js';
 import { Check } from '../ui/check.js';
@@ -31,6 +32,7 @@ interface SettleViewProps {
 /** The walk through the open questions: the present step, and what is settled. */
 export function SettleView({ session, settle, recording, connect }: SettleViewProps) {
   const { views, previous, next } = messages.value;
+  const { settle: words } = moreMessages.value;
   const at = settle.at.value;
   const step = settle.step.value;
   const steps = settle.steps.value;
@@ -96,6 +98,7 @@ export function SettleView({ session, settle, recording, connect }: SettleViewPr
 }
 
 function headOf({ name }: Step): string {
+  const { settle: words } = moreMessages.value;
   if (name === 'read') return words.readIt;
   if (name === 'times' || name === 'memory') return words.which;
   if (name === 'count') return `${words.names.count}?`;
@@ -107,6 +110,7 @@ type BodyProps = Pick<SettleViewProps, 'session' | 'settle' | 'recording'> & { r
 
 function StepBody({ session, settle, step, recording }: BodyProps) {
   const { bench: benchWords, save } = messages.value;
+  const { settle: words } = moreMessages.value;
   const { bench } = settle;
   const seen = settle.seen.value;
   const disabled = !settle.ready.value;
@@ -135,7 +139,7 @@ function StepBody({ session, settle, step, recording }: BodyProps) {
             disabled={disabled}
             onClick={() => void bench.moveTo(slot)}
           >
-            {benchWords.bring(slotInSentence(identity, slot))}
+            {benchWords.bring({ slot: slotInSentence(identity, slot) })}
           </button>
         )}
         {step.act === 'unlock' ? (
@@ -183,6 +187,7 @@ interface QuestionProps {
 }
 
 function Question({ settle, seen, name }: QuestionProps) {
+  const { settle: words } = moreMessages.value;
   const choices = choicesFor(name, seen);
   const given = JSON.stringify(settle.said.value[name]);
   return (
@@ -206,7 +211,6 @@ function Question({ settle, seen, name }: QuestionProps) {
 
 /** The answers to choose from, with what each looks like. */
 function choicesFor(name: keyof Said, { identity, times }: Seen): { label: string; answer: Said[typeof name] }[] {
-  const { memoryName } = messages.value;
   const { functions, memories } = identity;
   if (name === 'times') {
     // One from the middle, and DT.
@@ -224,15 +228,16 @@ function choicesFor(name: keyof Said, { identity, times }: Seen): { label: strin
   }
   const [yes, no] = name === 'count' ? (['launch', 'previous'] as const) : [true, false];
   return [
-    { label: words.yes, answer: yes },
-    { label: words.no, answer: no },
+    { label: moreMessages.value.settle.yes, answer: yes },
+    { label: moreMessages.value.settle.no, answer: no },
   ];
 }
 
 /** Answers and line in one file, without any name of a model, a place or a person. */
 function saveSettled(session: Session, settle: Settle, seen: Seen, recording: SettleViewProps['recording']): void {
+  const { open } = moreMessages.value.settle;
   const { timerClass, firmware } = seen.identity;
-  const notes = settledTexts(settle.answers.value, timerClass).map(([name, text]) => `${name}: ${text ?? words.open}`);
+  const notes = settledTexts(settle.answers.value, timerClass).map(([name, text]) => `${name}: ${text ?? open}`);
   const simulated = session.link.simulated.value ? [messages.value.header.simulated] : [];
   // The letter of a class may be any printable character.
   const kind = `${timerClass}${firmware}`.replaceAll(/[^a-z0-9]/gi, '_');

@@ -1,6 +1,7 @@
 import { version } from '../browser/version.js';
 import type { Installation } from '../connect/installation.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { UpdateOffer } from './update-offer.js';
 
 /** Needs a network, as the new version did. */
@@ -15,14 +16,15 @@ interface AboutPageProps {
 
 /** The version, whether it works without a network, what is new in it, and the work of others in it. */
 export function AboutPage({ installation, update }: AboutPageProps) {
-  const { aboutPage: words, update: updateWords, start } = messages.value;
+  const { update: updateWords, start } = messages.value;
+  const { aboutPage: words } = moreMessages.value;
   const install = installation.install.value;
   const take = update.take.value;
   return (
     <section class="stack setting">
       <h2>{words.title}</h2>
       <p>
-        {words.version(version)} {installation.ready.value ? words.offline : words.notOffline}
+        {words.version({ version })} {installation.ready.value ? words.offline : words.notOffline}
       </p>
       <p>
         <a href={CHANGES} target="_blank" rel="noreferrer">

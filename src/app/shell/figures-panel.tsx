@@ -40,7 +40,7 @@ export function FiguresPanel({ id, session, memories, preferences, saveSetting, 
   return (
     <section class="stack gap-3 strip-panel" id={id} aria-label={strip.panel} inert={leavesMemory}>
       {rest.choice}
-      {isLooking && memory !== null && <p class="hint">{look.lead(memoryText(session, memory))}</p>}
+      {isLooking && memory !== null && <p class="hint">{look.lead({ current: memoryText(session, memory) })}</p>}
       {rest.isPhone && !isLooking && (
         <>
           <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />

@@ -4,6 +4,7 @@ import { LinkNotice } from '../connect/link-notice.js';
 import { NextFlightNotes } from '../memories/next-flight-line.js';
 import { UnfinishedBand } from '../memories/unfinished-band.js';
 import { messages } from '../messages/index.js';
+import { memoryName } from '../messages/names.js';
 import type { JobKind, JobRunner } from '../timer/job-runner.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { LOW } from '../ui/shapes.js';
@@ -54,7 +55,7 @@ const SAID_HERE: ReadonlySet<JobKind> = new Set(['read', 'select', 'look', 'memo
 const GOES_BACK: ReadonlySet<JobKind> = new Set(['look', 'memories']);
 
 function JobProgress({ runner }: { readonly runner: JobRunner }) {
-  const { program, write, memoryName } = messages.value;
+  const { program, write } = messages.value;
   const job = runner.job.value;
   // Other jobs are shown where they were begun.
   if (!job || !SAID_HERE.has(job.kind) || runner.claimed.value) return null;

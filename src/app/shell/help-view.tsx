@@ -6,8 +6,8 @@ import { ChecklistPage } from '../help/checklist-page.js';
 import { HELP_PAGES, type HelpPage, helpPageAt } from '../help/help.js';
 import { type Symptom, TroublePage } from '../help/trouble-page.js';
 import { WordsPage } from '../help/words-page.js';
-import { firstSteps, guide } from '../messages/en-guide.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { NoticeText } from '../ui/notice-text.js';
 import type { Session } from '../work/session.js';
 import './help-view.css';
@@ -22,6 +22,7 @@ export interface HelpViewProps {
 
 /** What a pilot can look up, also on the field. */
 export function HelpView({ session, checklist, platform, path }: HelpViewProps) {
+  const { firstSteps, guide } = moreMessages.value;
   const shown = helpPageAt(path);
   const pages: Record<HelpPage, () => preact.JSX.Element> = {
     checklist: () => <ChecklistPage checklist={checklist} session={session} />,
@@ -31,7 +32,7 @@ export function HelpView({ session, checklist, platform, path }: HelpViewProps) 
     words: () => <WordsPage />,
     steps: () => (
       <ol class="stack gap-4">
-        {firstSteps.map((step) => (
+        {Object.values(firstSteps).map((step) => (
           <li key={step}>{step}</li>
         ))}
       </ol>

@@ -2,6 +2,7 @@ import type { ReadonlySignal } from '@preact/signals';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
 import { messages } from '../messages/index.js';
+import { countedText } from '../messages/names.js';
 import type { Backups } from '../records/backups.js';
 import type { Keeping } from '../records/keeping.js';
 import type { Library } from '../records/library.js';
@@ -53,7 +54,7 @@ export function AsideNotice({ aside }: { readonly aside: SetAside }) {
   return (
     <div class="notice bad">
       <p>
-        <strong>{words.title(aside.list.value.length)}</strong> {aside.hasWrite && words.write}
+        <strong>{words.title({ count: aside.list.value.length })}</strong> {aside.hasWrite && words.write}
       </p>
       <button type="button" onClick={() => saveFile('sidus-set-aside.json', aside.asText())}>
         {words.save}
@@ -72,7 +73,6 @@ interface RemovedNoticeProps {
 
 /** Offers to put back what was just deleted. */
 export function RemovedNotice({ library, backups }: RemovedNoticeProps) {
-  const { counted } = messages.value;
   const { models, settings, flights } = library;
   const count = (list: { readonly removed: ReadonlySignal<readonly unknown[]> }): number => list.removed.value.length;
   const what = { models: count(models), settings: count(settings), flights: count(flights), backups: count(backups) };
@@ -80,7 +80,7 @@ export function RemovedNotice({ library, backups }: RemovedNoticeProps) {
     library.undoRemove();
     backups.undoRemove();
   };
-  return counted(what) !== '' && <UndoNotice what={counted(what)} onUndo={undo} />;
+  return countedText(what) !== '' && <UndoNotice what={countedText(what)} onUndo={undo} />;
 }
 
 interface UndoNoticeProps {
@@ -101,7 +101,7 @@ function UndoNotice({ what, onUndo }: UndoNoticeProps) {
   return (
     <div class="notice">
       <p>
-        <strong>{removed(what)}</strong>
+        <strong>{removed({ what })}</strong>
       </p>
       <button ref={button} type="button" onClick={onUndo}>
         {undo}

@@ -25,9 +25,9 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
   // The same, for the room on a phone.
   const short = {
     open: strip.notCertain,
-    differs: isTried ? strip.tried(tried) : String(tried + count || unfinished),
+    differs: isTried ? strip.tried({ count: tried }) : String(tried + count || unfinished),
     known: '✓',
-    once: made === null ? strip.asRead : made === 'new' ? strip.made : strip.ofSetting(made.changes),
+    once: made === null ? strip.asRead : made === 'new' ? strip.made : strip.ofSetting({ changes: made.changes }),
   }[state];
   const long = standingText(standing, { tried, changes: count, unfinished }, made, memory, clockText);
   const hint = count > 0 ? hintText(standing, clockText) : null;

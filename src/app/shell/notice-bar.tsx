@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import type { Platform } from '../browser/platform.js';
 import { ConnectionHelp, connectionSaid } from '../connect/connection-help-view.js';
-import { hexOf } from '../messages/frame-text.js';
+import { hexOf } from '../messages/hex.js';
 import { messages, partText, readable, type Said, timerSaid } from '../messages/index.js';
 import type { Keeping } from '../records/keeping.js';
 import type { SetAside } from '../records/set-aside.js';
@@ -47,9 +47,9 @@ export function NoticeBar(props: NoticeBarProps) {
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
           <NoticeText said={said(notice, platform, session.standing.value.sure === 'not')} />
           {notice.kind === 'connection' && notice.bytes && (
-            <p class="hint">{link.itSaid(hexOf(notice.bytes), readable(notice.bytes))}</p>
+            <p class="hint">{link.itSaid({ bytes: hexOf(notice.bytes), text: readable(notice.bytes) })}</p>
           )}
-          {part && <p>{alike.part(part)}</p>}
+          {part && <p>{alike.part({ values: part })}</p>}
           {notice.code === 'select-unanswered' && (
             <button
               type="button"

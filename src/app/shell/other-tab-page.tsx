@@ -10,7 +10,7 @@ export function OtherTabPage({ tab }: { readonly tab: OneTab }) {
   const other = tab.other.value;
   return (
     <main class="framed">
-      <h1>{otherTab.holds(other && clockText(other.since))}</h1>
+      <h1>{other ? otherTab.holdsSince({ since: clockText(other.since) }) : otherTab.holds}</h1>
       <p role="status">{tab.silent.value ? otherTab.gone : isAsked.value && other?.busy && otherTab.busy}</p>
       <button
         type="button"

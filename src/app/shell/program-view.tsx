@@ -7,7 +7,8 @@ import { offerScreen } from '../library/share/share-screen.js';
 import type { Sharing } from '../library/share/sharing.js';
 import type { Memories } from '../memories/memories.js';
 import { MemoryLook, MemoryPicture } from '../memories/memory-look.js';
-import { messages, timerName } from '../messages/index.js';
+import { messages } from '../messages/index.js';
+import { timerName } from '../messages/names.js';
 import { ChecksPanel } from '../program/checks-panel.js';
 import { DtPresets } from '../program/presets.js';
 import type { ProgramPicture } from '../program/program-picture.js';
@@ -92,7 +93,7 @@ export function ProgramView(props: ProgramViewProps) {
   return (
     <div class={`program ${isNarrow && picture ? 'shows-picture' : ''} ${isPast ? 'of-the-past' : ''}`}>
       <h1 class="visually-hidden">
-        {about(words.names.program)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
+        {about({ name: words.names.program })} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
       </h1>
       <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
         {looking === null ? (

@@ -11,6 +11,6 @@ export function SettingLine({ session }: { readonly session: Session }) {
   const setting = origin.setting.value;
   if (!connection.value || !setting) return null;
   const model = origin.model.value?.name;
-  const name = model === undefined ? setting.name : words.ofModel(setting.name, model);
-  return <p class="hint setting-line">{words.ofSetting(name, changes)}</p>;
+  const name = model === undefined ? setting.name : words.ofModel({ name: setting.name, model });
+  return <p class="hint setting-line">{words.ofSetting({ name, changes })}</p>;
 }

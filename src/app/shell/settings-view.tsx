@@ -6,6 +6,7 @@ import { PortList, SerialSettingsForm } from '../connect/port-list.js';
 import { captureText } from '../line/recording.js';
 import { captureNotes } from '../line/report.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { DtTimes } from '../program/dt-times.js';
 import type { Preferences } from '../records/preferences.js';
 import type { Erase } from '../settings/erase.js';
@@ -48,7 +49,8 @@ export function SettingsView(props: SettingsViewProps) {
 /** The look of the page, the adapters, what this device keeps. */
 function Settings(props: SettingsViewProps) {
   const { session, preferences, theme, erase, views, installation, update } = props;
-  const { settings: words, erase: eraseWords, program, theme: themeWords, views: viewWords } = messages.value;
+  const { program, views: viewWords } = messages.value;
+  const { settings: words, erase: eraseWords, theme: themeWords } = moreMessages.value;
   // A rail leads to the help, too.
   const areLinksBelow = useQuery(SHAPES.phone).value;
   return (

@@ -8,8 +8,9 @@ import type { SaveSetting } from '../library/save-setting.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
 import { MemoryChoice } from '../memories/memory-choice.js';
-import { figureText, messages, timerName } from '../messages/index.js';
+import { figureText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
+import { memoryName, timerName } from '../messages/names.js';
 import type { Preferences } from '../records/preferences.js';
 import { possibleValues } from '../timer/known.js';
 import type { Link } from '../timer/link.js';
@@ -165,7 +166,7 @@ export function StatusStrip(props: StatusStripProps & { readonly hash: string })
 
 /** The memory on the screen, where there is no room to choose one. */
 function MemoryNow({ session }: { readonly session: Session }) {
-  const { header, memoryName, nextFlight } = messages.value;
+  const { header, nextFlight } = messages.value;
   const memory = session.onScreen.memory.value;
   const isConnected = session.connection.value !== null;
   const isSimulated = !isConnected && session.simulated.value;
@@ -178,7 +179,7 @@ function MemoryNow({ session }: { readonly session: Session }) {
       {flies ? (
         <>
           <span key={`named ${memory}`} class="visually-hidden">
-            {nextFlight.named(memoryText(session, memory))}
+            {nextFlight.named({ memory: memoryText(session, memory) })}
           </span>
           <span key={memory} aria-hidden="true">
             {memoryName(memory)}
@@ -253,7 +254,7 @@ function LinkState({ link, simulated, model }: LinkStateProps) {
     return (
       <p class="row link-state on">
         <strong key={model ?? timerName(identity)}>{model ?? timerName(identity)}</strong>{' '}
-        <span key={identity.firmware}>{header.firmware(identity.firmware)}</span>
+        <span key={identity.firmware}>{header.firmware({ firmware: identity.firmware })}</span>
         {link.simulated.value && <span class="badge">{header.simulated}</span>}
       </p>
     );

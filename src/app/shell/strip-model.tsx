@@ -15,7 +15,7 @@ export function StripModel({ session }: { readonly session: Session }) {
       type="button"
       class="quiet strip-model"
       aria-haspopup="dialog"
-      aria-label={model ? words.change(model.name) : undefined}
+      aria-label={model ? words.change({ model: model.name }) : undefined}
       onClick={() => recognition.choose()}
     >
       <span key={model?.id} class={model ? 'strip-model-name' : ''}>

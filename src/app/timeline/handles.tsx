@@ -1,6 +1,6 @@
 import { fieldKey, valueAt } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
-import { fieldLabel, messages } from '../messages/index.js';
+import { fieldLabel, messages, secondsText } from '../messages/index.js';
 import { limitsOf } from './drag.js';
 import { timeOf } from './flight.js';
 import { type Geometry, type HandlePlace, handlePlaces } from './geometry.js';
@@ -52,7 +52,7 @@ function Handle({ geometry, entered, field, x, y }: HandlesProps & HandlePlace) 
       aria-valuemin={shown(min)}
       aria-valuemax={shown(Math.max(max, value))}
       aria-valuenow={shown(value)}
-      aria-valuetext={isTime ? words.seconds(formatTime(value)) : words.timeline.steps(value)}
+      aria-valuetext={isTime ? secondsText(formatTime(value)) : words.timeline.steps({ position: value })}
     >
       <rect class="reach" x={-FINGER / 2} y={-FINGER / 2} width={FINGER} height={FINGER} />
       <circle class="ring" r="15" />

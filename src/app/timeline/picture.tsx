@@ -1,5 +1,6 @@
 import { useId } from 'preact/hooks';
 import { figureText, messages } from '../messages/index.js';
+import { servoName } from '../messages/names.js';
 import { marksOf, motorStopOf, reachedAt, stagesOf } from './flight.js';
 import type { Geometry } from './geometry.js';
 import { type Layout, lineOf } from './layout.js';
@@ -144,7 +145,6 @@ const NAME_FITS = 11;
 
 /** The name of each servo at the left edge of its lane, and what it moves: in the lane, or on paper beside it. */
 function LaneNames({ layout, front, first, names }: Geometry) {
-  const { servoName } = messages.value;
   const { left } = layout.box;
   const isPaper = front === null;
   return (

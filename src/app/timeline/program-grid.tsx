@@ -11,6 +11,7 @@ import {
 } from '../editing/grid.js';
 import { formatInterval } from '../editing/units.js';
 import { figureText, messages, slotLabel } from '../messages/index.js';
+import { servoName } from '../messages/names.js';
 import './program-grid.css';
 
 /** A slot, or one of the two values that have a row of their own. */
@@ -46,7 +47,7 @@ export interface ProgramGridProps {
 
 /** A program to read: a row for each slot and for the motor stop, in the order of time. */
 export function ProgramGrid({ program, caption, rows, uses, names, replaces = false, lit, ...more }: ProgramGridProps) {
-  const { program: words, servoName } = messages.value;
+  const { program: words } = messages.value;
   const { identity } = program;
   const { columns = [TIME_COLUMN, ...program.positions.map((_, servo) => FIRST_SERVO_COLUMN + servo)] } = more;
   const { other = program, corner = words.slot, headOf = (_, name) => name } = more;

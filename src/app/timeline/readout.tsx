@@ -1,7 +1,8 @@
 import type { ReadonlySignal } from '@preact/signals';
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { formatFigure, formatTime } from '../editing/units.js';
-import { fieldName, figureOf, messages, slotLabel } from '../messages/index.js';
+import { fieldName, figureOf, messages, secondsText, slotLabel } from '../messages/index.js';
+import { servoName } from '../messages/names.js';
 import { motorStopOf, reachedAt } from './flight.js';
 import type { TimelineModel } from './view-model.js';
 import './readout.css';
@@ -47,28 +48,28 @@ export function Spoken({ program, model }: Pick<MomentProps, 'program' | 'model'
   const spoken = model.spoken.value;
   return (
     <p class="visually-hidden" role="status">
-      {spoken && ('time' in spoken ? momentText(program, spoken.time) : messages.value.servoName(spoken.servo))}
+      {spoken && ('time' in spoken ? momentText(program, spoken.time) : servoName(spoken.servo))}
     </p>
   );
 }
 
 /** The picture in one sentence. */
 export function descriptionOf(program: TimerProgram): string {
-  const { timeline, seconds } = messages.value;
+  const { timeline } = messages.value;
   const { functions, servos } = program.identity;
   const stop = motorStopOf(program);
-  return timeline.description({
-    servos,
-    functions: functions - 1,
-    dt: seconds(formatTime(program.times[functions] ?? 0)),
-    motorStop: stop === null ? null : seconds(formatTime(stop)),
-  });
+  const said = {
+    servos: timeline.servos({ count: servos }),
+    functions: timeline.functions({ count: functions - 1 }),
+    dt: secondsText(formatTime(program.times[functions] ?? 0)),
+  };
+  if (stop === null) return timeline.description(said);
+  return timeline.descriptionMotor({ ...said, motorStop: secondsText(formatTime(stop)) });
 }
 
 /** For screen readers: a time, what it has reached, and the positions of all servos. */
 function momentText(program: TimerProgram, time: number): string {
-  const { seconds, servoName } = messages.value;
   const { slot, certain } = reachedAt(program, time);
   const servos = program.positions.map((row, servo) => `${servoName(servo)} ${row[slot] ?? 0}`);
-  return [seconds(formatTime(time)), reachedText(program, time), ...(certain ? servos : [])].join(', ');
+  return [secondsText(formatTime(time)), reachedText(program, time), ...(certain ? servos : [])].join(', ');
 }

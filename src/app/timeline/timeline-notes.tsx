@@ -14,8 +14,8 @@ export function TimelineNotes({ program }: { program: TimerProgram }) {
     .filter(({ slot, passing }) => passing === 'back' || (passing === 'passed' && changes(program, slot)))
     .map(({ slot, passing }) => {
       return passing === 'back'
-        ? timeline.goesBack(slotLabel(identity, slot + 1), slotInSentence(identity, slot))
-        : timeline.passedOver(slotLabel(identity, slot), slotInSentence(identity, slot + 1));
+        ? timeline.goesBack({ next: slotLabel(identity, slot + 1), slot: slotInSentence(identity, slot) })
+        : timeline.passedOver({ slot: slotLabel(identity, slot), next: slotInSentence(identity, slot + 1) });
     });
   if (notes.length === 0) return null;
   return (
@@ -23,7 +23,7 @@ export function TimelineNotes({ program }: { program: TimerProgram }) {
       {notes.slice(0, MOST_NOTES).map((note) => (
         <li key={note}>{note}</li>
       ))}
-      {notes.length > MOST_NOTES && <li>{messages.value.more(notes.length - MOST_NOTES)}</li>}
+      {notes.length > MOST_NOTES && <li>{messages.value.more({ count: notes.length - MOST_NOTES })}</li>}
     </ul>
   );
 }

@@ -37,14 +37,14 @@ export function CopyButton({ label, text }: CopyButtonProps) {
 }
 
 function ByHand({ text, onClose }: { text: string; onClose: () => void }) {
-  const { line, close } = messages.value;
+  const { copyByHand, close } = messages.value;
   return (
-    <Modal open title={line.copyByHand} onEscape={onClose}>
+    <Modal open title={copyByHand} onEscape={onClose}>
       <textarea
         autofocus
         readOnly
         class="by-hand"
-        aria-label={line.copyByHand}
+        aria-label={copyByHand}
         rows={12}
         value={text}
         onFocus={({ currentTarget }) => currentTarget.select()}

@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals';
-import { libraryMessages, obstacles } from '../messages/en-library.js';
+import { moreMessages } from '../messages/more.js';
 
 interface OpenButtonProps {
   readonly label: string;
   /** Why it cannot be opened now; null when it can. */
-  readonly obstacle: keyof typeof obstacles | null;
+  readonly obstacle: keyof typeof moreMessages.value.obstacles | null;
   readonly primary?: boolean;
   /** Brings a program to the screen. @returns whether it is there. */
   readonly open: () => Promise<boolean>;
@@ -29,10 +29,10 @@ export function OpenButton({ label, obstacle, primary = false, open, onProgram }
       >
         {label}
       </button>
-      {obstacle !== null && <p class="hint whole-line">{obstacles[obstacle]}</p>}
+      {obstacle !== null && <p class="hint whole-line">{moreMessages.value.obstacles[obstacle]}</p>}
       {obstacle === null && failed.value && (
         <p class="bad-text whole-line" role="alert">
-          {libraryMessages.setting.notShown}
+          {moreMessages.value.library.setting.notShown}
         </p>
       )}
     </>

@@ -28,7 +28,7 @@ export function ProgressLine({ label, progress, onStop, stopping = null }: Progr
     <div class="row gap-4 progress-line">
       <span role="status">{stopping ?? label}</span>
       <progress aria-label={stopping ?? label} {...share} />
-      {left !== null && <span class="hint">{messages.value.disturbed(left)}</span>}
+      {left !== null && <span class="hint">{messages.value.disturbed({ seconds: left })}</span>}
       {onStop && (
         // Not disabled: it would lose the focus.
         <button type="button" class="quiet" aria-disabled={stopping !== null} onClick={onStop}>

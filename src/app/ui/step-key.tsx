@@ -1,7 +1,7 @@
 import type { ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { plainSeconds } from '../editing/units.js';
-import { messages } from '../messages/index.js';
+import { messages, secondsText } from '../messages/index.js';
 import type { EditedValue } from '../work/edited-value.js';
 import { RepeatPress } from './repeat-press.js';
 import { usePress } from './use-press.js';
@@ -32,7 +32,7 @@ export function StepKey({ value, by, onStep, isBehind, of }: StepKeyProps) {
     <button
       type="button"
       tabIndex={of === undefined ? -1 : undefined}
-      aria-label={of && messages.value.of(text, of)}
+      aria-label={of && messages.value.of({ button: text, name: of })}
       {...usePress(repeat, () => repeat.press(onStep))}
       onKeyDown={(event) => isHeldBy(event) && repeat.press(onStep)}
       onKeyUp={(event) => isHeldBy(event) && repeat.lift(onStep)}
@@ -47,5 +47,5 @@ export function StepKey({ value, by, onStep, isBehind, of }: StepKeyProps) {
 /** “10”, “0.1 s”: positions are whole steps. */
 function amountOf({ kind, stepSize }: EditedValue, steps: number): string {
   const amount = stepSize * steps;
-  return kind !== 'steps' ? messages.value.seconds(plainSeconds(amount)) : String(amount);
+  return kind !== 'steps' ? secondsText(plainSeconds(amount)) : String(amount);
 }

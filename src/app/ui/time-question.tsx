@@ -19,7 +19,7 @@ export function TimeQuestion({ label, either, onAnswer, onEscape }: TimeQuestion
     <span
       class="time-question"
       role="group"
-      aria-label={messages.value.times.meaning(label)}
+      aria-label={messages.value.times.meaning({ field: label })}
       // The focus stays in the field: the question may exist only while the field has it.
       onPointerDown={(event) => event.preventDefault()}
       onKeyDown={(event) => {

@@ -14,7 +14,7 @@ export function WasText({ standing, value }: WasTextProps) {
   const { sure } = standing.value;
   return (
     <>
-      {marks[sure === 'now' ? 'now' : 'once'](value)}
+      {marks[sure === 'now' ? 'now' : 'once']({ value })}
       {sure === 'not' && <span class="visually-hidden">{notCertain}</span>}
     </>
   );

@@ -1,5 +1,6 @@
 import { LIMITS, type Model } from '../../program/index.js';
 import { messages } from '../messages/index.js';
+import { memoryName } from '../messages/names.js';
 import { beginningOf } from '../records/plain-names.js';
 import type { Session } from './session.js';
 
@@ -18,10 +19,10 @@ export function memoryText({ origin }: Pick<Session, 'origin'>, memory: number):
  * @param memory counted from 0; null for a timer that does not say which is current.
  */
 export function memoryOf(model: Pick<Model, 'memoryNames'> | null, memory: number | null): string {
-  const { memoryName, memoryNames, recovery } = messages.value;
+  const { memoryNames, recovery } = messages.value;
   if (memory === null) return recovery.unknownMemory;
   const given = givenName(model, memory);
-  return given === '' ? memoryName(memory) : memoryNames.named(memoryName(memory), given);
+  return given === '' ? memoryName(memory) : memoryNames.named({ memory: memoryName(memory), name: given });
 }
 
 /** Names a memory of the present model. An empty name removes the name. */

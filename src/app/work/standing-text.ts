@@ -1,6 +1,7 @@
 import { LIMITS } from '../../program/index.js';
 import { dotted } from '../messages/dotted.js';
 import { messages } from '../messages/index.js';
+import { memoryName } from '../messages/names.js';
 import { beginningOf } from '../records/plain-names.js';
 import type { Held, Standing } from '../timer/standing.js';
 import type { Session } from './session.js';
@@ -30,25 +31,27 @@ export function standingText(
   memory: number | null,
   when: (at: number) => string,
 ): string {
-  const { program, bench, knowledge: words, memoryName } = messages.value;
+  const { program, bench, knowledge: words } = messages.value;
   // Tried positions count as in the timer only while its content is certain.
-  if (tried > 0 && standing.sure !== 'not') return bench.triedAndWaiting(tried, changes);
+  if (tried > 0 && standing.sure !== 'not') return bench.triedAndWaiting({ tried, waiting: changes });
   // What it would be changed from is not known.
-  if (standing.sure === 'not') return words.unknown(memory === null ? words.thisMemory : memoryName(memory));
-  if (changes > 0) return program.changes(changes);
-  if (unfinished > 0) return words.unfinished(unfinished);
+  if (standing.sure === 'not')
+    return words.unknown({ memory: memory === null ? words.thisMemory : memoryName(memory) });
+  if (changes > 0) return program.changes({ count: changes });
+  if (unfinished > 0) return words.unfinished({ count: unfinished });
   if (made === 'new') return words.made;
-  if (made) return words.ofSetting(made.setting, made.changes);
+  if (made) return words.ofSetting({ name: made.setting, changes: made.changes });
   if (standing.at === null || standing.sure === 'once') {
-    return words.lastReadAt(standing.at === null ? null : when(standing.at));
+    return standing.at === null ? words.lastRead : words.lastReadAt({ time: when(standing.at) });
   }
-  return standing.verified ? words.verified(when(standing.at)) : words.readAt(when(standing.at));
+  return standing.verified ? words.verified({ time: when(standing.at) }) : words.readAt({ time: when(standing.at) });
 }
 
 /** What is said beside the marks of changed fields. */
 export function hintText({ sure, at }: Standing, when: (at: number) => string): string {
   const { hints } = messages.value.knowledge;
-  return sure === 'now' ? hints.now : hints.once(at === null ? null : when(at));
+  if (sure === 'now') return hints.now;
+  return at === null ? hints.once : hints.onceAt({ time: when(at) });
 }
 
 /** How the program on the screen stands to no timer. */
@@ -65,11 +68,11 @@ export function programName({ origin, opened }: Pick<Session, 'origin' | 'opened
   const name = origin.setting.value?.name ?? '';
   if (name === '' || opened.unsaved.value?.changes === 0) return name;
   const { changed } = messages.value.knowledge;
-  return changed(beginningOf(name, LIMITS.name - changed('').length));
+  return changed({ name: beginningOf(name, LIMITS.name - changed({ name: '' }).length) });
 }
 
 /** The name of a memory, and when it was read if it may hold something else by now. */
 export function heldName(name: string, { known, sure }: Held, when: (at: number) => string): string {
   if (sure === 'now' || known.state !== 'read') return name;
-  return dotted([name, messages.value.knowledge.lastReadAt(when(known.at))]);
+  return dotted([name, messages.value.knowledge.lastReadAt({ time: when(known.at) })]);
 }

@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals';
 import { differences, sameLayout } from '../../program/index.js';
-import { apart } from '../messages/apart.js';
 import { dotted } from '../messages/dotted.js';
-import { comparingMessages } from '../messages/en-compare.js';
-import { dateText, dayText, messages, timerName } from '../messages/index.js';
+import { dateText, dayText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
+import { moreMessages } from '../messages/more.js';
+import { timerName } from '../messages/names.js';
 import type { Backup, ModelRecord } from '../storage/index.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
 import { memoryOf } from '../work/memory-names.js';
@@ -53,7 +53,7 @@ export function BackupList(props: BackupListProps) {
       )}
       {all.length > shown.length && (
         <button type="button" class="quiet" onClick={() => (room.value = all.length)}>
-          {showMore(all.length - shown.length)}
+          {showMore({ count: all.length - shown.length })}
         </button>
       )}
     </section>
@@ -71,8 +71,8 @@ function Row({ session, of, backup, isFirst, following, onLoad, onCompare, onRes
   const { key, program, savedAt, reason, simulated } = backup;
   const record = of ?? session.library.models.get(backup.model ?? null) ?? null;
   const memory = memoryOf(record?.model ?? null, program.memory);
-  const title = of ? memory : knowledge.memoryOf(memory, apart(record?.model.name ?? timerName(program.identity)));
-  const named = (button: string): string => label(button, `${memory}, ${dateText(savedAt)}`);
+  const title = of ? memory : knowledge.memoryOf({ memory, timer: record?.model.name ?? timerName(program.identity) });
+  const named = (button: string): string => label({ button, name: `${memory}, ${dateText(savedAt)}` });
   const canLoad = !following && session.onScreen.canLoad(program);
   const figures = keyFigures(program).map((figure) => `${figure.label} ${figure.text}`);
   const about = [dateText(savedAt), words.reasons[reason], simulated ? header.simulated : ''];
@@ -98,10 +98,10 @@ function Row({ session, of, backup, isFirst, following, onLoad, onCompare, onRes
         <button
           type="button"
           class="quiet"
-          aria-label={named(comparingMessages.compare.open)}
+          aria-label={named(moreMessages.value.compare.open)}
           onClick={() => onCompare(backup)}
         >
-          {comparingMessages.compare.open}
+          {moreMessages.value.compare.open}
         </button>
         <button type="button" class="quiet" aria-label={named(remove)} onClick={() => session.backups.remove(key)}>
           {remove}
@@ -121,7 +121,7 @@ function Restore({ session, backup, onRestore }: Required<Pick<RowProps, 'sessio
   const set = session.backups.list.value.filter((each) => isOfOneJob(each, backup));
   return (
     <button type="button" disabled={!fits || !session.runner.ready.value} onClick={() => onRestore([...set].reverse())}>
-      {words.restoreAll(set.length)}
+      {words.restoreAll({ count: set.length })}
     </button>
   );
 }
@@ -133,10 +133,10 @@ function isOfOneJob(one: Backup, other: Backup | undefined): boolean {
 
 /** How it differs from what the timer holds now, or last held; empty when nothing is known about that. */
 function differsText(session: Session, record: ModelRecord, { program, simulated }: Backup): string {
-  const { modelBackups: words } = comparingMessages;
+  const { modelBackups: words } = moreMessages.value;
   const held = session.standings.heldBy(record, program.memory, simulated);
   if (!held || !sameLayout(held.program.identity, program.identity)) return '';
   const count = differences(held.program, program).filter(({ from, to }) => from !== null && to !== null).length;
   const when = held.now ? words.now : dayText(held.at);
-  return count === 0 ? words.same(when) : words.differs(count, when);
+  return count === 0 ? words.same({ when }) : words.differs({ count, when });
 }

@@ -21,7 +21,15 @@ export function Difference({ before, goal, changes }: DifferenceProps) {
   if (changes.length > LONG_LIST && isKnown) {
     // A goal without an idle throttle leaves it as it is.
     const held = { ...goal, idleThrottle: goal.idleThrottle ?? before.idleThrottle };
-    return <ProgramGrid program={held} other={before} caption={sideBySide([to, from])} names={[to, from]} replaces />;
+    return (
+      <ProgramGrid
+        program={held}
+        other={before}
+        caption={sideBySide({ names: [to, from].join(', ') })}
+        names={[to, from]}
+        replaces
+      />
+    );
   }
   return (
     <ValueTable

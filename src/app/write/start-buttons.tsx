@@ -28,7 +28,7 @@ export function StartButtons({ safety, ready, unticked, label, onCancel, onStart
       {safety && <SafetyCheck safety={safety} />}
       {isWaiting && (
         <p class="why" id={why}>
-          {stillToTick(unticked.map((tick) => ticks[tick]))}
+          {stillToTick({ ticks: unticked.map((tick) => ticks[tick]).join(', ') })}
         </p>
       )}
       <CancelButton onClick={onCancel} />

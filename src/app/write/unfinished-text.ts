@@ -1,7 +1,8 @@
 import type { Change, PartOfWrite } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { changeText, fieldInSentence, figureText, messages, timerName } from '../messages/index.js';
+import { changeText, fieldInSentence, figureText, messages } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
+import { memoryName, timerName } from '../messages/names.js';
 import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
 import { isSimulated } from '../timer/knowledge.js';
 import { openValues } from '../timer/known.js';
@@ -52,11 +53,11 @@ export function graveText(session: Session, job: OpenJob): string | null {
 
 /** How far an interrupted write came, by a reading. */
 export function extentText({ extent, written, missing, foreign }: PartOfWrite): string {
-  const { recovery: words, notes } = messages.value;
+  const { recovery: words, notes, edits } = messages.value;
   return {
-    nothing: words.nothing(missing.length),
-    part: words.part(written.length, missing.length),
-    foreign: words.foreign(foreign.length),
+    nothing: words.nothing({ missing: missing.length }),
+    part: words.part({ values: edits.cells({ count: written.length }), missing: missing.length }),
+    foreign: words.foreign({ count: foreign.length }),
     all: notes['write-completed'].advice,
   }[extent];
 }
@@ -64,12 +65,12 @@ export function extentText({ extent, written, missing, foreign }: PartOfWrite): 
 /** “Tried: Function 4, S2: 55 → 70.” */
 export function triedText(identity: Identity, tried: readonly Change[]): string {
   const named = tried.slice(0, NAMED_TRIED).map((change) => changeText(identity, change));
-  return messages.value.bench.triedHere(named, tried.length - named.length);
+  return messages.value.bench.triedHere({ named: named.join('; '), more: tried.length - named.length });
 }
 
 /** “Positions were tried in M1 of the F1Q 536.” */
 export function triedElsewhere(session: Session, trial: OpenTrial): string {
-  return messages.value.bench.triedIn(placeText(session, whereOf(trial), trial.before.memory));
+  return messages.value.bench.triedIn({ memory: placeText(session, whereOf(trial), trial.before.memory) });
 }
 
 /** “M3 of the F1Q 536 may fly next: selecting it was interrupted.” */
@@ -77,26 +78,34 @@ function leftText(session: Session, record: UnfinishedRoundTrip): string {
   const { recovery: words } = messages.value;
   const where = whereOf(record);
   if (record.job === 'look' || record.job === 'select')
-    return words.mayFly(placeText(session, where, record.memory ?? null));
-  return words.mayNotFly(placeText(session, where, record.original));
+    return words.mayFly({ memory: placeText(session, where, record.memory ?? null) });
+  return words.mayNotFly({ original: placeText(session, where, record.original) });
 }
 
 function placeText(session: Session, where: Where, memory: number | null): string {
   const timer = otherTimer(session, where);
   const name = memoryOf(null, memory);
-  return timer === null ? name : messages.value.knowledge.memoryOf(name, timer);
+  return timer === null ? name : messages.value.knowledge.memoryOf({ memory: name, timer });
 }
 
 /** The name of a timer that is not the connected one; null for that one. */
 function otherTimer(session: Session, where: Where): string | null {
-  const { knowledge: words } = messages.value;
+  const { timer, otherTimer: another } = messages.value.knowledge;
   if (isHere(session, where)) return null;
   const { identity } = where;
-  return words.timer(timerName(identity), identity.firmware, isSimulated(where), isLikeConnected(session, where));
+  const said = isLikeConnected(session, where) ? another : timer;
+  return said[isSimulated(where) ? 'simulated' : 'here']({ name: timerName(identity), firmware: identity.firmware });
 }
 
 function isLikeConnected({ connection, link }: Session, where: Where): boolean {
   return connection.value !== null && isOfKind(where, connection.value.identity, link.simulated.value);
+}
+
+/** “DT is 3:00 min or 6:00 min, and 2 more values are not certain”. @param more how many further values there are. */
+export function valuesText([first = '', ...others]: readonly string[], more: number): string {
+  const { knowledge: words } = messages.value;
+  if (more > 0) return words.list({ named: [first, ...others].join(', '), more });
+  return others.reduce((before, next) => words.and({ first: before, next }), first);
 }
 
 /**
@@ -104,21 +113,21 @@ function isLikeConnected({ connection, link }: Session, where: Where): boolean {
  * @param timer null for the connected one.
  */
 export function uncertainText(one: UnfinishedWrite, timer: string | null): string {
-  const { knowledge: words, memoryName } = messages.value;
+  const { knowledge: words } = messages.value;
   const { identity, memory } = one.before;
   const open = openValues(one);
   const keyed = open.filter(({ field }) => keyName(identity, field) !== null);
   const named = keyed.length > 0 ? keyed : open.slice(0, NAMED);
   const values = named.map(({ field, from, to }) => {
-    return words.either(
-      fieldInSentence(identity, field),
-      figureText(identity, field, from),
-      figureText(identity, field, to),
-    );
+    return words.either({
+      name: fieldInSentence(identity, field),
+      before: figureText(identity, field, from),
+      goal: figureText(identity, field, to),
+    });
   });
   const name = memory === null ? words.thisMemory : memoryName(memory);
-  const where = timer === null ? name : words.memoryOf(name, timer);
-  return `${words.uncertain(where, words.list(values, open.length - named.length))} ${words.noFly}`;
+  const where = timer === null ? name : words.memoryOf({ memory: name, timer });
+  return `${words.uncertain({ memory: where, values: valuesText(values, open.length - named.length) })} ${words.noFly}`;
 }
 
 /**
@@ -130,8 +139,8 @@ export function nextFlightText(session: Session, word: NextFlightWord, when: 'no
   const nameOf = (memory: number): string => memoryText(session, memory);
   const said =
     word.code === 'other'
-      ? [{ now: words.other, last: words.last }[when](nameOf(word.memory))]
-      : [words.unknown, ...(word.asked === null ? [] : [words.asked(nameOf(word.asked))])];
+      ? [{ now: words.other, last: words.last }[when]({ memory: nameOf(word.memory) })]
+      : [words.unknown, ...(word.asked === null ? [] : [words.asked({ memory: nameOf(word.asked) })])];
   const came = session.nextFlight.came.value;
-  return [...said, came === null ? words.originalUnknown : words.original(nameOf(came))].join(' ');
+  return [...said, came === null ? words.originalUnknown : words.original({ original: nameOf(came) })].join(' ');
 }

@@ -27,7 +27,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
   const hasNotes = rows.some(({ note }) => note);
   return (
     <table class="value-grid difference">
-      <caption class="visually-hidden">{write.sideBySide(names)}</caption>
+      <caption class="visually-hidden">{write.sideBySide({ names: names.join(', ') })}</caption>
       <thead>
         <tr>
           {[write.field, ...names].map((name) => (

@@ -3,9 +3,11 @@ import type { Progress } from '../../client/index.js';
 import { fieldKey, type Model, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
-import { modelMessages } from '../messages/en-which-model.js';
+import { eitherOf } from '../messages/either.js';
 import { dateText, fieldName, figureText, findingText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
+import { moreMessages } from '../messages/more.js';
+import { memoryName } from '../messages/names.js';
 import type { Crossing } from '../records/crossing.js';
 import { Check } from '../ui/check.js';
 import { Modal } from '../ui/modal.js';
@@ -77,7 +79,8 @@ export function WriteDialog({ session, write, after }: WriteDialogProps) {
 function titleOf(session: Session, plan: Plan): string {
   const { write, memories } = messages.value;
   if (isOfScreen(plan)) return write.title;
-  if (plan.kind === 'copy') return memories.copy(memoryText(session, plan.from), memoryText(session, plan.to));
+  if (plan.kind === 'copy')
+    return memories.copy({ from: memoryText(session, plan.from), to: memoryText(session, plan.to) });
   return memories.restore;
 }
 
@@ -85,7 +88,7 @@ function titleOf(session: Session, plan: Plan): string {
 function runningText(session: Session, plan: Plan, progress: Progress | null): string {
   const stage = progress ? messages.value.write.stages[progress.stage] : titleOf(session, plan);
   const memory = plan.kind === 'edits' ? null : (progress?.memory ?? null);
-  return memory === null ? stage : `${stage} ${messages.value.memoryName(memory)}`;
+  return memory === null ? stage : `${stage} ${memoryName(memory)}`;
 }
 
 interface ChangeProps extends Pick<WriteDialogProps, 'session'> {
@@ -109,7 +112,7 @@ function KeyFigures({ session, change }: ChangeProps) {
           <span key={fieldKey(field)} class={isBad ? 'bad-text' : undefined}>
             <span class="hint key-name">{isBad ? program.shortDt : keyName(identity, field)}</span>{' '}
             <strong>{figureText(identity, field, to)}</strong>{' '}
-            <small>{from === to ? words.asItIs : words.insteadOf(figureText(identity, field, from))}</small>
+            <small>{from === to ? words.asItIs : words.insteadOf({ value: figureText(identity, field, from) })}</small>
           </span>
         );
       })}
@@ -151,7 +154,7 @@ function ReviewStep({ session, write, review }: ReviewProps) {
         safety={session.safety}
         ready={write.ready.value}
         unticked={write.unticked.value}
-        label={words.start(all.length)}
+        label={words.start({ count: all.length })}
         onCancel={() => write.dismiss()}
         onStart={() => write.goOn()}
       />
@@ -161,13 +164,13 @@ function ReviewStep({ session, write, review }: ReviewProps) {
 
 /** Asks whether to write values of one model into the timer of another, and names both. */
 function CrossingCheck({ crossing, write }: Pick<ReviewProps, 'write'> & { readonly crossing: Crossing }) {
-  const { crossing: words } = modelMessages;
-  const [from, to] = [crossing.from.name, crossing.to.map(({ name }) => name)];
+  const { crossing: words } = moreMessages.value.whichModel;
+  const [from, to] = [crossing.from.name, eitherOf(crossing.to.map(({ name }) => name))];
   return (
     <div class="notice bad" role="alert">
-      <NoticeText said={{ title: words.title(from, to), advice: words.advice }} />
+      <NoticeText said={{ title: words.title({ from, to }), advice: words.advice }} />
       <Check checked={write.ticked.value.has('model')} onChange={(checked) => write.tick('model', checked)}>
-        {words.confirm(from, to)}
+        {words.confirm({ from, to })}
       </Check>
     </div>
   );
@@ -199,7 +202,7 @@ function Serious({ write, identity }: { readonly write: WriteJob; readonly ident
       <ul>
         {serious.map((finding) => (
           <li key={`${finding.field ? fieldKey(finding.field) : ''} ${finding.code}`}>
-            {finding.field && identity && <strong>{about(fieldName(identity, finding.field))} </strong>}
+            {finding.field && identity && <strong>{about({ name: fieldName(identity, finding.field) })} </strong>}
             {findingText(finding)}
           </li>
         ))}
@@ -220,14 +223,14 @@ function Refusals({ session, changes }: { readonly session: Session; readonly ch
     <div class="notice bad" role="alert">
       {refused.map((change) => (
         <div key={change.memory}>
-          <p>{words.refused(whereText(session, change.memory, null))}</p>
+          <p>{words.refused({ memory: whereText(session, change.memory, null) })}</p>
           <ul>
             {refusalsOf(change).map((finding) => {
               const { field } = finding;
               const what = field ? `${fieldName(change.goal.identity, field)} ${valueAt(change.goal, field)}` : '';
               return (
                 <li key={what}>
-                  {about(what)} {findingText(finding)}
+                  {about({ name: what })} {findingText(finding)}
                 </li>
               );
             })}
@@ -260,22 +263,23 @@ function Conflicts({ editor }: { readonly editor: Editor }) {
 /** What is written where, and which memory flies next after it, if that is known. */
 function leadOf(session: Session, { plan, changes, model }: Review): string {
   const { write, memories: words } = messages.value;
-  if (plan.kind === 'edits') return write.lead(whereText(session, changes[0]?.memory ?? null, model));
+  if (plan.kind === 'edits') return write.lead({ memory: whereText(session, changes[0]?.memory ?? null, model) });
   const current = session.nextFlight.memory.value;
   const does = doesOf(session, plan, changes, model);
-  return current === null ? does : `${does} ${words.atEnd(memoryText(session, current))}`;
+  return current === null ? does : `${does} ${words.atEnd({ current: memoryText(session, current) })}`;
 }
 
 function doesOf(session: Session, plan: MemoriesPlan, changes: Review['changes'], model: Model | null): string {
   const { plans } = messages.value.memories;
-  if (plan.kind === 'copy') return plans.copy(memoryText(session, plan.from), memoryText(session, plan.to));
+  if (plan.kind === 'copy')
+    return plans.copy({ from: memoryText(session, plan.from), to: memoryText(session, plan.to) });
   if (plan.kind === 'screen') {
     const { idleThrottle } = plan.program;
     const isLeft = idleThrottle !== null && idleThrottle !== changes[0]?.before.idleThrottle;
-    return plans.screen(whereText(session, plan.to, model), isLeft);
+    return plans.screen({ to: whereText(session, plan.to, model), keepsThrottle: isLeft });
   }
   const names = changes.map(({ memory }) => whereText(session, memory, null));
-  return plans.restore(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
+  return plans.restore({ names: names.join(', '), time: dateText(plan.backups[0]?.savedAt ?? 0) });
 }
 
 /** @param folded whether it is one of several: then DT and motor stop stand here, and the rest is folded away. */
@@ -294,7 +298,7 @@ function MemoryDifference({ session, change, folded }: ChangeProps & { readonly 
         table
       ) : (
         <details>
-          <summary>{program.changes(changes.length)}</summary>
+          <summary>{program.changes({ count: changes.length })}</summary>
           {table}
         </details>
       )}

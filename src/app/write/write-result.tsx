@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { type PartOfWrite, partWritten, sameKind } from '../../program/index.js';
+import { dotted } from '../messages/dotted.js';
 import { clockText, messages, type Said, timerSaid } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { NoticeText } from '../ui/notice-text.js';
@@ -43,7 +44,7 @@ export function WriteResult({ session, write, done, children }: ResultProps) {
           <EndLine key={end.memory} session={session} done={done} end={end} />
         ))}
         {stopped && <NoticeText said={stoppedText(stopped)} />}
-        {strayed !== null && <NoticeText said={words.strayed(memoryText(session, strayed))} />}
+        {strayed !== null && <Strayed memory={memoryText(session, strayed)} />}
         {notHeld && <NoticeText said={words.move.notHeld} />}
       </div>
       {ends.map((end) => (
@@ -77,19 +78,30 @@ interface EndProps extends Pick<ResultProps, 'session'> {
   readonly end: FoundEnd;
 }
 
+function Strayed({ memory }: { readonly memory: string }) {
+  const { title, advice } = messages.value.write.strayed;
+  return <NoticeText said={{ title: title({ memory }), advice: advice({ memory }) }} />;
+}
+
 /** What a reading of a memory has shown. What is not known stands at the top. */
 function EndLine({ session, done: { at, model }, end }: EndProps & Pick<ResultProps, 'done'>) {
-  const { write: words, memories } = messages.value;
+  const { write: words, memories, program } = messages.value;
   const { memory, state, change, report, found } = end;
   const where = whereText(session, memory, model);
-  if (state === 'untouched') return <p>{memories.untouched(where)}</p>;
-  if (found) return <NoticeText said={{ title: words.cut(where), advice: extentText(found) }} />;
+  if (state === 'untouched') return <p>{memories.untouched({ memory: where })}</p>;
+  if (found) return <NoticeText said={{ title: words.cut({ memory: where }), advice: extentText(found) }} />;
   const held = report?.held;
   if (state !== 'verified' || !held) return null;
   const figures = keyFigures(held).map(({ label, text }) => `${label} ${text}`);
   return (
     <p>
-      <strong>{words.verdict(where, clockText(at), figures, change?.changes.length ?? 0)}</strong>
+      <strong>
+        {dotted([
+          words.verdict({ memory: where, time: clockText(at) }),
+          ...figures,
+          program.changes({ count: change?.changes.length ?? 0 }),
+        ])}
+      </strong>
     </p>
   );
 }
@@ -127,7 +139,7 @@ function Current({ session }: { readonly session: Session }) {
   const said = word
     ? nextFlightText(session, word, connection.value ? 'now' : 'last')
     : isKnown
-      ? nextFlight.other(memoryText(session, memory))
+      ? nextFlight.other({ memory: memoryText(session, memory) })
       : nextFlight.unknown;
   return <p role="status">{said}</p>;
 }

@@ -1,4 +1,5 @@
 import { messages } from '../messages/index.js';
+import { memoryName } from '../messages/names.js';
 import { Choice } from '../ui/choice.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import { memoryText } from '../work/memory-names.js';
@@ -17,7 +18,7 @@ interface WriteToProps {
 
 /** Into which memory the program on the screen is to be written. The one that flies next goes on being that. */
 export function WriteTo({ session, write, chosen }: WriteToProps) {
-  const { write: words, memoryName } = messages.value;
+  const { write: words } = messages.value;
   const { editor, nextFlight } = session;
   const { identity } = editor.baseline.value ?? {};
   // Without it nobody knows which one to come back to.

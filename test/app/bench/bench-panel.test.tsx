@@ -1,10 +1,9 @@
 import { act, fireEvent, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
-import { en } from '../../../src/app/messages/en.js';
-import { bench as words } from '../../../src/app/messages/en-bench.js';
 import type { View } from '../../../src/app/shell/views.js';
 import { HOLD } from '../../../src/app/ui/press-and-hold.js';
+import { en } from '../../tools/en.js';
 import { late } from '../screen.js';
 import { type AppBench, appBench, type BenchOptions, idle } from './bench.js';
 
@@ -96,7 +95,7 @@ describe('the bench', () => {
     const { timer, adapter } = await opened();
     adapter.answersAt = 1;
     await press('Function 4');
-    expect(screen.getByText(words.moveMaybe)).toBeTruthy();
+    expect(screen.getByText(en.bench.moveMaybe)).toBeTruthy();
     expect(timer.core.slot).toBe(10);
   });
 
@@ -239,9 +238,9 @@ describe('servos that follow', () => {
     await type('Function 4, S2', '70');
     expect(positions(app)).toEqual([70, 70]);
     show('bench');
-    expect(screen.getByText(words.triedHere(['Function 4, S2: 55 → 70'], 0))).toBeTruthy();
+    expect(screen.getByText(en.bench.triedHere({ named: 'Function 4, S2: 55 → 70', more: 0 }))).toBeTruthy();
     await press(en.bench.stopFollowing);
-    expect([isOn(), isMarked('Function 4'), note().includes(words.ended.over)]).toEqual([false, false, false]);
+    expect([isOn(), isMarked('Function 4'), note().includes(en.bench.ended.over)]).toEqual([false, false, false]);
     expect(band()).toContain('Tried: Function 4, S2: 55 → 70. Keep what was tried');
     await press('Keep it');
     expect(screen.queryByRole('button', { name: 'Keep it' })).toBeNull();
@@ -321,7 +320,7 @@ describe('servos that follow', () => {
     expect(positions(app)).toEqual([55, 115]);
     const offer = screen.getByRole('button', { name: 'Move the servos to function 4' });
     expect(offer.closest('tr')?.previousElementSibling).toBe(row('Function 4'));
-    expect(offer.closest('tr')?.textContent).toContain(words.waits);
+    expect(offer.closest('tr')?.textContent).toContain(en.bench.waits);
     await press('Move the servos to function 4');
     expect([positions(app), isMarked('Function 4')]).toEqual([[70, 70], true]);
     expect(screen.queryByRole('button', { name: /^Move the servos/ })).toBeNull();
@@ -338,16 +337,16 @@ describe('servos that follow', () => {
     await press('Function 4');
     await flip();
     await press('Read again');
-    expect(note()).toContain(words.ended.over);
-    expect(note()).not.toContain(words.endUnread);
+    expect(note()).toContain(en.bench.ended.over);
+    expect(note()).not.toContain(en.bench.endUnread);
     await press('Dismiss');
-    expect(note()).not.toContain(words.ended.over);
+    expect(note()).not.toContain(en.bench.ended.over);
     await flip();
     // After the reading that follows the first position.
     timer.core.onAnswer = ({ name }) => name === 'GETSWVER' && timer.core.sleep();
     await type('Function 4, S2', '70');
-    expect(note()).toContain(`${words.ended.failed} ${words.endUnread}`);
-    expect(note()).toContain(words.moveMaybe);
+    expect(note()).toContain(`${en.bench.ended.failed} ${en.bench.endUnread}`);
+    expect(note()).toContain(en.bench.moveMaybe);
   });
 
   it('a timer that keeps no position: says so with values, and leaves what was typed as a change', async () => {
@@ -356,10 +355,12 @@ describe('servos that follow', () => {
     await flip();
     const held = String(editor.working.value?.positions[1]?.[4]);
     await type('Function 4, S2', '70');
-    expect(note()).toContain(`${words.ended.unlike} ${words.notTaken('Function 4, S2', '70', held)}`);
-    expect(note()).not.toContain(words.endUnread);
+    expect(note()).toContain(
+      `${en.bench.ended.unlike} ${en.bench.notTaken({ field: 'Function 4, S2', wanted: '70', held })}`,
+    );
+    expect(note()).not.toContain(en.bench.endUnread);
     expect(editor.changes.value).toMatchObject([{ from: Number(held), to: 70 }]);
-    expect(screen.queryByRole('button', { name: words.putBack })).toBeNull();
+    expect(screen.queryByRole('button', { name: en.bench.putBack })).toBeNull();
   });
 
   it('a timer that takes the servo first: names the value that changed beside, and offers to put it back', async () => {
@@ -369,10 +370,10 @@ describe('servos that follow', () => {
     const [held, , beside] =
       editor.working.value?.positions.map((row, servo) => String(row[servo === 0 ? 2 : 0])) ?? [];
     await type('Function 2, S1', '70');
-    expect(note()).toContain(words.notTaken('Function 2, S1', '70', held ?? ''));
-    expect(note()).toContain(words.beside([`Start, S3: ${beside} → 70`], 0));
+    expect(note()).toContain(en.bench.notTaken({ field: 'Function 2, S1', wanted: '70', held: held ?? '' }));
+    expect(note()).toContain(en.bench.beside({ named: `Start, S3: ${beside} → 70`, more: 0 }));
     expect(editor.changes.value.map(({ from, to }) => [from, to])).toEqual([[Number(held), 70]]);
-    await press(words.putBack);
+    await press(en.bench.putBack);
     expect(editor.working.value?.positions[2]?.[0]).toBe(Number(beside));
     expect(timer.core.content.positions[2]?.[0]).toBe(70);
   });

@@ -1,8 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { bench as words } from '../../../src/app/messages/en-bench.js';
 import { SHAPES } from '../../../src/app/ui/shapes.js';
+import { en } from '../../tools/en.js';
 import { connected, goTo, inWindow, press } from '../screen.js';
 import { type AppBench, type BenchOptions, idle } from './bench.js';
 
@@ -25,7 +24,7 @@ const trim = (name: string): HTMLElement => screen.getByRole('group', { name });
 const field = (servo: string): HTMLInputElement =>
   within(trim(`Function 4, ${servo}`)).getByRole<HTMLInputElement>('textbox');
 const key = (step: string, servo = 'S2'): HTMLElement =>
-  screen.getByRole('button', { name: en.of(step, `Function 4, ${servo}`) });
+  screen.getByRole('button', { name: en.of({ button: step, name: `Function 4, ${servo}` }) });
 const stored = ({ timer }: AppBench): [stored: number | undefined, servo: number | undefined] => [
   timer.core.content.positions[1]?.[4],
   timer.core.servos[1],
@@ -77,7 +76,7 @@ describe('trimming', () => {
       [55, 55],
     ]);
     expect([was('S2'), was('S1')]).toEqual(['was 55', undefined]);
-    expect(within(document.querySelector('.bench-trim') as HTMLElement).getByText(words.waits)).toBeTruthy();
+    expect(within(document.querySelector('.bench-trim') as HTMLElement).getByText(en.bench.waits)).toBeTruthy();
   });
 
   it('takes a typed position, and moves the servo once it is typed', async () => {
@@ -181,7 +180,7 @@ describe('trimming', () => {
 
   it('has an idle throttle, too', async () => {
     const app = await atFour();
-    fireEvent.click(screen.getByRole('button', { name: en.of('+1', 'Idle throttle') }));
+    fireEvent.click(screen.getByRole('button', { name: en.of({ button: '+1', name: 'Idle throttle' }) }));
     expect(app.editor.changes.value).toMatchObject([{ field: { kind: 'idleThrottle' }, to: 31 }]);
   });
 });
@@ -189,7 +188,7 @@ describe('trimming', () => {
 it('on a phone the pilot chooses one servo, and sees where each of them stands', async () => {
   inWindow((query) => query === SHAPES.phone);
   await atFour();
-  const title = words.trim('function 4');
+  const title = en.bench.trim({ slot: 'function 4' });
   const choice = within(screen.getByRole('group', { name: title }));
   expect(choice.getAllByRole('radio').map((radio) => radio.closest('label')?.textContent)).toEqual([
     'S1 55',
@@ -229,7 +228,7 @@ describe('the names that the pilot gave the servos', () => {
     for (const [servo, name] of names.entries()) {
       const head = screen.getByRole('columnheader', { name: `S${servo + 1} ${name}` });
       expect(head.textContent).toBe(`S${servo + 1}${name}`);
-      expect(within(head).getByRole('button').title).toBe(en.edits.table.tools(`S${servo + 1} ${name}`));
+      expect(within(head).getByRole('button').title).toBe(en.edits.table.tools({ name: `S${servo + 1} ${name}` }));
     }
     app.session.servoUses.say(null);
     await idle(0);

@@ -5,13 +5,11 @@ import { Compare } from '../../../src/app/compare/compare.js';
 import { sideName } from '../../../src/app/compare/compare-page.js';
 import { setValues } from '../../../src/app/editing/edit.js';
 import { whole } from '../../../src/app/messages/dotted.js';
-import { bench as benchWords } from '../../../src/app/messages/en-bench.js';
-import { comparingMessages } from '../../../src/app/messages/en-compare.js';
-import { knowledge as words } from '../../../src/app/messages/en-knowledge.js';
 import { Print } from '../../../src/app/print/print.js';
 import { PrintOrder } from '../../../src/app/print/print-order.js';
 import type { Backup, ModelRecord } from '../../../src/app/storage/index.js';
 import { BackupList } from '../../../src/app/write/backup-list.js';
+import { en } from '../../tools/en.js';
 import { LANCER_HELD, lancerConnected, S2, twoModels } from '../two-models.js';
 import { idle, run } from './bench.js';
 
@@ -47,8 +45,8 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
     return timer ? sideName(session, timer).replaceAll('\u00a0', ' ') : '';
   };
   const sheet = () => new Print(session, new PrintOrder(), 'https://example.org/').sheets.value[0];
-  const { modelBackups } = comparingMessages;
-  const same = whole(modelBackups.same(modelBackups.now));
+  const { modelBackups } = en;
+  const same = whole(modelBackups.same({ when: modelBackups.now }));
   expect(backups()).toContain(same);
 
   session.safety.confirm();
@@ -58,19 +56,19 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
   await idle();
   expect(bench.timer.core.content.positions[1]?.[4], 'it is in the timer').toBe(77);
   expect(backups()).not.toContain(same);
-  expect(side()).toContain(words.lastReadAt(null));
+  expect(side()).toContain(en.knowledge.lastRead);
   const tried = sheet();
-  expect(tried?.origin).toContain(benchWords.triedAndWaiting(1, 0));
-  expect(tried?.origin).not.toContain(words.lastReadAt(null));
-  expect([tried?.program.positions[1]?.[4], tried?.was(S2)]).toEqual([77, words.marks.now('52')]);
+  expect(tried?.origin).toContain(en.bench.triedAndWaiting({ tried: 1, waiting: 0 }));
+  expect(tried?.origin).not.toContain(en.knowledge.lastRead);
+  expect([tried?.program.positions[1]?.[4], tried?.was(S2)]).toEqual([77, en.knowledge.marks.now({ value: '52' })]);
   expect(session.opened.source().from, 'nobody has read it').toBe('typed');
 
   await run(bench.follow.stop());
   expect(session.standing.value.sure).toBe('now');
   expect([backups().includes(same), backups()]).toEqual([
     false,
-    expect.stringContaining(modelBackups.differs(1, modelBackups.now)),
+    expect.stringContaining(modelBackups.differs({ count: 1, when: modelBackups.now })),
   ]);
-  expect(side()).not.toContain(words.lastReadAt(null));
-  expect(sheet()?.origin).toContain(words.readAt('').trim());
+  expect(side()).not.toContain(en.knowledge.lastRead);
+  expect(sheet()?.origin).toContain(en.knowledge.readAt({ time: '' }).trim());
 });

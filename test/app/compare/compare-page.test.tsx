@@ -1,13 +1,12 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { whole } from '../../../src/app/messages/dotted.js';
-import { en } from '../../../src/app/messages/en.js';
-import { comparingMessages } from '../../../src/app/messages/en-compare.js';
 import { messages } from '../../../src/app/messages/index.js';
 import type { ModelRecord, SettingRecord } from '../../../src/app/storage/index.js';
 import { differences, type TimerProgram } from '../../../src/program/index.js';
 import { exampleMemories } from '../../../src/simulator/index.js';
 import { MODEL, SETTING } from '../../program/library-examples.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, appBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { button, drawn, press } from '../screen.js';
 
@@ -87,7 +86,7 @@ describe('two programs side by side', () => {
     const bench = await page(true, setting('trimmed', TRIMMED));
     await bench.session.backups.add(WIND, 'write', false);
     await compare(bench, 'setting/trimmed');
-    expect(options('with').slice(0, 2)).toEqual([comparingMessages.compare.screen, 'Timer, M1']);
+    expect(options('with').slice(0, 2)).toEqual([en.compare.screen, 'Timer, M1']);
     expect(options('with').at(-1)).toMatch(/^Lancer · M1 · /);
     fireEvent.change(screen.getByRole('combobox', { name: 'with' }), { target: { value: 'timer/0' } });
     await idle(0);
@@ -100,7 +99,7 @@ describe('two programs side by side', () => {
     await compare(bench, 'setting/calm');
     expect(options('with')).toEqual(['Lancer · trimmed']);
     await compare(bench, 'setting/small');
-    expect(document.querySelector('.compare-page')?.textContent).toContain(comparingMessages.compare.nothing);
+    expect(document.querySelector('.compare-page')?.textContent).toContain(en.compare.nothing);
   });
 
   it('change to what is still there when one is deleted', async () => {
@@ -173,7 +172,7 @@ describe('values of the other program', () => {
 });
 
 describe('the backups of a model', () => {
-  const { modelBackups } = comparingMessages;
+  const { modelBackups } = en;
 
   it('stand on its page with what differs from now, and are loaded from there', async () => {
     const bench = await page(true);
@@ -183,8 +182,8 @@ describe('the backups of a model', () => {
     await idle(0);
     const rows = [...document.querySelectorAll('.kept-row')].map(({ textContent }) => textContent);
     expect(rows).toHaveLength(2);
-    expect(rows[0]).toContain(whole(modelBackups.same(modelBackups.now)));
-    expect(rows[1]).toContain(modelBackups.differs(3, modelBackups.now));
+    expect(rows[0]).toContain(whole(modelBackups.same({ when: modelBackups.now })));
+    expect(rows[1]).toContain(modelBackups.differs({ count: 3, when: modelBackups.now }));
     fireEvent.click(screen.getAllByRole('button', { name: /^Open: M1/ })[1] as HTMLElement);
     await idle(0);
     expect([bench.models.views.shown.value, bench.editor.changes.value.length]).toEqual(['program', 3]);
@@ -196,7 +195,7 @@ describe('the backups of a model', () => {
     await bench.session.backups.save({ ...backup, model: 'lancer' });
     bench.models.views.show('library', 'lancer');
     await idle(0);
-    expect(document.querySelector('.kept-row')?.textContent).toContain(modelBackups.differs(3, ''));
+    expect(document.querySelector('.kept-row')?.textContent).toContain(modelBackups.differs({ count: 3, when: '' }));
     fireEvent.click(screen.getByRole('button', { name: /^Open: M1/ }));
     await idle(0);
     expect([bench.editor.madeAt.value === null, bench.editor.working.value?.times[10]]).toEqual([false, 24_000]);

@@ -1,10 +1,10 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
 import { messages } from '../../../src/app/messages/index.js';
 import type { PortRecord } from '../../../src/app/storage/index.js';
 import { encodeFrame } from '../../../src/protocol/index.js';
 import { DEFAULT_SETTINGS } from '../../../src/serial/index.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { connected, goTo, opened, press } from '../screen.js';
 
@@ -59,14 +59,14 @@ describe('what the line says of the timer', () => {
   it('replies about the idle throttle that are damaged in one way are named, and hide nothing else', async () => {
     const { editor, timer } = await connected({ quirks: { idleThrottleLength3: true } });
     expect(editor.baseline.value).toMatchObject({ times: timer.core.content.times, idleThrottle: null });
-    expect(within(await about()).getByText(messages.value.alike.title('GETLOWRPM'))).toBeTruthy();
+    expect(within(await about()).getByText(messages.value.alike.title({ request: 'GETLOWRPM' }))).toBeTruthy();
     expect(screen.queryByText(messages.value.timer.unstable.title)).toBeNull();
   });
 
   it('positions that are damaged in one way: says so in place of noise, and shows the times', async () => {
     const { session, timer } = await opened({ info: FTDI, quirks: { lengthInSum: ['GETSERVOPOS'] } });
     await press('Connect');
-    expect(screen.getByText(messages.value.alike.title('GETSERVOPOS'))).toBeTruthy();
+    expect(screen.getByText(messages.value.alike.title({ request: 'GETSERVOPOS' }))).toBeTruthy();
     const said = screen.getByText(/^For looking only/).textContent.replaceAll('\u00a0', ' ');
     expect(said).toMatch(/Motor stop 10\.0 s.*Function 1 time .*DT 3:00 min\.$/);
     expect(session.editor.baseline.value).toBeNull();

@@ -1,7 +1,7 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
 import { Adapter } from '../../serial/bench.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { button, connected, field, goTo, opened, press, type } from '../screen.js';
 
@@ -41,7 +41,7 @@ describe('the adapters that are known', () => {
     await opened({ store, info: FTDI, answersAt: 19_200, plug: { granted: true } });
     await goTo('settings');
     expect(screen.getByRole('heading', { name: en.ports.title })).toBeTruthy();
-    const known = screen.getByRole('button', { name: en.of('Connect', en.link.portNames.ftdi) });
+    const known = screen.getByRole('button', { name: en.of({ button: 'Connect', name: en.link.portNames.ftdi }) });
     expect(known.textContent).toBe('Connect');
     fireEvent.click(known);
     await idle();
@@ -52,7 +52,7 @@ describe('the adapters that are known', () => {
   it('are forgotten by a click: the browser asks again', async () => {
     const { serial } = await opened({ info: FTDI, plug: { granted: true } });
     await goTo('settings');
-    await press(en.of(en.ports.forget, en.link.portNames.ftdi));
+    await press(en.of({ button: en.ports.forget, name: en.link.portNames.ftdi }));
     expect(screen.queryByRole('button', { name: /^Connect: / })).toBeNull();
     expect(screen.queryByRole('heading', { name: en.ports.title })).toBeNull();
     expect(await serial.getPorts()).toEqual([]);

@@ -1,8 +1,8 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { platformOf } from '../../../src/app/browser/platform.js';
-import { en } from '../../../src/app/messages/en.js';
 import { NARROW } from '../../../src/app/ui/shapes.js';
+import { en } from '../../tools/en.js';
 import { idle, reloaded, run } from '../bench/bench.js';
 import { connected, drawn, field, goTo, opened, press, table, type } from '../screen.js';
 

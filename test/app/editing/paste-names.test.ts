@@ -8,6 +8,7 @@ import { columnNamed, rowNamed } from '../../../src/app/editing/paste-names.js';
 import type { PasteAnswer } from '../../../src/app/editing/paste-questions.js';
 import { formatInterval, formatTime } from '../../../src/app/editing/units.js';
 import { messages } from '../../../src/app/messages/index.js';
+import { servoName } from '../../../src/app/messages/names.js';
 import { ProgramGrid } from '../../../src/app/timeline/program-grid.js';
 import { slotKind, type TimerProgram } from '../../../src/program/index.js';
 import { slotCount } from '../../../src/protocol/index.js';
@@ -206,10 +207,10 @@ describe('a name that is not known', () => {
 
 describe("the page's own words", () => {
   it('are known', () => {
-    const { program, edits, servoName, times } = messages.value;
+    const { program, edits, times } = messages.value;
     for (const slot of Array.from({ length: 11 }, (_, each) => each)) {
       const kind = slotKind(Q10, slot);
-      for (const name of [messages.value.slotName(slot, kind), messages.value.slotShort(slot, kind)]) {
+      for (const name of [messages.value.slotName({ slot, kind }), messages.value.slotShort({ slot, kind })]) {
         expect(rowNamed(Q10, name, true), name).toEqual({ slot });
       }
     }
@@ -267,7 +268,7 @@ describe('any program', () => {
           const isMotor = row === 'motor';
           if (column === 'names') {
             const name = short ? words.slotShort : words.slotName;
-            return isMotor ? words.program.motorStop : name(slot, slotKind(identity, slot));
+            return isMotor ? words.program.motorStop : name({ slot, kind: slotKind(identity, slot) });
           }
           if (column === 'time') {
             return isMotor
@@ -287,7 +288,7 @@ describe('any program', () => {
               ? words.program.time
               : column === 'after'
                 ? words.edits.table.interval
-                : words.servoName(Number(column));
+                : servoName(Number(column));
         const table = [columns.map(headOf), ...rows.map((row) => columns.map((column) => cellOf(row, column)))];
         // A transposed table has its headings first.
         const first = columns.indexOf('names');

@@ -2,9 +2,9 @@ import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { offsetText } from '../../../src/app/flights/flight-list.js';
 import { dotted } from '../../../src/app/messages/dotted.js';
-import { en } from '../../../src/app/messages/en.js';
-import { flightMessages } from '../../../src/app/messages/en-flights.js';
+import { moreMessages } from '../../../src/app/messages/more.js';
 import { emptyModel } from '../../../src/app/records/library.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle, reloaded } from '../bench/bench.js';
 import { button, connected, drawn, field, opened, press, type } from '../screen.js';
 import { PLAIN, recordOf } from './flights.js';
@@ -102,10 +102,10 @@ describe('the log', () => {
     act(() => void fireEvent.input(search() as Element, { target: { value: 'gyula' } }));
     expect(rows()).toEqual(['09:00Vegastrong thermalno result']);
     act(() => void fireEvent.input(search() as Element, { target: { value: 'nowhere' } }));
-    expect(screen.getByText(flightMessages.nothingFound)).toBeTruthy();
-    await press(flightMessages.filter.clear);
+    expect(screen.getByText(moreMessages.value.flights.nothingFound)).toBeTruthy();
+    await press(moreMessages.value.flights.filter.clear);
     expect(rows().length).toBe(10);
-    const period = screen.getByRole('combobox', { name: flightMessages.filter.period });
+    const period = screen.getByRole('combobox', { name: moreMessages.value.flights.filter.period });
     act(() => void fireEvent.change(period, { target: { value: 'year' } }));
     await idle(0);
     expect(rows().length).toBeLessThan(10);
@@ -161,7 +161,7 @@ describe('the log', () => {
 
   it('says whose clock a flight is shown by', async () => {
     const app = await season();
-    const { noOffset, when } = flightMessages.form;
+    const { noOffset, when } = moreMessages.value.flights.form;
     act(() => app.models.flights.fillIn('c'));
     await idle(0);
     expect(form().getByText(noOffset)).toBeTruthy();
@@ -184,8 +184,8 @@ describe('the log', () => {
     await app.session.library.keepFlight(today);
     act(() => app.models.flights.fillIn(flights(app)[0]?.id ?? ''));
     await idle(0);
-    const { row, form: words } = flightMessages;
-    await press(words.propose(dotted([row.round('4'), row.wind('4')])));
+    const { row, form: words } = moreMessages.value.flights;
+    await press(words.propose({ facts: dotted([row.round({ round: '4' }), row.wind({ wind: '4' })]) }));
     expect(flights(app)[0]).toMatchObject({ round: '4', wind: 4 });
     expect(form().queryByRole('button', { name: /^Note / })).toBeNull();
   });
@@ -196,7 +196,7 @@ describe('the log', () => {
     fill('Wind m/s', 'much');
     const alert = form().getByRole('alert');
     const described = texts('dialog [aria-describedby]').length;
-    expect([alert.textContent, described]).toEqual([flightMessages.form.unreadable['not-a-number'], 1]);
+    expect([alert.textContent, described]).toEqual([moreMessages.value.flights.form.unreadable['not-a-number'], 1]);
     await press('Done');
     expect(document.activeElement).toBe(form().getByRole('textbox', { name: 'Wind m/s' }));
     fill('Wind m/s', '51');
@@ -210,8 +210,8 @@ describe('the log', () => {
     const saved: Blob[] = [];
     vi.stubGlobal('URL', Object.assign(URL, { createObjectURL: (blob: Blob) => String(saved.push(blob)) }));
     act(() => app.models.flights.showOnly({ of: { kind: 'model', id: 'v', name: 'Vega' } }));
-    expect(screen.getByText(flightMessages.filter.of('Vega'))).toBeTruthy();
-    await press(flightMessages.csv.save);
+    expect(screen.getByText(moreMessages.value.flights.filter.of({ name: 'Vega' }))).toBeTruthy();
+    await press(moreMessages.value.flights.csv.save);
     const text = await saved[0]?.text();
     expect(saved[0]?.type).toBe('text/csv');
     expect(text?.split('\r\n').length).toBe(3);
@@ -225,8 +225,8 @@ describe('the log', () => {
     app.store.flights.all = () => Promise.reject(new Error('no'));
     const page = await drawnAgain(app);
     await toLog(page);
-    expect(screen.getByRole('alert').textContent).toContain(flightMessages.failed);
-    expect(screen.queryByText(flightMessages.empty.title)).toBeNull();
+    expect(screen.getByRole('alert').textContent).toContain(moreMessages.value.flights.failed);
+    expect(screen.queryByText(moreMessages.value.flights.empty.title)).toBeNull();
     app.store.flights.all = all;
     await press('Try again');
     expect([rows().length, screen.queryByRole('alert')]).toEqual([1, null]);
@@ -234,7 +234,7 @@ describe('the log', () => {
 
   it('says what it is for while it is empty', async () => {
     await toLog(await opened());
-    expect(screen.getByText(flightMessages.empty.title)).toBeTruthy();
+    expect(screen.getByText(moreMessages.value.flights.empty.title)).toBeTruthy();
     expect(screen.queryByRole('button', { name: 'Flying this' })).toBeNull();
   });
 });
@@ -247,7 +247,7 @@ it('one press beside the program on the screen logs a flight, and what it flew i
   expect(screen.queryByRole('button', { name: 'Flying this' }), 'what is typed is not in the timer').toBeNull();
   await toLog(app);
   act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
-  await press(flightMessages.form.open);
+  await press(moreMessages.value.flights.form.open);
   expect([app.models.views.shown.value, screen.queryByRole('dialog')]).toEqual(['program', null]);
   expect(field('DT time').value).toBe('3:00');
   expect(app.editor.undoStep.value?.code).toBe('open');
@@ -264,7 +264,7 @@ describe('after a verified write', () => {
     await press(/^Write \d+ changes?$/);
     const written = within(screen.getByRole('dialog', { name: en.write.title }));
     expect(written.getAllByText(/DT 20 s/).length, 'the figures stand once').toBe(1);
-    expect(written.getByText(flightMessages.flying.purpose)).toBeTruthy();
+    expect(written.getByText(moreMessages.value.flights.flying.purpose)).toBeTruthy();
     button('Flying this').focus();
     await press('Flying this');
     expect(document.activeElement, 'the focus does not leave the dialog').toBe(button('Fill in'));
@@ -307,7 +307,7 @@ it('the page of a model shows the totals of its flights, and leads to them', asy
   app.models.views.show('library', 'l');
   await idle();
   expect(texts('.flight-totals')).toEqual(['2 flightsbest 3:00 minaverage 2:55.7 min']);
-  await press(flightMessages.section.all);
+  await press(moreMessages.value.flights.section.all);
   expect(app.models.views.path.value).toBe('flights');
   expect(rows().length).toBe(2);
   expect(

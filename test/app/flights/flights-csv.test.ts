@@ -1,13 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { CSV_COLUMNS, type CsvColumn, flightsCsv, marksOf } from '../../../src/app/flights/flights-csv.js';
-import { flightMessages } from '../../../src/app/messages/en-flights.js';
+import { type CsvColumn, csvColumns, flightsCsv, marksOf } from '../../../src/app/flights/flights-csv.js';
+import { moreMessages } from '../../../src/app/messages/more.js';
 import { meant, readCsv } from './csv-reader.js';
 import { anyFlight, PLAIN, recordOf } from './flights.js';
 
 /** The columns in which a pilot's words stand. */
 const WORDS = ['place', 'model', 'setting', 'round', 'note'] as const;
-const { columns: heads } = flightMessages.csv;
+const { columns: heads } = moreMessages.value.flights.csv;
 
 describe('the table of flights', () => {
   it('is read back by an independent reader, for every flight and with both separators', () => {
@@ -17,11 +17,11 @@ describe('the table of flights', () => {
         const csv = flightsCsv(flights, marks);
         expect(csv.startsWith('\uFEFF')).toBe(true);
         const [head, ...rows] = readCsv(csv.slice(1), marks.separator);
-        expect(head).toEqual(CSV_COLUMNS.map((column) => heads[column]));
+        expect(head).toEqual(csvColumns().map((column) => heads[column]));
         expect(rows.length).toBe(flights.length);
         flights.forEach((flight, at) => {
           const cells = Object.fromEntries(
-            CSV_COLUMNS.map((column, index) => [column, rows[at]?.[index] ?? '']),
+            csvColumns().map((column, index) => [column, rows[at]?.[index] ?? '']),
           ) as Record<CsvColumn, string>;
           const number = (text = ''): number | null => (text === '' ? null : Number(text.replace(marks.decimal, '.')));
           const [year = 0, month = 0, day = 0, hour = 0, minute = 0] = `${cells.date}-${cells.time}`

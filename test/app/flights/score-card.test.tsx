@@ -1,14 +1,14 @@
 import { act, fireEvent, screen } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { flightMessages } from '../../../src/app/messages/en-flights.js';
 import type { Flight } from '../../../src/program/index.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { button, opened, press } from '../screen.js';
 import { PLAIN } from './flights.js';
 
 beforeEach(() => localStorage.clear());
 
-const { score: words, form, flying } = flightMessages;
+const { score: words, form, flying } = en.flights;
 const dayOne = new Date(2026, 10, 21, 9).getTime();
 const flightsIn = ({ session }: AppBench): readonly Flight[] =>
   session.library.flights.list.value.map(({ flight }) => flight).reverse();
@@ -58,7 +58,7 @@ describe('the score card', () => {
       ['1', '251', '', '251'],
       ['2 10:00', '150', '', `${words.notCounted}${words.count}`],
       ['2 11:00', '175.5', '', '175.5'],
-      ['3', '', '', `${flightMessages.row.noResult}${flying.fillIn}`],
+      ['3', '', '', `${en.flights.row.noResult}${flying.fillIn}`],
       [words.total, '7:06.5 min 426.5'],
       ['Fly-off', '320', '', '320'],
       [words.noRound, '20', '', `${words.notCounted}${flying.fillIn}`],
@@ -81,8 +81,8 @@ describe('the score card', () => {
     expect(maxima(app)).toEqual([180, 180, 180, 180, null, null, null]);
     expect([field(words.maximum).value, total()]).toEqual(['180', '5:55.5 min 355.5']);
     expect(screen.queryByText(words.none)).toBeNull();
-    enter(words.maximumOf('Round 1'), '4 min');
-    enter(words.maximumOf('Fly-off'), '300');
+    enter(words.maximumOf({ round: 'Round 1' }), '4 min');
+    enter(words.maximumOf({ round: 'Fly-off' }), '300');
     await idle(0);
     expect(maxima(app)).toEqual([240, 180, 180, 180, 300, null, null]);
     expect([field(words.maximum).value, total()]).toEqual(['180', '6:55.5 min 415.5']);
@@ -92,16 +92,16 @@ describe('the score card', () => {
     await press('Undo');
     expect(maxima(app)).toEqual([240, 180, 180, 180, 300, null, null]);
     expect(screen.queryByRole('button', { name: 'Undo' })).toBeNull();
-    enter(words.maximumOf('Round 1'), '');
+    enter(words.maximumOf({ round: 'Round 1' }), '');
     await idle(0);
-    expect(field(words.maximumOf('Round 1')).placeholder, 'it has that of the day again').toBe('180');
+    expect(field(words.maximumOf({ round: 'Round 1' })).placeholder, 'it has that of the day again').toBe('180');
     expect(Object.keys(flightsIn(app)[0] ?? {})).not.toContain('maximum');
   });
 
   it('asks what 2.58 means, says why a text is none, and takes what stands in it when the page is hidden', async () => {
     const app = await contest();
     await press(words.open);
-    const name = words.maximumOf('Round 3');
+    const name = words.maximumOf({ round: 'Round 3' });
     enter(name, '2.58');
     expect(maxima(app)[3]).toBeNull();
     await press('2 min 58 s');
@@ -109,7 +109,7 @@ describe('the score card', () => {
     enter(name, 'much');
     expect([screen.getByRole('alert').textContent, field(name).value]).toEqual([form.unreadable['not-a-time'], 'much']);
     enter(name, '0');
-    expect(screen.getByRole('alert').textContent).toBe(form.range(1, 36_000, 's'));
+    expect(screen.getByRole('alert').textContent).toBe(form.range({ min: 1, max: 36_000, unit: 's' }));
     act(() => void fireEvent.input(field(name), { target: { value: '200' } }));
     expect(maxima(app)[3], 'the field has not been left').toBe(178);
     act(() => void dispatchEvent(new Event('pagehide')));

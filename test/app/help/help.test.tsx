@@ -1,12 +1,11 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { checklist, guide, troubles, words } from '../../../src/app/messages/en-guide.js';
 import { SHAPES } from '../../../src/app/ui/shapes.js';
+import { en } from '../../tools/en.js';
 import { idle, reloaded, run } from '../bench/bench.js';
 import { connected, drawn, goTo, inWindow, opened, press, type } from '../screen.js';
 
-const PAGES = guide.pages;
+const PAGES = en.guide.pages;
 type Page = keyof typeof PAGES;
 
 /** Goes to a page of the help, as its link does. */
@@ -71,7 +70,7 @@ describe('the help', () => {
     const { models } = await connected();
     expect(screen.getByRole('link', { name: en.edits.table.explain }).getAttribute('href')).toBe('#help/words');
     await look(models, 'words');
-    expect(screen.getByText(words.position.range)).toBeTruthy();
+    expect(screen.getByText(en.values.position.range)).toBeTruthy();
   });
 });
 
@@ -81,7 +80,7 @@ describe('what the checklist says of the timer', () => {
   it('is nothing before one was read', async () => {
     const { models } = await opened();
     await look(models, 'checklist');
-    expect(known()).toBe(checklist.known.nothing);
+    expect(known()).toBe(en.checklist.known.nothing);
   });
 
   it('is what flies next while the timer is connected, and else what was last read', async () => {
@@ -105,12 +104,12 @@ describe('what the checklist says of the timer', () => {
     await press(en.newProgram.title);
     await press(en.newProgram.make);
     await look(bench.models, 'checklist');
-    expect(known()).toBe(checklist.known.nothing);
+    expect(known()).toBe(en.checklist.known.nothing);
     cleanup();
     const { models, editor } = await drawn(await reloaded(bench));
     await look(models, 'checklist');
     expect(editor.madeAt.value).not.toBeNull();
-    expect(known()).toBe(checklist.known.nothing);
+    expect(known()).toBe(en.checklist.known.nothing);
   });
 
   it('is that nobody knows, after a write was cut off', async () => {
@@ -132,7 +131,7 @@ describe('what the checklist says of the timer', () => {
 it('a symptom of the connection has the same steps as the page shows when it happens', async () => {
   const { models } = await opened();
   await look(models, 'trouble');
-  const symptom = within(screen.getByText(troubles.symptoms.noAnswer.title).closest('details') as HTMLElement);
+  const symptom = within(screen.getByText(en.troubles.symptoms.noAnswer.title).closest('details') as HTMLElement);
   expect(symptom.getByText(en.help.steps.battery)).toBeTruthy();
 });
 

@@ -1,10 +1,9 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { expect, it, onTestFinished, vi } from 'vitest';
-import { comparingMessages, versions } from '../../../src/app/messages/en-compare.js';
-import { libraryMessages } from '../../../src/app/messages/en-library.js';
 import { dateText, messages } from '../../../src/app/messages/index.js';
 import { SHAPES } from '../../../src/app/ui/shapes.js';
 import type { Setting } from '../../../src/program/index.js';
+import { en } from '../../tools/en.js';
 import { idle, run } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
 import { stored } from './stored.js';
@@ -30,8 +29,8 @@ it('is empty at first, and says what a model is for and how to begin', async () 
   await opened();
   await goTo('library');
   await idle();
-  screen.getByText(libraryMessages.empty.title);
-  screen.getByText(libraryMessages.empty.hint);
+  screen.getByText(en.library.empty.title);
+  screen.getByText(en.library.empty.hint);
   expect(screen.getByRole('button', { name: 'New model…' })).toBeTruthy();
   expect(screen.queryByRole('link', { name: /setting/ })).toBeNull();
 });
@@ -47,11 +46,11 @@ it.each(['', 'model-0', 'model-0/setting-0'])(
     const app = await opened({ store });
     app.models.views.show('library', path);
     await idle();
-    screen.getByText(libraryMessages.unread);
+    screen.getByText(en.library.unread);
     expect(screen.queryByText(/No model yet|A model holds|not in the library any more/)).toBeNull();
     [store.models.all, store.settings.all] = all;
     await press('Try again');
-    expect(screen.queryByText(libraryMessages.unread)).toBeNull();
+    expect(screen.queryByText(en.library.unread)).toBeNull();
     expect(screen.getAllByText(/Lancer 01|fly-off 0/).length).toBeGreaterThan(0);
   },
 );
@@ -85,7 +84,7 @@ it('a name cannot become empty', async () => {
   const app = await at('model-0/setting-0');
   const before = input('Name').value;
   await write('Name', '  ');
-  expect(screen.getByText(libraryMessages.nameNeeded)).toBeTruthy();
+  expect(screen.getByText(en.library.nameNeeded)).toBeTruthy();
   fireEvent.blur(input('Name'));
   await idle();
   expect([input('Name').value, app.store.settings.records.get('setting-0')?.setting.name]).toEqual([before, before]);
@@ -94,7 +93,7 @@ it('a name cannot become empty', async () => {
 it.each([
   ['Name', 'Lancer ', 'Lancer 07'],
   ['Name', 'Lancer\u202e', 'Lancer\u202e 07'],
-  [libraryMessages.setting.tags, 'calm,', 'calm,windy'],
+  [en.library.setting.tags, 'calm,', 'calm,windy'],
 ])('what is typed into “%s” after a pause goes on from what was kept: %j', async (field, first, then) => {
   const app = await at('model-0/setting-0');
   await write(field, first);
@@ -124,7 +123,7 @@ it('a setting that is open can be loaded again after changes, as one step', asyn
   await press(messages.value.open);
   const { editor } = app.session;
   const saved = editor.working.value;
-  const again = libraryMessages.setting.loadAgain(3);
+  const again = en.library.setting.loadAgain({ count: 3 });
   for (const slot of [1, 2, 3]) editor.type({ kind: 'position', servo: 0, slot }, '111');
   app.models.views.show('library', 'model-0/setting-0');
   await idle();
@@ -138,9 +137,9 @@ it('a setting that is open can be loaded again after changes, as one step', asyn
 it('a program is saved under a model that is made with it', async () => {
   const app = await at('model-0/setting-0');
   await press(messages.value.open);
-  await press(libraryMessages.save.asNew);
+  await press(en.library.save.asNew);
   const dialog = within(screen.getByRole('dialog'));
-  const newModel = dialog.getByRole<HTMLOptionElement>('option', { name: libraryMessages.models.make });
+  const newModel = dialog.getByRole<HTMLOptionElement>('option', { name: en.library.models.make });
   fireEvent.change(dialog.getByRole('combobox', { name: 'Model' }), { target: { value: newModel.value } });
   await idle(0);
   fireEvent.input(dialog.getByRole('textbox', { name: 'Name of the program' }), { target: { value: ' calm ' } });
@@ -192,39 +191,39 @@ it('a phone saves a program from what the strip opens', async () => {
   await at('model-0/setting-0');
   await press(messages.value.open);
   expect(
-    screen.queryByRole('button', { name: libraryMessages.save.asNew }),
+    screen.queryByRole('button', { name: en.library.save.asNew }),
     'the bar of a phone has no room for this button',
   ).toBeNull();
   fireEvent.click(document.querySelector('.strip-more') as HTMLElement);
   await idle();
-  expect(screen.getByRole('button', { name: libraryMessages.save.asNew })).toBeTruthy();
+  expect(screen.getByRole('button', { name: en.library.save.asNew })).toBeTruthy();
 });
 
 it('the earlier versions of a program say until when and what was changed, are compared and come back', async () => {
   const app = await at('model-0/setting-0');
   const { settings } = app.session.library;
-  expect(screen.queryByText(versions.title)).toBeNull();
+  expect(screen.queryByText(en.versions.title)).toBeNull();
   const setting = settings.get('setting-0')?.setting as Setting;
   const { program } = setting;
   const changed = { ...program, times: program.times.with(10, 21_000), idleThrottle: 25 };
   await run(app.session.library.keepSetting({ ...setting, program: changed }));
   await idle(0);
   const rows = () =>
-    [...(screen.getByText(versions.title).parentElement?.querySelectorAll('li') ?? [])].map((row) =>
+    [...(screen.getByText(en.versions.title).parentElement?.querySelectorAll('li') ?? [])].map((row) =>
       row.textContent?.replaceAll('\u00a0', ' '),
     );
   const [until = 0] = settings.get('setting-0')?.versions?.map((each) => each.until) ?? [];
-  const name = versions.until(dateText(until));
+  const name = en.versions.until({ when: dateText(until) });
   expect(rows()).toEqual([
-    `${name.replaceAll('\u00a0', ' ')} then DT: 3:00 min → 3:30 min and 1 moreCompare…${versions.goBack}`,
+    `${name.replaceAll('\u00a0', ' ')} then DT: 3:00 min → 3:30 min and 1 moreCompare…${en.versions.goBack}`,
   ]);
-  await press(messages.value.of(comparingMessages.compare.open, name));
+  await press(messages.value.of({ button: en.compare.open, name }));
   const chosen = screen.getAllByRole<HTMLSelectElement>('combobox').map((each) => each.selectedOptions[0]?.textContent);
   expect(chosen).toEqual([`fly-off 0 · ${name}`, 'Lancer 01 · fly-off 0']);
   app.models.views.show('library', 'model-0/setting-0');
   await idle(0);
-  await press(messages.value.of(versions.goBack, name));
+  await press(messages.value.of({ button: en.versions.goBack, name }));
   expect(settings.get('setting-0')?.setting).toEqual(setting);
   expect(rows()).toHaveLength(2);
-  expect(rows()[1], 'it is what the setting holds').toContain(versions.same);
+  expect(rows()[1], 'it is what the setting holds').toContain(en.versions.same);
 });

@@ -1,23 +1,23 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, expect, it } from 'vitest';
-import { libraryMessages } from '../../../src/app/messages/en-library.js';
 import { messages } from '../../../src/app/messages/index.js';
+import { en } from '../../tools/en.js';
 import { idle, run } from '../bench/bench.js';
 import { drawn, press, type } from '../screen.js';
 import { BACKUP, lancerConnected, savedAs, WIND } from '../two-models.js';
 
 beforeEach(() => localStorage.clear());
 
-const { save: words } = libraryMessages;
+const { save: words } = en.library;
 
 it('the button names what it overwrites, and the save is taken back', async () => {
   const bench = await drawn(await lancerConnected());
   await run(bench.session.opened.show(WIND));
   await idle(0);
   await type('DT time', '2:00');
-  await press(words.over('wind', 'Magpie'));
+  await press(words.over({ program: 'wind of Magpie' }));
   expect(savedAs(bench, 'wind')?.program.times[10]).toBe(12_000);
-  await press(words.undo('wind'));
+  await press(words.undo({ name: 'wind' }));
   expect(savedAs(bench, 'wind')).toEqual(WIND);
   act(() => bench.editor.revertAll());
   await idle(0);
@@ -32,12 +32,14 @@ it('values of one model go under another only with a tick', async () => {
   const model = dialog.getByRole<HTMLSelectElement>('combobox', { name: messages.value.label.model });
   const saves = () => dialog.getByRole<HTMLButtonElement>('button', { name: messages.value.save });
   expect(model.selectedOptions[0]?.textContent, 'the model of the backup, not of the timer').toBe('Magpie');
-  fireEvent.input(dialog.getByRole('textbox', { name: words.name('program') }), { target: { value: 'taken over' } });
+  fireEvent.input(dialog.getByRole('textbox', { name: words.name({ of: 'program' }) }), {
+    target: { value: 'taken over' },
+  });
   expect(saves().disabled).toBe(false);
   fireEvent.change(model, { target: { value: 'Lancer' } });
   await idle(0);
   expect(saves().disabled).toBe(true);
-  fireEvent.click(dialog.getByRole('checkbox', { name: words.crossing('Magpie', 'Lancer') }));
+  fireEvent.click(dialog.getByRole('checkbox', { name: words.crossing({ from: 'Magpie', to: 'Lancer' }) }));
   await idle(0);
   fireEvent.click(saves());
   await idle();
@@ -55,10 +57,10 @@ it('a name that its model has already is saved over with a tick, or changed', as
   const saves = () => dialog.getByRole<HTMLButtonElement>('button', { name: messages.value.save });
   const tick = () => dialog.queryByRole<HTMLInputElement>('checkbox', { name: words.replace });
   const named = async (name: string): Promise<void> => {
-    fireEvent.input(dialog.getByRole('textbox', { name: words.name('program') }), { target: { value: name } });
+    fireEvent.input(dialog.getByRole('textbox', { name: words.name({ of: 'program' }) }), { target: { value: name } });
     await idle(0);
   };
-  expect(dialog.getByText(words.taken('wind', 'Magpie'))).toBeTruthy();
+  expect(dialog.getByText(words.taken({ program: 'wind of Magpie' }))).toBeTruthy();
   expect(saves().disabled).toBe(true);
   await named('gusts');
   expect([tick(), saves().disabled]).toEqual([null, false]);
@@ -73,6 +75,6 @@ it('a name that its model has already is saved over with a tick, or changed', as
     { key: WIND.id, setting: { note: WIND.note, tags: WIND.tags }, versions: [{ program: WIND.program }] },
   ]);
   expect(ofName[0]?.setting.program.times[10]).toBe(12_000);
-  await press(words.undo('wind'));
+  await press(words.undo({ name: 'wind' }));
   expect(savedAs(bench, 'wind')).toEqual(WIND);
 });

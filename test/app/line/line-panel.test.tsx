@@ -2,7 +2,7 @@ import { act, fireEvent, render, screen, waitFor, within } from '@testing-librar
 import { options, type VNode } from 'preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { LinePanel } from '../../../src/app/line/line-panel.js';
-import { en } from '../../../src/app/messages/en.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, appBench, connectedBench, idle, run } from '../bench/bench.js';
 import { button, press } from '../screen.js';
 import { damage, lineError } from './line.js';
@@ -112,9 +112,9 @@ describe('many rows', () => {
   it('are drawn as far as a pilot looks, and older ones on a click', async () => {
     await add(await opened(), 200);
     expect(rows()).toHaveLength(100);
-    await press(en.showMore(100));
+    await press(en.showMore({ count: 100 }));
     expect(rows()).toHaveLength(200);
-    await press(en.showMore(14));
+    await press(en.showMore({ count: 14 }));
     expect(rows()).toHaveLength(214);
     expect(screen.queryByRole('button', { name: /more$/ })).toBeNull();
   });
@@ -150,7 +150,7 @@ describe('on a page without traffic', () => {
     await load('field.txt', 'no recording');
     expect(await screen.findByRole('alert')).toBeTruthy();
     await load('field.txt', ...RECORDING);
-    expect(await screen.findByText(words.recording('field.txt', 3))).toBeTruthy();
+    expect(await screen.findByText(words.recording({ name: 'field.txt', entries: 3 }))).toBeTruthy();
     expect(rows()).toHaveLength(3);
     expect(button(words.replay).disabled).toBe(false);
     fireEvent.click(button(words.back));
@@ -181,7 +181,7 @@ describe('the tools', () => {
     await run(session.reader.read());
     await idle();
     expect(rows()).toEqual(before);
-    expect(screen.getByText(words.came(12))).toBeTruthy();
+    expect(screen.getByText(words.came({ number: 12 }))).toBeTruthy();
     await press(words.goOn);
     expect(rows()).toHaveLength(before.length + 12);
     expect(screen.queryByText(/^Paused/)).toBeNull();
@@ -231,11 +231,11 @@ describe('the tools', () => {
     clipboard(() => Promise.reject(new DOMException('no', 'NotAllowedError')));
     await opened();
     await press(words.copyReport);
-    const area = screen.getByRole<HTMLTextAreaElement>('textbox', { name: words.copyByHand });
+    const area = screen.getByRole<HTMLTextAreaElement>('textbox', { name: en.copyByHand });
     expect(area.value).toMatch(/^# Sidus capture 1\n# Sidus Timer /);
     expect([area.selectionStart, area.selectionEnd]).toEqual([0, area.value.length]);
     await press('Close');
-    expect(screen.queryByRole('textbox', { name: words.copyByHand })).toBeNull();
+    expect(screen.queryByRole('textbox', { name: en.copyByHand })).toBeNull();
   });
 
   it('save the whole line as a file, whatever is shown of it', async () => {
@@ -263,7 +263,7 @@ describe('a recording', () => {
     await opened();
     const live = rows();
     await load('field.txt', ...RECORDING);
-    expect(await screen.findByText(words.recording('field.txt', 3))).toBeTruthy();
+    expect(await screen.findByText(words.recording({ name: 'field.txt', entries: 3 }))).toBeTruthy();
     expect(rows().map(([time, way]) => [time, way])).toEqual([
       ['0.100', words.in],
       ['0.052', words.in],
@@ -294,7 +294,7 @@ describe('a recording', () => {
   it('is refused with the line that is wrong', async () => {
     await opened();
     await load('field.txt', ...RECORDING, '0.050 < 00');
-    expect((await screen.findByRole('alert')).textContent).toContain(words.noRecording(5));
+    expect((await screen.findByRole('alert')).textContent).toContain(words.noRecordingAt({ line: 5 }));
     fireEvent.click(button(en.dismiss));
     await waitFor(() => expect(screen.queryByRole('alert')).toBeNull());
   });

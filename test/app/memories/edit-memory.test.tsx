@@ -1,8 +1,7 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { checklist } from '../../../src/app/messages/en-guide.js';
 import type { ProgramField } from '../../../src/program/index.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, type BenchOptions, idle, reloaded, run, selected, sets } from '../bench/bench.js';
 import { connected, drawn, field, goTo, lookAt, press, type } from '../screen.js';
 
@@ -143,7 +142,7 @@ describe('another memory than the one that flies next, in the table', () => {
     await goTo('program');
     expect([field('DT time').value, top().includes('This is')]).toEqual(['2:00', false]);
     await press('Write 1 change…');
-    expect(dialog().getByText(en.write.lead('M3'))).toBeTruthy();
+    expect(dialog().getByText(en.write.lead({ memory: 'M3' }))).toBeTruthy();
   });
 });
 
@@ -176,7 +175,7 @@ describe('what is said of the next flight, while M3 is in the table', () => {
     await press('Disconnect');
     expect([session.link.state.value.status, flights.flyable.value]).toEqual(['off', null]);
     await goTo('help');
-    expect(document.querySelector('.known-now')?.textContent).toBe(checklist.known.nothing);
+    expect(document.querySelector('.known-now')?.textContent).toBe(en.checklist.known.nothing);
   });
 
   it('is a short DT of M1, which is put back there', async () => {
@@ -198,7 +197,7 @@ describe('what is said of the next flight, while M3 is in the table', () => {
   it('moves nothing: no servo, no motor, and no position is stored', async () => {
     const app = await editing();
     await goTo('bench');
-    expect(screen.getByText(en.bench.elsewhere('M1'))).toBeTruthy();
+    expect(screen.getByText(en.bench.elsewhere({ memory: 'M1' }))).toBeTruthy();
     app.session.safety.confirm();
     app.timer.core.answered.length = 0;
     await run(Promise.all([app.bench.moveTo(2), app.bench.unlock(), app.bench.jump(), app.follow.start()]));
@@ -245,7 +244,7 @@ describe('while M3 is in the table', () => {
     await idle();
     expect([field('DT time').value, after.session.onScreen.apart.value]).toEqual(['2:00', true]);
     await goTo('help');
-    expect(document.querySelector('.known-now')?.textContent).toBe(checklist.known.nothing);
+    expect(document.querySelector('.known-now')?.textContent).toBe(en.checklist.known.nothing);
     await goTo('program');
     await run(after.session.timer.connect());
     expect([where(after), field('DT time').value]).toEqual([[0, 0], '3:00']);
@@ -364,7 +363,7 @@ describe('a job on M3 that is cut', () => {
     app.timer.core.onAnswer = undefined;
     expect([app.session.onScreen.memory.value, document.querySelector('.unfinished')?.textContent]).toEqual([
       0,
-      expect.stringContaining(en.recovery.mayFly('M3 of the F1Q 536')),
+      expect.stringContaining(en.recovery.mayFly({ memory: 'M3 of the F1Q 536' })),
     ]);
     app.adapter.replug();
     await idle();

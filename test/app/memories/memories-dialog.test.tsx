@@ -1,8 +1,7 @@
 import { act, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { memories } from '../../../src/app/messages/en-memories.js';
 import type { Backup } from '../../../src/app/storage/index.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { connected, press } from '../screen.js';
 
@@ -61,7 +60,7 @@ describe('copying a memory', () => {
     const held = structuredClone(timer.core.memories[2]);
     await press('Copy M1 to M3');
     const refused = within(screen.getByRole('dialog')).getByRole('alert').textContent;
-    expect(refused).toContain(memories.refused('M3'));
+    expect(refused).toContain(en.memories.refused({ memory: 'M3' }));
     expect(refused).toContain(`Function 3, S2 200: ${en.findings['position-out-of-range']({ min: '0', max: '130' })}`);
     await write();
     expect(screen.getByRole('button', { name: /^Write \d+ changes$/ })).toHaveProperty('disabled', true);
@@ -105,7 +104,7 @@ describe('copying a memory', () => {
     expect(screen.getByRole('alert').textContent).toContain(en.write.unkept.advice);
     expect(screen.getByRole('dialog').textContent, 'something was').not.toContain('Nothing was written');
     await press(en.cancel);
-    expect(lines()).toContain(en.memories.untouched('M2'));
+    expect(lines()).toContain(en.memories.untouched({ memory: 'M2' }));
   });
 
   it('says that one memory is not certain, and that another one differs', async () => {

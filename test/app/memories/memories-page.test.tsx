@@ -1,8 +1,7 @@
 import { act, cleanup, screen, within } from '@testing-library/preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { comparingMessages } from '../../../src/app/messages/en-compare.js';
 import type { TimerProgram } from '../../../src/program/index.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, type BenchOptions, idle } from '../bench/bench.js';
 import { button, connected, goTo, lookAt, opened, press } from '../screen.js';
 
@@ -81,7 +80,7 @@ describe('the memories', () => {
 
   it('say when they were not read; one click reads one, goes back, and leaves the program as it was', async () => {
     const { timer, memories } = await atMemories();
-    expect(said('M3')[0]).toBe(en.look.notRead('M3'));
+    expect(said('M3')[0]).toBe(en.look.notRead({ memory: 'M3' }));
     expect(buttons('M3')).toEqual(['Look at M3', 'Edit M3', 'Make M3 fly next']);
     const look = button('Look at M3');
     look.focus();
@@ -169,13 +168,13 @@ it('are compared on the page of comparisons, with the one that flies next, once 
   expect(screen.queryByRole('button', { name: /^Compare with/ })).toBeNull();
   cleanup();
   await read();
-  await press(`${en.overview.compareWith('M1')}: M3`);
-  expect(screen.getByRole('heading', { name: comparingMessages.compare.title })).toBe(document.activeElement);
+  await press(`${en.overview.compareWith({ memory: 'M1' })}: M3`);
+  expect(screen.getByRole('heading', { name: en.compare.title })).toBe(document.activeElement);
   const chosen = screen
     .getAllByRole<HTMLSelectElement>('combobox')
     .map(({ selectedOptions }) => selectedOptions[0]?.text);
   expect(chosen).toEqual([expect.stringContaining('M3'), expect.stringContaining('M1')]);
-  expect(screen.getByText(en.overview.differs(1))).toBeTruthy();
+  expect(screen.getByText(en.overview.differs({ count: 1 }))).toBeTruthy();
 });
 
 it('keeps the focus when a backup is deleted, and when that is undone', async () => {

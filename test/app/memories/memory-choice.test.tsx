@@ -1,9 +1,7 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { nextFlight as words } from '../../../src/app/messages/en-memories.js';
-import { recovery } from '../../../src/app/messages/en-recovery.js';
 import type { TimerProgram } from '../../../src/program/index.js';
+import { en } from '../../tools/en.js';
 import { idle, run, selected } from '../bench/bench.js';
 import { button, connected, field, fly, lookAt, press, strandAtM3, type } from '../screen.js';
 
@@ -23,8 +21,8 @@ describe('the memories', () => {
     expect(screen.queryAllByRole('radio')).toHaveLength(memories === 8 ? 8 : 0);
     if (memories === 8) return;
     expect([...(list?.options ?? [])].slice(0, 2).map(({ text }) => text)).toEqual([
-      en.nextFlight.named(en.memoryName(0)),
-      en.memoryName(1),
+      en.nextFlight.named({ memory: en.memoryName({ number: 1 }) }),
+      en.memoryName({ number: 2 }),
     ]);
     expect([list?.options.length, list?.value]).toEqual([memories, '0']);
     timer.core.answered.length = 0;
@@ -105,12 +103,12 @@ describe('the memories', () => {
     await fly('M3');
     expect([timer.core.memory, choices()]).toEqual([2, ['M1', 'M2', '* M3, flies next', 'M4']]);
     expect(field('DT time').value).toBe('4:00');
-    const line = `${words.other('M3')} ${words.original('M1')}`;
+    const line = `${en.nextFlight.other({ memory: 'M3' })} ${en.nextFlight.original({ original: 'M1' })}`;
     expect(screen.getByText(line).className).toBe('hint');
-    expect([screen.queryByRole('alert'), screen.queryByRole('button', { name: words.back('M1') })]).toEqual([
-      null,
-      null,
-    ]);
+    expect([
+      screen.queryByRole('alert'),
+      screen.queryByRole('button', { name: en.nextFlight.back({ original: 'M1' }) }),
+    ]).toEqual([null, null]);
     await fly('M1');
     expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
     expect(screen.queryByText(/flies next\./)).toBeNull();
@@ -124,7 +122,9 @@ describe('the memories', () => {
     await press('Make M3 fly next');
     expect(choices()).toEqual(['M1', 'M2', 'M3', 'M4']);
     expect(screen.getByText(/^No answer for \d+ s\./)).toBeTruthy();
-    expect(document.querySelector('.unfinished')?.textContent).toContain(recovery.mayFly('M3 of the F1Q 536'));
+    expect(document.querySelector('.unfinished')?.textContent).toContain(
+      en.recovery.mayFly({ memory: 'M3 of the F1Q 536' }),
+    );
     timer.core.press();
     await idle();
     expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
@@ -162,7 +162,7 @@ describe('the memories', () => {
     await session.knowledge.begin(before, { ...before, times });
     session.knowledge.jobOver();
     await lookAt('M3');
-    expect(screen.getByRole('heading', { name: en.knowledge.unknown('M3') })).toBeTruthy();
+    expect(screen.getByRole('heading', { name: en.knowledge.unknown({ memory: 'M3' }) })).toBeTruthy();
     const row = screen.getByRole('rowheader', { name: 'DT' }).parentElement;
     expect([...(row?.children ?? [])].map(({ textContent }) => textContent)).toEqual(['DT', '3:00 min', '6:00 min']);
   });
@@ -182,7 +182,9 @@ describe('a look that cannot go back', () => {
     await press('Edit M3');
     expect([away > 0, app.timer.core.memory]).toEqual([true, 2]);
     expect(app.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
-    expect(document.querySelector('.unfinished')?.textContent).toContain(recovery.mayFly('M3 of the F1Q 536'));
+    expect(document.querySelector('.unfinished')?.textContent).toContain(
+      en.recovery.mayFly({ memory: 'M3 of the F1Q 536' }),
+    );
     app.timer.core.onAnswer = undefined;
     app.timer.core.press();
     await idle();
@@ -217,7 +219,9 @@ describe('Disconnect', () => {
     const app = await connected();
     await strandAtM3(app);
     await press('Disconnect');
-    expect(dialog().getByRole('status').textContent).toBe(`${words.other('M3')} ${words.original('M1')}`);
+    expect(dialog().getByRole('status').textContent).toBe(
+      `${en.nextFlight.other({ memory: 'M3' })} ${en.nextFlight.original({ original: 'M1' })}`,
+    );
     expect(app.session.link.state.value.status).toBe('on');
     await press('Back to M1 and disconnect');
     expect([app.session.link.state.value.status, app.timer.core.memory]).toEqual(['off', 0]);
@@ -255,7 +259,9 @@ describe('Disconnect', () => {
     expect(dialog().getByRole('status').textContent).toContain(en.nextFlight.unknown);
     app.timer.core.press();
     await idle();
-    expect(dialog().getByRole('status').textContent).toBe(`${words.other('M3')} ${words.original('M1')}`);
+    expect(dialog().getByRole('status').textContent).toBe(
+      `${en.nextFlight.other({ memory: 'M3' })} ${en.nextFlight.original({ original: 'M1' })}`,
+    );
     await press('Back to M1 and disconnect');
     expect([app.session.link.state.value.status, app.timer.core.memory]).toEqual(['off', 0]);
   });

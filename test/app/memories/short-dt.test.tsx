@@ -1,6 +1,6 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, appBench, idle, reloaded, run } from '../bench/bench.js';
 import { button, connected, drawn, goTo, late, press, strandAtM3, type } from '../screen.js';
 

@@ -1,23 +1,22 @@
 import { expect, it } from 'vitest';
 import { apart } from '../../../src/app/messages/apart.js';
 import { dotted } from '../../../src/app/messages/dotted.js';
-import { filesMessages } from '../../../src/app/messages/en-files.js';
-import { libraryMessages } from '../../../src/app/messages/en-library.js';
-import { modelMessages } from '../../../src/app/messages/en-which-model.js';
+import { eitherOf } from '../../../src/app/messages/either.js';
 import { messages } from '../../../src/app/messages/index.js';
+import { en } from '../../tools/en.js';
 
 const { knowledge, memoryNames } = messages.value;
-const { recognition } = modelMessages;
+const { recognition } = en.whichModel;
 
 /** Sentences with a name and a figure after it. */
 const SENTENCES: Readonly<Record<string, (name: string) => string>> = {
   facts: (name) => dotted([name, '3:00 min', null]),
-  memory: (name) => `${memoryNames.named('M2', name)} 14:32`,
-  setting: (name) => knowledge.ofSetting(name, 2),
-  'saved setting': (name) => libraryMessages.save.state(name, 2),
-  model: (name) => recognition.same(name, '14:32'),
-  models: (name) => recognition.several([name, '07', name]),
-  import: (name) => filesMessages.import.done('2', name),
+  memory: (name) => `${memoryNames.named({ memory: 'M2', name })} 14:32`,
+  setting: (name) => knowledge.ofSetting({ name, changes: 2 }),
+  'saved setting': (name) => en.library.save.state({ name, changes: 2 }),
+  model: (name) => recognition.same({ model: name, when: '14:32' }),
+  models: (name) => recognition.several({ models: eitherOf([name, '07', name]) }),
+  import: (name) => en.files.import.done({ what: '2', name }),
 };
 
 it.each(Object.entries(SENTENCES))(

@@ -1,13 +1,10 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { formatTime } from '../../../src/app/editing/units.js';
-import { en } from '../../../src/app/messages/en.js';
-import { comparingMessages } from '../../../src/app/messages/en-compare.js';
-import { flightMessages } from '../../../src/app/messages/en-flights.js';
-import { libraryMessages } from '../../../src/app/messages/en-library.js';
-import { print as words } from '../../../src/app/messages/en-print.js';
 import { dateText, messages } from '../../../src/app/messages/index.js';
+import { moreMessages } from '../../../src/app/messages/more.js';
 import { MODEL, SETTING } from '../../program/library-examples.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { connected, goTo, opened, press, type } from '../screen.js';
 
@@ -59,7 +56,7 @@ describe('the print view', () => {
       [...document.querySelectorAll('.view-links [aria-current="true"]')].map(({ textContent }) => textContent);
     await goTo('print');
     expect([back('program'), marked()]).toEqual(['Program', ['Program']]);
-    screen.getByText(words.choose(1));
+    screen.getByText(en.print.choose({ chosen: 1 }));
     await goTo('program');
     app.models.printOrder.choose(['memory 1']);
     await goTo('print');
@@ -91,7 +88,7 @@ describe('the print view', () => {
     await opened();
     await goTo('print');
     const isOpen = () => document.querySelector<HTMLDetailsElement>('.print-picker')?.open;
-    expect([isOpen(), screen.getByText(words.nothing).textContent]).toEqual([true, expect.any(String)]);
+    expect([isOpen(), screen.getByText(en.print.nothing).textContent]).toEqual([true, expect.any(String)]);
   });
 
   it('says that the search finds nothing', async () => {
@@ -102,7 +99,7 @@ describe('the print view', () => {
     await act(async () => void (await bench.session.library.keepSetting(SETTING)));
     expect(hint()).toBeUndefined();
     act(() => void fireEvent.input(screen.getByRole('searchbox'), { target: { value: 'storm' } }));
-    expect(hint()).toBe(libraryMessages.search.nothing);
+    expect(hint()).toBe(en.library.search.nothing);
   });
 
   it('prints settings of several models, as many as are chosen', async () => {
@@ -114,7 +111,7 @@ describe('the print view', () => {
       'Lancer 07',
     ]);
     expect(sheets()[0]?.querySelector('.leaf-origin')?.textContent).toBe(
-      libraryMessages.setting.origin(libraryMessages.setting.from.timer, dateText(SETTING.at)),
+      en.library.setting.origin({ source: en.library.setting.from.timer, time: dateText(SETTING.at) }),
     );
     choose(/^No\smodel\s· found$/);
     choose(/^Lancer\s07\s· wind$/);
@@ -124,7 +121,7 @@ describe('the print view', () => {
       'wind',
     ]);
     await press('Remove all');
-    expect(screen.getByText(words.nothing)).toBeTruthy();
+    expect(screen.getByText(en.print.nothing)).toBeTruthy();
     expect(screen.getByRole<HTMLButtonElement>('button', { name: /^Print/ }).disabled).toBe(true);
     expect(document.querySelector('.back-head a')?.textContent, 'the way back stays').toBe('Library');
   });
@@ -154,19 +151,20 @@ describe('the print view', () => {
     expect(papers()).toEqual(['on-a4', 'on-a4', 'on-a4']);
     const said = () => sheets()[0]?.textContent ?? '';
     const timelines = () => screen.queryAllByRole('img', { name: messages.value.timeline.picture });
-    expect(said()).toMatch(new RegExp(`Turns left after 12 s\\..*${flightMessages.title}`));
+    expect(said()).toMatch(new RegExp(`Turns left after 12 s\\..*${moreMessages.value.flights.title}`));
     expect(timelines()).toHaveLength(3);
     expect(timelines()[0]?.textContent, 'the timeline names the servos').toMatch(/S1Tailplane.*S2flaps/);
-    for (const part of [words.notes, messages.value.timeline.title, words.parts.lines]) choose(new RegExp(`^${part}`));
-    expect(said()).not.toMatch(new RegExp(`Turns left|${flightMessages.title}`));
+    for (const part of [en.print.notes, messages.value.timeline.title, en.print.parts.lines])
+      choose(new RegExp(`^${part}`));
+    expect(said()).not.toMatch(new RegExp(`Turns left|${moreMessages.value.flights.title}`));
     expect(timelines()).toEqual([]);
     choose(/^QR code/);
-    expect(screen.getAllByRole('img', { name: words.parts.code })).toHaveLength(3);
+    expect(screen.getAllByRole('img', { name: en.print.parts.code })).toHaveLength(3);
     choose(/^QR code/);
     await goTo('library');
     await goTo('print');
     expect(papers()[0]).toBe('on-a4');
-    expect(said()).not.toMatch(new RegExp(flightMessages.title));
+    expect(said()).not.toMatch(new RegExp(moreMessages.value.flights.title));
   });
 
   it('prints the memories that were read, as the timer held them, from Memories', async () => {
@@ -196,7 +194,7 @@ describe('the print view', () => {
       ['M3', 'As last read', dtOf(2)],
     ]);
     expect(dtOf(0)).not.toBe('2:30');
-    choose(new RegExp(`^${comparingMessages.compare.screen}`));
+    choose(new RegExp(`^${en.compare.screen}`));
     choose(/^M1\s· As\slast\sread/);
     expect(sheets().map(values)).toEqual([
       ['M3', 'As last read', dtOf(2)],
@@ -204,7 +202,7 @@ describe('the print view', () => {
     ]);
     expect(screen.queryByRole('checkbox', { name: /^M2/ }), 'nobody has read M2').toBeNull();
     act(() => printOrder.choose(['memory 1']));
-    expect(screen.getByText(words.nothing)).toBeTruthy();
+    expect(screen.getByText(en.print.nothing)).toBeTruthy();
   });
 
   it('leaves out what is gone, and says that the print window did not open', async () => {
@@ -216,7 +214,7 @@ describe('the print view', () => {
     await goTo('print');
     await idle();
     await press(messages.value.views.print);
-    expect(screen.getByRole('alert').textContent).toContain(words.failed.slice(0, 20));
+    expect(screen.getByRole('alert').textContent).toContain(en.print.failed.slice(0, 20));
     vi.unstubAllGlobals();
   });
 

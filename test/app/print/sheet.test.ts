@@ -1,10 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { libraryMessages } from '../../../src/app/messages/en-library.js';
 import { type SheetSource, sheetOf } from '../../../src/app/print/sheet.js';
 import { servoGroups } from '../../../src/app/print/sheet-paper.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { MODEL, SETTING } from '../../program/library-examples.js';
+import { en } from '../../tools/en.js';
 import { programOf } from '../programs.js';
 
 const sourceOf = (program: TimerProgram, changes: Partial<SheetSource> = {}): SheetSource => ({
@@ -24,7 +23,7 @@ describe('a setting sheet', () => {
     expect(sheet).toMatchObject({
       model: 'Lancer 07',
       name: 'calm morning',
-      timer: libraryMessages.setting.timer('F1Q', '536', 3, 2),
+      timer: 'F1Q, firmware\u00a0536, 3\u00a0functions, 2\u00a0servos',
       memory: 'M2',
       servos: ['Tailplane', 'flaps'],
       note: ['Turns left after 12 s.'],

@@ -1,6 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
+import { en } from '../../tools/en.js';
 import { idle } from '../bench/bench.js';
 import { connected, field, key } from '../screen.js';
 

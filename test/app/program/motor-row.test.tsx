@@ -1,7 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { edits } from '../../../src/app/messages/en-edits.js';
+import { en } from '../../tools/en.js';
 import { idle } from '../bench/bench.js';
 import { button, connected, field, late, press, table, type } from '../screen.js';
 
@@ -44,7 +43,7 @@ describe('the motor stop of a Q', () => {
     await connected();
     await type(en.program.motorStopTime, time);
     const said = [...document.querySelectorAll('td.interval .cell-name')];
-    expect(said.map((each) => each.textContent)).toEqual([edits.table.countedFrom(from)]);
+    expect(said.map((each) => each.textContent)).toEqual([en.edits.table.countedFrom({ row: from })]);
     expect(said[0]?.closest('td')?.querySelector('input')).toBe(field(`${below} interval`));
   });
 

@@ -1,9 +1,8 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { setValues } from '../../../src/app/editing/edit.js';
-import { en } from '../../../src/app/messages/en.js';
-import { write } from '../../../src/app/messages/en-write.js';
 import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, appBench, idle, MemoryStore } from '../bench/bench.js';
 import { button, connected, field, goTo, opened, press, table, type } from '../screen.js';
 
@@ -278,7 +277,10 @@ describe('the table of each class', () => {
         await idle();
         return start.textContent?.trim();
       };
-      expect([await set(0), await set(1234)]).toEqual(['0', `${en.program.reserved(en.seconds('12.34'))} 0`]);
+      expect([await set(0), await set(1234)]).toEqual([
+        '0',
+        `${en.program.reserved({ time: en.seconds({ time: '12.34' }) })} 0`,
+      ]);
     },
   );
 
@@ -337,18 +339,18 @@ describe('writing', () => {
     await connected();
     await type('Motor stop time', '4:00');
     await press('Write…');
-    const { stillToTick, ticks } = write;
+    const { stillToTick, ticks } = en.write;
     const why = () => document.getElementById(button('Write 1 change').getAttribute('aria-describedby') ?? '');
-    expect(why()?.textContent).toBe(stillToTick([ticks.warnings, ticks.safety]));
-    fireEvent.click(screen.getByRole('checkbox', { name: write.safety }));
+    expect(why()?.textContent).toBe(stillToTick({ ticks: `${ticks.warnings}, ${ticks.safety}` }));
+    fireEvent.click(screen.getByRole('checkbox', { name: en.write.safety }));
     await idle();
-    expect(why()?.textContent).toBe(stillToTick([ticks.warnings]));
+    expect(why()?.textContent).toBe(stillToTick({ ticks: ticks.warnings }));
     expect(button('Write 1 change').disabled).toBe(true);
     const dialog = screen.getByRole('dialog');
     const finding = within(dialog).getByText(/The motor stops after DT \(3:00\smin\)/);
     const table = within(dialog).getByRole('table');
     expect(finding.compareDocumentPosition(table), 'above the table').toBe(Node.DOCUMENT_POSITION_FOLLOWING);
-    fireEvent.click(screen.getByRole('checkbox', { name: write.acknowledge }));
+    fireEvent.click(screen.getByRole('checkbox', { name: en.write.acknowledge }));
     await idle();
     expect([button('Write 1 change').disabled, why()]).toEqual([false, null]);
   });
@@ -359,7 +361,7 @@ describe('writing', () => {
     await press('Write…');
     const [dt] = screen.getByRole('dialog').querySelectorAll('.key-figures > span');
     expect(dt?.textContent).toContain(en.program.shortDt);
-    fireEvent.click(screen.getByRole('checkbox', { name: write.safety }));
+    fireEvent.click(screen.getByRole('checkbox', { name: en.write.safety }));
     await idle();
     expect(button('Write 1 change').disabled).toBe(false);
   });
@@ -480,7 +482,7 @@ describe('without Web Serial', () => {
     await opened({ store, webSerial: false });
     expect(field('DT time').value).toBe('4:00');
     await press(en.header.closeProgram);
-    await press(en.start.simulated('F1Q'));
+    await press(en.start.simulated({ name: 'F1Q' }));
     expect(field('DT time').value).toBe('4:00');
     expect(button('Write…').disabled).toBe(false);
   });
@@ -503,6 +505,6 @@ describe('without Web Serial', () => {
 it('an idle throttle that could not be read is not known', async () => {
   await connected({ quirks: { idleThrottleLength3: true } });
   const row = screen.getByRole('rowheader', { name: en.program.idleThrottle }).closest('tr') as HTMLElement;
-  expect(row.textContent).toContain(write.status.unknown);
+  expect(row.textContent).toContain(en.write.status.unknown);
   expect(within(row).queryByRole('textbox')).toBeNull();
 });

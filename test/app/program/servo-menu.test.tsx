@@ -1,11 +1,10 @@
 import { fireEvent, screen } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { edits } from '../../../src/app/messages/en-edits.js';
+import { en } from '../../tools/en.js';
 import { idle } from '../bench/bench.js';
 import { button, connected, field, key, press, type } from '../screen.js';
 
-const { stepServo: words } = edits;
+const { stepServo: words } = en.edits;
 const stops = (): (string | null)[] => [...document.querySelectorAll('.stops')].map((line) => line.textContent);
 
 function put(text: string): void {
@@ -96,7 +95,7 @@ describe('all positions of a servo', () => {
     await type('Function 4, S2', 'x');
     await press('Tools for S2');
     await press('+1');
-    expect(screen.getByRole('alert').textContent).toContain(edits.refused.unreadable({}));
+    expect(screen.getByRole('alert').textContent).toContain(en.edits.refused.unreadable);
     put('2.5');
     await press(words.step);
     expect(screen.getByRole('alert').textContent).toBe(en.unreadable['not-a-whole-number']);

@@ -1,7 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { line } from '../../../src/app/messages/en-line.js';
+import { en } from '../../tools/en.js';
 import { idle } from '../bench/bench.js';
 import { connected, field, key, press } from '../screen.js';
 
@@ -150,7 +149,7 @@ describe('a range without a Shift key', () => {
     clipboard(given as Clipboard);
     await pick('Function 1 time', 'Function 2, S2');
     await press('Copy');
-    const byHand = within(screen.getByRole('dialog', { name: line.copyByHand }));
+    const byHand = within(screen.getByRole('dialog', { name: en.copyByHand }));
     expect(byHand.getByRole<HTMLTextAreaElement>('textbox').value).toBe('10.50\t25\t25\n11.00\t35\t35');
     expect(screen.queryByText('Copied.', { exact: true })).toBeNull();
   });

@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { parseTime } from '../../../src/app/editing/units.js';
-import { en } from '../../../src/app/messages/en.js';
+import { en } from '../../tools/en.js';
 import { appBench, idle, MemoryStore } from '../bench/bench.js';
 import { connected, field, goTo, key, late, press } from '../screen.js';
 
@@ -259,11 +259,11 @@ describe('intervals', () => {
     field('Function 3 interval').focus();
     await key('d', { ctrlKey: true });
     expect(screen.getByRole('alert').textContent).toBe(
-      `Nothing was changed. Function 2 time: ${en.edits.refused.unreadable({})}`,
+      `Nothing was changed. Function 2 time: ${en.edits.refused.unreadable}`,
     );
     await paste('1\n1');
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
-    expect(dialog.getByText(`Function 3 interval, “1”: ${en.edits.refused.unreadable({})}`)).toBeTruthy();
+    expect(dialog.getByText(`Function 3 interval, “1”: ${en.edits.refused.unreadable}`)).toBeTruthy();
     await press('Cancel');
     expect(editor.changes.value).toEqual([]);
   });
@@ -404,7 +404,7 @@ describe('a paste', () => {
     await paste(text);
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
     const { problems, lead, apply } = en.edits.pasting;
-    expect([dialog.getByText(problems), dialog.getByText(lead(changes))]).toHaveLength(2);
+    expect([dialog.getByText(problems), dialog.getByText(lead({ count: changes }))]).toHaveLength(2);
     expect(dialog.getByRole<HTMLButtonElement>('button', { name: apply }).disabled).toBe(disabled);
   });
 
@@ -435,7 +435,7 @@ describe('a paste', () => {
     field('Start, S1').focus();
     await paste('Function\tS1\nF9\t7\nF10\t8');
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
-    expect(dialog.getByText(new RegExp(en.edits.refused['no-place']({})))).toBeTruthy();
+    expect(dialog.getByText(new RegExp(en.edits.refused['no-place']))).toBeTruthy();
     expect(pastedCells()).toEqual([['Function 9, S1', '7', '105']]);
     await press('Cancel');
     expect(editor.changes.value).toEqual([]);

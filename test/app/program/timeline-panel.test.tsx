@@ -2,10 +2,10 @@ import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { options } from 'preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { formatTime } from '../../../src/app/editing/units.js';
-import { en } from '../../../src/app/messages/en.js';
 import { messages } from '../../../src/app/messages/index.js';
 import { Theme } from '../../../src/app/settings/theme.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { connected, late } from '../screen.js';
 

@@ -1,11 +1,10 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { modelMessages } from '../../../src/app/messages/en-which-model.js';
 import type { ModelRecord } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { exampleMemories } from '../../../src/simulator/index.js';
 import { MODEL } from '../../program/library-examples.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, appBench, idle, MemoryStore } from '../bench/bench.js';
 import { button, drawn, goTo, press } from '../screen.js';
 
@@ -33,7 +32,7 @@ async function withModels(...models: readonly ModelRecord[]): Promise<AppBench> 
 }
 
 const line = (): string | undefined => document.querySelector('.model-line p')?.textContent ?? undefined;
-const list = () => within(screen.getByRole('dialog', { name: modelMessages.recognition.dialog.title }));
+const list = () => within(screen.getByRole('dialog', { name: en.whichModel.recognition.dialog.title }));
 
 describe('the line about the model', () => {
   it('is its name and the day, shown once', async () => {
@@ -63,7 +62,7 @@ describe('the line about the model', () => {
     const many = Array.from({ length: 300 }, (_, at) => ({ ...record(`m${at}`, HELD[0]), order: at }));
     await withModels(...many.map((each) => ({ ...each, model: { ...each.model, name: 'Lancer' } })));
     expect(line()).toBe('This may be Lancer, Lancer, Lancer, Lancer, Lancer or 295 more. Which model is it?');
-    await press(modelMessages.recognition.choose);
+    await press(en.whichModel.recognition.choose);
     expect(list().getAllByRole('button', { name: /^Lancer/ })).toHaveLength(300);
   });
 
@@ -73,7 +72,7 @@ describe('the line about the model', () => {
     await press(en.recognition.which);
     fireEvent.input(list().getByRole('textbox', { name: 'Name' }), { target: { value: '  Lancer 08 ' } });
     fireEvent.submit(
-      list().getByRole('button', { name: modelMessages.recognition.dialog.keep }).closest('form') as HTMLFormElement,
+      list().getByRole('button', { name: en.whichModel.recognition.dialog.keep }).closest('form') as HTMLFormElement,
     );
     await idle();
     expect(session.origin.timer.value?.name).toBe('Lancer 08');
@@ -83,7 +82,7 @@ describe('the line about the model', () => {
   it('opens a list: the candidates first, then all others, with a search', async () => {
     const others = Array.from({ length: 12 }, (_, at) => record(`Model ${at}`));
     const { session } = await withModels(...others, record('Two', HELD[0]), record('One', HELD[0]));
-    await press(modelMessages.recognition.choose);
+    await press(en.whichModel.recognition.choose);
     const names = () =>
       list()
         .getAllByRole('listitem')
@@ -102,7 +101,7 @@ describe('the line about the model', () => {
 
   it('does not ask again after “not now”', async () => {
     const { session } = await withModels(record('Three'));
-    expect(line()).toBe(modelMessages.recognition.unknown);
+    expect(line()).toBe(en.whichModel.recognition.unknown);
     await press('Choose…');
     fireEvent.click(list().getByRole('button', { name: 'Not now' }));
     await idle(0);

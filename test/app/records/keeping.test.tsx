@@ -2,10 +2,11 @@ import { readFileSync } from 'node:fs';
 import { act, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
-import { en } from '../../../src/app/messages/en.js';
+import { countedText } from '../../../src/app/messages/names.js';
 import type { Backup } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { MODEL } from '../../program/library-examples.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { FAULTS, FaultyStore } from '../faults.js';
 import { programOf } from '../programs.js';
@@ -30,7 +31,7 @@ describe('a backup that is deleted', () => {
     return bench;
   }
   const said = (count: number) =>
-    screen.queryByText(en.removed(en.counted({ backups: count })), { normalizer: (text) => text });
+    screen.queryByText(en.removed({ what: countedText({ backups: count }) }), { normalizer: (text) => text });
 
   it('can be put back for ten seconds after the last one, a set of several as one', async () => {
     const bench = await shown();
@@ -150,7 +151,7 @@ describe('an unreadable record', () => {
 
   it('is reported, can be saved, and is not reported again', async () => {
     const bench = await found('drafts');
-    expect(screen.getByText(en.aside.title(1))).toBeTruthy();
+    expect(screen.getByText(en.aside.title({ count: 1 }))).toBeTruthy();
     expect(screen.queryByText(/read the timer before you fly/)).toBeNull();
     expect(JSON.parse(bench.models.aside.asText())).toMatchObject([{ stored: { key: 'x', time: 'NaN' } }]);
     expect(screen.getByRole('button', { name: en.aside.save })).toBeTruthy();

@@ -1,7 +1,7 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
 import { SHAPES, TIGHT } from '../../../src/app/ui/shapes.js';
+import { en } from '../../tools/en.js';
 import { idle } from '../bench/bench.js';
 import { connected, drawn, goTo, inWindow, lookAt, opened, press, type } from '../screen.js';
 import { CALM, lancerBench } from '../two-models.js';
@@ -38,7 +38,7 @@ it('on a phone the panel gives way to what was asked for', async () => {
   expect(isOpen(), 'M3 is shown').toBe(false);
   await openFigures();
   await press('Edit M3');
-  expect(screen.getByText(en.nextFlight.onScreen('M3'))).toBeTruthy();
+  expect(screen.getByText(en.nextFlight.onScreen({ memory: 'M3' }))).toBeTruthy();
   expect(isOpen(), 'M3 was read').toBe(false);
   await openFigures();
   await lookAt('M1, flies next');
@@ -104,7 +104,7 @@ it('says what is true also after a tool has put its own text into every element'
   }
   await type('DT time', '6:00');
   await type(en.program.motorStopTime, '12');
-  expect(words()).toContain(en.program.changes(2));
+  expect(words()).toContain(en.program.changes({ count: 2 }));
   expect(words()).toContain('DT 6:00 min');
   expect(words()).toContain('motor stop 12.0 s');
   expect(words()).not.toMatch(/As in the timer|3:00|10\.0/);
@@ -180,7 +180,9 @@ it.each(['program', 'library', 'settings'] as const)(
     await goTo(view);
     const { ofModel, ofSetting } = en.knowledge;
     const head = document.querySelector('.top') as HTMLElement;
-    expect(within(head).getByText(ofSetting(ofModel('calm', 'Lancer'), 1))).toBeTruthy();
+    expect(
+      within(head).getByText(ofSetting({ name: ofModel({ name: 'calm', model: 'Lancer' }), changes: 1 })),
+    ).toBeTruthy();
   },
 );
 

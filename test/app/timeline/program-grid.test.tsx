@@ -1,10 +1,10 @@
 import { render, screen } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { INTERVAL_COLUMN, TIME_COLUMN } from '../../../src/app/editing/grid.js';
-import { en } from '../../../src/app/messages/en.js';
 import { ProgramGrid } from '../../../src/app/timeline/program-grid.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { SETTING } from '../../program/library-examples.js';
+import { en } from '../../tools/en.js';
 import { programOf } from '../programs.js';
 
 function linesOf(program: TimerProgram, other: TimerProgram = program): string[] {

@@ -1,11 +1,11 @@
 import { signal } from '@preact/signals';
 import { act, fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
 import type { OnEdit } from '../../../src/app/timeline/drag.js';
 import { Timeline, type TimelineProps } from '../../../src/app/timeline/timeline.js';
 import { TimelineModel } from '../../../src/app/timeline/view-model.js';
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
+import { en } from '../../tools/en.js';
 import { programOf } from '../programs.js';
 
 /**

@@ -1,7 +1,6 @@
 import { act, screen } from '@testing-library/preact';
 import { expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
-import { libraryMessages } from '../../../src/app/messages/en-library.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { button, connected, goTo, press, type } from '../screen.js';
 
@@ -46,7 +45,7 @@ it.each<[dialog: string, open: (app: AppBench) => Promise<void>]>([
       await press(en.erase.open);
     },
   ],
-  ['Save', () => press(libraryMessages.save.open)],
+  ['Save', () => press(en.library.save.open)],
 ])('Escape changes nothing: %s', async (name, open) => {
   const app = await connected();
   await type('DT time', '4:00');

@@ -1,7 +1,7 @@
 import { render, screen } from '@testing-library/preact';
 import { expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
 import { onDemand } from '../../../src/app/ui/on-demand.js';
+import { en } from '../../tools/en.js';
 
 const file = { Text: ({ text }: { readonly text: string }) => <p>{text}</p> };
 /** A file whose first request fails. */

@@ -1,8 +1,8 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
 import { strayed } from '../../../src/app/write/sending.js';
 import { TimerError, type WriteReport } from '../../../src/client/index.js';
+import { en } from '../../tools/en.js';
 import { connected, press, type } from '../screen.js';
 
 afterEach(() => localStorage.clear());

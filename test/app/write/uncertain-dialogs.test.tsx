@@ -1,7 +1,7 @@
 import { fireEvent, screen } from '@testing-library/preact';
 import { afterEach, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
 import { type TimerProgram, withValue } from '../../../src/program/index.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { connected, field, goTo, press, type } from '../screen.js';
 

@@ -1,7 +1,7 @@
 import { cleanup, fireEvent, render, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
-import { en } from '../../../src/app/messages/en.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle, MemoryStore, reloaded } from '../bench/bench.js';
 import { button, connected, late, opened, press, type } from '../screen.js';
 
@@ -57,7 +57,7 @@ it('the result of a write to a timer that falls asleep says so until the timer i
     false,
     false,
   ]);
-  expect(said()).toContain(en.write.cut('M1'));
+  expect(said()).toContain(en.write.cut({ memory: 'M1' }));
 });
 
 describe('after a write whose answer never came', () => {

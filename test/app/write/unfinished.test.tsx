@@ -1,8 +1,8 @@
 import { act, cleanup, screen } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
 import { VIEWS } from '../../../src/app/shell/views.js';
 import { withValue } from '../../../src/program/index.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle, reloaded, run } from '../bench/bench.js';
 import { button, connected, drawn, fly, goTo, lookAt, press, strandAtM3, type } from '../screen.js';
 
@@ -33,7 +33,7 @@ async function loadedAgain(app: AppBench): Promise<AppBench> {
 const CUT: readonly [job: string, said: string, start: (app: AppBench) => Promise<void>][] = [
   [
     'a look',
-    recovery.mayFly(`M3 of ${OTHER}`),
+    recovery.mayFly({ memory: `M3 of ${OTHER}` }),
     async () => {
       await lookAt('M3');
       await press('Edit M3');
@@ -41,15 +41,15 @@ const CUT: readonly [job: string, said: string, start: (app: AppBench) => Promis
   ],
   [
     'reading all memories',
-    recovery.mayNotFly(`M1 of ${OTHER}`),
+    recovery.mayNotFly({ original: `M1 of ${OTHER}` }),
     async () => {
       await press(en.overview.readAll);
     },
   ],
-  ['a copy', recovery.mayNotFly(`M1 of ${OTHER}`), () => press('Copy M1 to M3')],
+  ['a copy', recovery.mayNotFly({ original: `M1 of ${OTHER}` }), () => press('Copy M1 to M3')],
   [
     'a restore',
-    recovery.mayNotFly(`M1 of ${OTHER}`),
+    recovery.mayNotFly({ original: `M1 of ${OTHER}` }),
     async ({ write, editor }) => {
       const program = { ...(editor.baseline.value as NonNullable<typeof editor.baseline.value>), memory: 2 };
       const backup = { key: '1', savedAt: 1, reason: 'write', program, simulated: false } as const;
@@ -82,7 +82,7 @@ describe('a job that was cut while another memory was current', () => {
       expect(screen.getByRole('region', { name: en.timer['memory-left'].title }).textContent).toContain(
         'Now M3 flies next.',
       );
-      await press(en.look.fly('M1'));
+      await press(en.look.fly({ memory: 'M1' }));
       expect([band(), after.timer.core.memory, after.store.unfinished.records.size]).toEqual([null, 0, 0]);
     },
   );
@@ -111,15 +111,15 @@ describe('a job that was cut while another memory was current', () => {
     const app = await connected();
     await lookAt('M3');
     cut(app);
-    await press(en.look.fly('M3'));
+    await press(en.look.fly({ memory: 'M3' }));
     await act(() => run(app.session.timer.disconnect()));
     await idle();
-    expect(band(), 'after Disconnect').toContain(recovery.mayFly(`M3 of ${OTHER}`));
+    expect(band(), 'after Disconnect').toContain(recovery.mayFly({ memory: `M3 of ${OTHER}` }));
     const after = await loadedAgain(app);
-    expect(band(), 'after a reload').toContain(recovery.mayFly(`M3 of ${OTHER}`));
+    expect(band(), 'after a reload').toContain(recovery.mayFly({ memory: `M3 of ${OTHER}` }));
     await press(en.knowledge.connect);
     expect([band(), after.store.unfinished.records.size]).toEqual([null, 0]);
-    expect(screen.getByRole('radio', { name: en.nextFlight.named(flies), checked: true })).toBeTruthy();
+    expect(screen.getByRole('radio', { name: en.nextFlight.named({ memory: flies }), checked: true })).toBeTruthy();
   });
 
   it('is not said after a memory that was made to fly next', async () => {
@@ -136,7 +136,7 @@ describe('a job that was cut while another memory was current', () => {
     expect([band(), app.store.unfinished.records.size]).toEqual([null, 0]);
     cutAtM3(app);
     await lookAt('M3');
-    await press(en.look.edit('M3'));
+    await press(en.look.edit({ memory: 'M3' }));
     await loadedAgain(app);
     await press(en.knowledge.forget);
     await press(en.knowledge.forgetNow);
@@ -160,7 +160,7 @@ describe('a job that was cut while another memory was current', () => {
     await press('Edit M3');
     await loadedAgain(app);
     await goTo('help');
-    expect(document.querySelector('.known-now')?.textContent).toBe(recovery.mayFly(`M3 of ${OTHER}`));
+    expect(document.querySelector('.known-now')?.textContent).toBe(recovery.mayFly({ memory: `M3 of ${OTHER}` }));
   });
 });
 
@@ -178,7 +178,7 @@ describe('tried positions', () => {
     const after = await loadedAgain(app);
     for (const view of VIEWS) {
       await goTo(view);
-      expect(band(), view).toContain(words.triedIn(`M1 of ${OTHER}`));
+      expect(band(), view).toContain(words.triedIn({ memory: `M1 of ${OTHER}` }));
       expect(band(), view).toContain(words.decide);
     }
     await goTo('program');
@@ -211,7 +211,7 @@ describe('a connection that ends while the servos follow', () => {
     await press(en.header.disconnect);
     expect(app.session.link.state.value.status).toBe('off');
     expect([app.follow.on.value, app.session.knowledge.uncertain.value]).toEqual([false, []]);
-    expect(band()).toContain(words.triedIn(`M1 of ${OTHER}`));
+    expect(band()).toContain(words.triedIn({ memory: `M1 of ${OTHER}` }));
     await press(en.knowledge.connect);
     expect(app.session.notices.current.value).toBeNull();
     expect(band()).toContain('Tried: Function 4, S2: 55 → 71.');
@@ -239,7 +239,9 @@ describe('a connection that ends while the servos follow', () => {
     (app.timer.core.content.positions[1] as number[])[4] = 9;
     app.adapter.replug();
     await idle();
-    expect(document.body.textContent).toContain(`${words.triedIn('M1')} 1 value in the timer is neither old`);
+    expect(document.body.textContent).toContain(
+      `${words.triedIn({ memory: 'M1' })} 1 value in the timer is neither old`,
+    );
     expect(document.body.textContent).not.toContain('interrupted');
   });
 });
@@ -255,9 +257,9 @@ describe('several unfinished jobs', () => {
     expect(document.querySelectorAll('.unfinished > section')).toHaveLength(1);
     expect(band()).toContain('It is not known what M1 holds: DT is 3:00 min or 6:00 min.');
     expect(band()).not.toContain(en.timer['memory-left'].title);
-    await press(en.more(1));
+    await press(en.more({ count: 1 }));
     expect(band()).toContain(en.timer['memory-left'].title);
-    expect(button(en.more(1)).getAttribute('aria-expanded')).toBe('true');
+    expect(button(en.more({ count: 1 })).getAttribute('aria-expanded')).toBe('true');
   });
 
   it('an interrupted write is in sight above every view after a replug', async () => {

@@ -1,6 +1,6 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it } from 'vitest';
-import { en } from '../../../src/app/messages/en.js';
+import { en } from '../../tools/en.js';
 import { type AppBench, idle, sets } from '../bench/bench.js';
 import { connected, field, key, press, type } from '../screen.js';
 
@@ -91,7 +91,7 @@ describe('writing the program on the screen to another memory', () => {
     const { timer } = await reviewed();
     timer.core.memories[0]?.times.splice(10, 1, 12_000);
     await choose('M1');
-    expect(text()).toContain(en.write.lead('M1'));
+    expect(text()).toContain(en.write.lead({ memory: 'M1' }));
     expect([...dialog().getAllByRole('row')].at(-1)?.textContent.replaceAll('\u00a0', ' ')).toBe('DT2:00 min4:00 min');
     await confirm();
     expect([timer.core.memories[0]?.times[10], timer.core.memories[2]?.times[10]]).toEqual([24_000, 36_000]);
@@ -126,7 +126,7 @@ describe('writing the program on the screen to another memory', () => {
     await press(en.program.read);
     await press('Write…');
     await choose('M3');
-    expect(text()).toContain(en.memories.refused('M3'));
+    expect(text()).toContain(en.memories.refused({ memory: 'M3' }));
     fireEvent.click(dialog().getByRole('checkbox', { name: /^The propeller is off/ }));
     await press(/^Write \d+ changes?$/);
     expect(sets(app)).not.toContain('SETSERVO');

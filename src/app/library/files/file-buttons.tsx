@@ -1,5 +1,5 @@
-import { filesMessages } from '../../messages/en-files.js';
 import { messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
 import type { LibraryFiles } from './library-files.js';
 import type { FilePart } from './library-text.js';
 import './file-buttons.css';
@@ -15,14 +15,14 @@ interface ExportButtonProps {
 export function ExportButton({ files, part, title }: ExportButtonProps) {
   return (
     <button type="button" onClick={() => void files.export(part, title)}>
-      {filesMessages.export.one}
+      {moreMessages.value.files.export.one}
     </button>
   );
 }
 
 /** The file of the whole library, and the reminder that an export is due. */
 export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) {
-  const words = filesMessages;
+  const words = moreMessages.value.files;
   return (
     <>
       <button type="button" onClick={() => files.choose()}>
@@ -42,7 +42,7 @@ function ExportReminder({ files }: { readonly files: LibraryFiles }) {
   if (due === null) return null;
   return (
     <div class="row export-reminder">
-      <p>{filesMessages.reminder(due)}</p>
+      <p>{moreMessages.value.files.reminder({ changes: due })}</p>
       <button type="button" class="quiet" onClick={() => files.marks.putOff()}>
         {messages.value.notNow}
       </button>

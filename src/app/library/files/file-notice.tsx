@@ -1,5 +1,5 @@
-import { filesMessages } from '../../messages/en-files.js';
 import { messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
 import type { LibraryFiles } from './library-files.js';
 
 /** What was last done with files, with a button to undo an import. */
@@ -11,7 +11,7 @@ export function FileNotice({ files }: { readonly files: LibraryFiles }) {
       <p>{said.text}</p>
       {said.undo && (
         <button type="button" onClick={said.undo}>
-          {filesMessages.import.undo}
+          {moreMessages.value.files.import.undo}
         </button>
       )}
       {!said.isBusy && (

@@ -3,14 +3,15 @@ import { useEffect } from 'preact/hooks';
 import { CodecError } from '../../../protocol/index.js';
 import { takeOpenedFiles } from '../../browser/dropped-files.js';
 import { apart } from '../../messages/apart.js';
-import { filesMessages } from '../../messages/en-files.js';
-import { libraryMessages } from '../../messages/en-library.js';
 import { dateText, dayText, messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
+import { countedText } from '../../messages/names.js';
 import { Modal } from '../../ui/modal.js';
 import { Problem } from '../../ui/problem.js';
 import { SegmentChoice } from '../../ui/segment-choice.js';
 import { countOf, differs, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
 import type { AskedFile, LibraryFiles, Plan, Refusal } from './library-files.js';
+import { faultText } from './place-in-file.js';
 import './import-dialog.css';
 
 interface ImportDialogProps {
@@ -21,7 +22,7 @@ interface ImportDialogProps {
 
 /** What a file holds and what it would change in the library. Asks the pilot. */
 export function ImportDialog({ files, onTaken }: ImportDialogProps) {
-  const { refused, import: words } = filesMessages;
+  const { refused, import: words } = moreMessages.value.files;
   const { cancel, close, parts } = messages.value;
   useEffect(() => takeOpenedFiles((opened) => void files.import(opened)), [files]);
   const asked = files.asked.value;
@@ -30,7 +31,7 @@ export function ImportDialog({ files, onTaken }: ImportDialogProps) {
   const isReading = shown === 'reading';
   const isRefused = !isReading && 'why' in shown;
   return (
-    <Modal open title={isRefused ? refused.title(name) : words.title(name)} onEscape={() => answer(null)}>
+    <Modal open title={isRefused ? refused.title({ name }) : words.title({ name })} onEscape={() => answer(null)}>
       {isReading && <p role="status">{parts.coming}</p>}
       {isRefused && <Refused {...shown} />}
       {isReading || isRefused ? (
@@ -48,11 +49,11 @@ export function ImportDialog({ files, onTaken }: ImportDialogProps) {
 
 /** Why a file was refused, and where in it the fault stands. */
 function Refused({ why, place }: Refusal) {
-  const { refused: words } = filesMessages;
+  const { refused: words } = moreMessages.value.files;
   const reason = reasonOf(why);
   const { line, wanted, value } = why instanceof CodecError ? why.details : {};
   const isTold = line !== undefined && wanted !== undefined;
-  const damage = isTold ? words.fault(line, place, wanted, shown(value)) : words.damaged;
+  const damage = isTold ? faultText({ line, wanted, found: shown(value) }, place) : words.damaged;
   return (
     <>
       <p class="import-reason" role="alert">
@@ -67,7 +68,7 @@ function Refused({ why, place }: Refusal) {
 
 /** @returns null for a damaged library file, which another try may bring whole. */
 function reasonOf(why: Refusal['why']): string | null {
-  const { refused: words } = filesMessages;
+  const { refused: words } = moreMessages.value.files;
   if (!(why instanceof CodecError)) return why === 'no-text' ? null : words.files[why];
   if (why.code === 'newer-version') return words.newer;
   if (why.code === 'too-large') return words.files['too-large'];
@@ -88,18 +89,19 @@ interface PlanProps extends ImportDialogProps, Pick<AskedFile, 'answer'> {
 }
 
 function PlanOf({ files, onTaken, answer, plan }: PlanProps) {
-  const { import: words } = filesMessages;
-  const { counted } = messages.value;
+  const { import: words } = moreMessages.value.files;
   const chosen = useSignal<Way>('newer');
   const groups = plan.groups.value;
   const way = chosen.value;
   const total = groups.reduce((sum, group) => sum + takenOf(group, way).length, 0);
   const isNothing = groups.every((group) => WAYS.every((each) => takenOf(group, each).length === 0));
   const { shut } = files;
+  const date = dateText(plan.writtenAt);
+  const what = countedText(plan.holds);
   return (
     <>
-      <p>{words.lead(dateText(plan.writtenAt), counted(plan.holds))}</p>
-      {plan.ignored > 0 && <p class="hint">{words.ignored(plan.ignored)}</p>}
+      <p>{what === '' ? words.leadNothing({ date }) : words.lead({ date, what })}</p>
+      {plan.ignored > 0 && <p class="hint">{words.ignored({ count: plan.ignored })}</p>}
       {groups.some(({ entries }) => entries.some(differs)) && (
         <div class="stack">
           <SegmentChoice
@@ -120,7 +122,7 @@ function PlanOf({ files, onTaken, answer, plan }: PlanProps) {
       </ul>
       {isNothing && groups.length > 0 && <p role="status">{words.nothing}</p>}
       {!isNothing && total === 0 && <p role="status">{way === 'newer' ? words.allStays : words.nothing}</p>}
-      <Problem text={shut && !isNothing && libraryMessages.unread} />
+      <Problem text={shut && !isNothing && moreMessages.value.library.unread} />
       <div class="buttons">
         <button type="button" class={isNothing ? '' : 'quiet'} onClick={() => answer(null)}>
           {isNothing ? messages.value.close : messages.value.cancel}
@@ -135,7 +137,7 @@ function PlanOf({ files, onTaken, answer, plan }: PlanProps) {
               onTaken();
             }}
           >
-            {words.take(total)}
+            {words.take({ count: total })}
           </button>
         )}
       </div>
@@ -145,20 +147,19 @@ function PlanOf({ files, onTaken, answer, plan }: PlanProps) {
 
 /** What a file holds for one model. */
 function GroupRow({ group }: { readonly group: Group }) {
-  const { import: words } = filesMessages;
-  const { counted } = messages.value;
+  const { import: words } = moreMessages.value.files;
   const of = (standing: Entry['standing']): readonly Entry[] =>
     group.entries.filter((entry) => entry.standing === standing);
   const lines = [
-    [counted(countOf(of('new'))), words.group.fresh],
+    [countedText(countOf(of('new'))), words.group.fresh],
     [namesOf(of('file-newer')), words.group.fileNewer],
     [namesOf(of('not-newer')), words.group.deviceNewer],
-    [counted(countOf(of('same'))), words.group.same],
+    [countedText(countOf(of('same'))), words.group.same],
   ] as const;
   return (
     <li>
       <b>{group.name || (group.id === null ? messages.value.noModel : words.unknownModel)}</b>
-      {lines.map(([what, line]) => what !== '' && <span key={line(what)}>{line(what)}</span>)}
+      {lines.map(([what, line]) => what !== '' && <span key={line({ what })}>{line({ what })}</span>)}
     </li>
   );
 }
@@ -168,13 +169,13 @@ const NAMED = 3;
 
 /** The names of the entries that differ. */
 function namesOf(entries: readonly Entry[]): string {
-  const { import: words } = filesMessages;
+  const { import: words } = moreMessages.value.files;
   const names = entries.slice(0, NAMED).map(({ kind, entry, here }) => {
     if (kind === 'models') return words.itself;
-    if (!('name' in entry)) return words.flightOf(dayText(entry.at));
+    if (!('name' in entry)) return words.flightOf({ day: dayText(entry.at) });
     const name = here && 'name' in here ? here.name : entry.name;
-    return name === entry.name ? apart(name) : words.group.fileName(name, entry.name);
+    return name === entry.name ? apart(name) : words.group.fileName({ here: name, file: entry.name });
   });
   const more = entries.length - names.length;
-  return [names.join(', '), more > 0 && messages.value.more(more)].filter(Boolean).join('. ');
+  return [names.join(', '), more > 0 && messages.value.more({ count: more })].filter(Boolean).join('. ');
 }

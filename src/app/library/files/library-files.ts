@@ -5,9 +5,9 @@ import { askForFiles } from '../../browser/ask-for-file.js';
 import { textOfFile, type UnreadableFile } from '../../browser/read-file.js';
 import { saveFile } from '../../browser/save-file.js';
 import { version } from '../../browser/version.js';
-import { filesMessages } from '../../messages/en-files.js';
-import { libraryMessages } from '../../messages/en-library.js';
 import { messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
+import { countedText } from '../../messages/names.js';
 import { type Library, newId } from '../../records/library.js';
 import { plainName } from '../../records/plain-names.js';
 import { ExportMarks } from './export-marks.js';
@@ -112,7 +112,7 @@ export class LibraryFiles {
    * @param title the name of the file, before its date.
    */
   async export(part: FilePart = { kind: 'all' }, title = ALL_NAME): Promise<void> {
-    const { export: words } = filesMessages;
+    const { export: words } = moreMessages.value.files;
     this.dismissWord();
     const now = Date.now();
     let missing: readonly Kind[];
@@ -126,14 +126,18 @@ export class LibraryFiles {
       return this.#say({ text: words.failed, isBad: true });
     }
     if (made === 'nothing')
-      return missing.length > 0 ? this.#say({ text: libraryMessages.unread, isBad: true }) : undefined;
+      return missing.length > 0 ? this.#say({ text: moreMessages.value.library.unread, isBad: true }) : undefined;
     if (made === 'too-large') return this.#say({ text: words.tooLarge, isBad: true });
     const name = `${safeName(title)} ${dayName(now)}${ENDING}`;
     saveFile(name, made.text, 'application/json');
-    const holds = messages.value.counted(made.holds);
-    if (missing.length > 0) return this.#say({ text: words.partly(name, holds, missing), isBad: true });
+    const holds = countedText(made.holds);
+    const shown = unbroken(name);
+    const [first = '', ...others] = missing;
+    const lost = others.reduce<string>((before, next) => words.and({ first: before, next }), first);
+    if (missing.length > 0)
+      return this.#say({ text: words.partly({ name: shown, what: holds, missing: lost }), isBad: true });
     if (part.kind === 'all') this.marks.exported(now);
-    this.#say({ text: words.downloaded(name, holds) });
+    this.#say({ text: words.downloaded({ name: shown, what: holds }) });
   }
 
   /** Asks for a file to import. */
@@ -161,7 +165,7 @@ export class LibraryFiles {
       settings: { put: put.settings },
       flights: { put: put.flights },
     });
-    const done = filesMessages.import.done(messages.value.counted(countsOf(put)), name);
+    const done = moreMessages.value.files.import.done({ what: countedText(countsOf(put)), name: unbroken(name) });
     this.#say({
       text: kept ? done : `${done} ${messages.value.notKept}`,
       isBad: !kept,
@@ -214,7 +218,7 @@ export class LibraryFiles {
       settings: undoOf(put.settings, before.settings, now.settings),
       flights: undoOf(put.flights, before.flights, now.flights),
     });
-    this.#say({ text: kept ? filesMessages.import.undone : messages.value.notKept, isBad: !kept });
+    this.#say({ text: kept ? moreMessages.value.files.import.undone : messages.value.notKept, isBad: !kept });
   }
 
   async #load(): Promise<void> {
@@ -226,6 +230,11 @@ export class LibraryFiles {
     const { models, settings, flights } = this.#parts.library;
     return { models: models.list.value, settings: settings.list.value, flights: flights.list.value };
   }
+}
+
+/** “Sidus library 2026-11-25.sidus.json”, whose date does not break. A long name must be able to. */
+function unbroken(name: string): string {
+  return name.length > 40 ? name : name.replaceAll('-', '-\u2060');
 }
 
 /** A name that every system accepts for a file. */

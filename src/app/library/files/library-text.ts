@@ -1,6 +1,6 @@
 import { formatLibraryFile } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
-import { filesMessages } from '../../messages/en-files.js';
+import { moreMessages } from '../../messages/more.js';
 import { contentOf, countsOf, type EntryCounts, type Kind, type Records } from './import-plan.js';
 
 /** What a file contains: everything, one model with all that belongs to it, or one setting with its model. */
@@ -57,7 +57,10 @@ export function textOf(
     flights: flights.map(({ flight }) => flight),
   };
   try {
-    const writtenBy = [`Sidus Timer ${version}`, ...missing.map(filesMessages.export.without)].join(', ');
+    const writtenBy = [
+      `Sidus Timer ${version}`,
+      ...missing.map((kind) => moreMessages.value.files.export.without({ kind })),
+    ].join(', ');
     const text = formatLibraryFile(library, { writtenAt: now, writtenBy, facts: new Map(facts) });
     return { text, holds: countsOf(library) };
   } catch (error) {

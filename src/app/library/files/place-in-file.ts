@@ -1,3 +1,5 @@
+import { moreMessages } from '../../messages/more.js';
+import { servoName } from '../../messages/names.js';
 import { plainName } from '../../records/plain-names.js';
 import type { Kind } from './import-plan.js';
 
@@ -26,6 +28,27 @@ export function placeInFile(text: string, path: string): PlaceInFile | null {
   const [, at, field = inside] = /^program\.slots\[(\d+)\]\.?(.*)$/.exec(inside) ?? [];
   const slot = at === undefined ? '' : wordOf(part(entry, 'program', 'slots', Number(at), 'slot'));
   return { kind: kind as Kind, number: Number(index) + 1, name: wordOf(part(entry, 'name')), slot, field };
+}
+
+/** What is wrong with a file, and where: “Line 35, Program “calm”, function 1, time: expected …”. */
+export function faultText(
+  fault: { readonly line: number; readonly wanted: string; readonly found: string },
+  place: PlaceInFile | null,
+): string {
+  const { refused: words } = moreMessages.value.files;
+  return place === null ? words.fault(fault) : words.faultIn({ ...fault, place: placeText(place) });
+}
+
+/** “Program “calm morning”, function 2, time” */
+function placeText({ kind, number, name, slot, field }: PlaceInFile): string {
+  const { place: words } = moreMessages.value.files.refused;
+  return [
+    name === '' ? words.unnamed({ kind, number }) : words.entry({ kind, name }),
+    /^\d/.test(slot) ? words.function({ number: slot }) : slot,
+    field.replace(/^positions\[(\d+)\]$/, (_, servo) => servoName(Number(servo))),
+  ]
+    .filter(Boolean)
+    .join(', ');
 }
 
 /** What stands at a place in a value that nobody has checked. */

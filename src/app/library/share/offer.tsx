@@ -1,8 +1,8 @@
 import { useId, useMemo } from 'preact/hooks';
 import type { SharedSetting } from '../../../program/index.js';
 import { canSend, send } from '../../browser/share-sheet.js';
-import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
 import { CopyButton } from '../../ui/copy-button.js';
 import { QrCode } from '../../ui/qr-code.js';
 import { linkOf, qrLinkOf } from '../../work/setting-link.js';
@@ -18,7 +18,7 @@ interface OfferProps {
 
 /** A setting as a link, and as a QR code for another device nearby. */
 export function SettingOffer({ sharing, shared, page }: OfferProps) {
-  const { offer: words } = share;
+  const { offer: words } = moreMessages.value.share;
   const id = useId();
   const link = useMemo(() => linkOf(shared, page), [shared, page]);
   const qr = useMemo(() => qrLinkOf(shared, page), [shared, page]);
@@ -29,7 +29,7 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
           <p>{words.lead}</p>
           {qr ? <p>{words.scan}</p> : <p class="hint">{words.tooLong}</p>}
         </div>
-        {qr && <QrCode text={qr.link} label={words.qr(shared.name)} />}
+        {qr && <QrCode text={qr.link} label={words.qr({ name: shared.name })} />}
         <div class="field">
           <label for={id}>{words.link}</label>
           <input

@@ -1,12 +1,12 @@
 import { useSignal } from '@preact/signals';
-import { share } from '../../messages/en-share.js';
+import { moreMessages } from '../../messages/more.js';
 import { FormButtons } from '../../ui/form-buttons.js';
 import { Problem } from '../../ui/problem.js';
 import { holdsLink, type Sharing } from './sharing.js';
 
 /** Takes a link to a saved program, or the message that it is in. */
 export function PasteLink({ sharing }: { readonly sharing: Sharing }) {
-  const { paste: words, offer } = share;
+  const { paste: words, offer } = moreMessages.value.share;
   const text = useSignal('');
   const isWrong = useSignal(false);
   return (

@@ -11,10 +11,9 @@ import {
 import { CodecError } from '../../../protocol/index.js';
 import { apart } from '../../messages/apart.js';
 import { dotted } from '../../messages/dotted.js';
-import { filesMessages } from '../../messages/en-files.js';
-import { libraryMessages, obstacles } from '../../messages/en-library.js';
-import { share } from '../../messages/en-share.js';
 import { dateText, messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
+import { servoName, timerText } from '../../messages/names.js';
 import { emptyModel, newId } from '../../records/library.js';
 import { plainName, withPlainNames } from '../../records/plain-names.js';
 import type { ModelRecord } from '../../storage/index.js';
@@ -22,7 +21,6 @@ import { Choice } from '../../ui/choice.js';
 import { Problem } from '../../ui/problem.js';
 import type { Session } from '../../work/session.js';
 import { ProgramFacts } from '../program-facts.js';
-import { timerText } from '../timer-text.js';
 import type { Sharing } from './sharing.js';
 
 interface ReceivedSettingProps {
@@ -39,12 +37,13 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
   const read = useMemo(() => sharedIn(link), [link]);
   useEffect(() => void session.library.load(), [session]);
   if (!(read instanceof CodecError)) return <Shown {...props} shared={read} />;
-  const { damaged } = share;
+  const { damaged } = moreMessages.value.share;
   return (
     <>
       <div class="notice bad" role="alert">
         <p>
-          <strong>{damaged.title}</strong> {read.code === 'newer-version' ? filesMessages.refused.newer : damaged.bad}
+          <strong>{damaged.title}</strong>{' '}
+          {read.code === 'newer-version' ? moreMessages.value.files.refused.newer : damaged.bad}
         </p>
       </div>
       <div class="buttons">
@@ -61,8 +60,8 @@ const NEW_MODEL = 'new model';
 
 function Shown(props: ReceivedSettingProps & { readonly shared: SharedSetting }) {
   const { session, sharing, shared, onProgram, onLibrary } = props;
-  const { received: words } = share;
-  const { servoName, noModel, open: openWord } = messages.value;
+  const { received: words } = moreMessages.value.share;
+  const { noModel, open: openWord } = messages.value;
   const { library, opened, editor } = session;
   const { modelName, program, note, tags } = shared;
   const chosen = useSignal<string | null | undefined>(undefined);
@@ -95,9 +94,11 @@ function Shown(props: ReceivedSettingProps & { readonly shared: SharedSetting })
         <p>
           <strong>{shared.name}</strong> {apart(modelName)}
         </p>
-        <p class="hint">{dotted([timerText(program), dateText(shared.at)])}</p>
+        <p class="hint">{dotted([timerText(program.identity), dateText(shared.at)])}</p>
         <p class="hint">
-          {known ? words.known(dotted([library.models.get(known.model)?.model.name, known.name])) : words.lead}
+          {known
+            ? words.known({ name: dotted([library.models.get(known.model)?.model.name, known.name]) })
+            : words.lead}
         </p>
       </div>
       {/* Above the values: where it would go must be in sight with the button that keeps it. */}
@@ -105,7 +106,7 @@ function Shown(props: ReceivedSettingProps & { readonly shared: SharedSetting })
         label={words.modelChoice}
         choices={[...(modelName ? [NEW_MODEL] : []), null, ...models.map(({ key }) => key)]}
         nameOf={(key) =>
-          key === NEW_MODEL ? words.newModel(modelName) : (library.models.get(key)?.model.name ?? noModel)
+          key === NEW_MODEL ? words.newModel({ name: modelName }) : (library.models.get(key)?.model.name ?? noModel)
         }
         chosen={place}
         onChoose={(key) => (chosen.value = key)}
@@ -113,9 +114,9 @@ function Shown(props: ReceivedSettingProps & { readonly shared: SharedSetting })
       <ProgramFacts program={program} names={program.positions.map((_, servo) => servoName(servo))} />
       {note !== '' && <p class="facts-note">{note}</p>}
       {tags.length > 0 && <p class="hint">{tags.join(', ')}</p>}
-      {obstacle !== null && <p class="hint">{obstacles[obstacle]}</p>}
+      {obstacle !== null && <p class="hint">{moreMessages.value.obstacles[obstacle]}</p>}
       {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten}</p>}
-      <Problem text={failed.value && libraryMessages.setting.notShown} />
+      <Problem text={failed.value && moreMessages.value.library.setting.notShown} />
       <div class="buttons">
         <button type="button" class="quiet" onClick={() => sharing.close()}>
           {words.discard}

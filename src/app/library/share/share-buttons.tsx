@@ -1,6 +1,6 @@
 import type { SharedSetting } from '../../../program/index.js';
-import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
 import type { Sharing } from './sharing.js';
 
 interface ShareButtonProps {
@@ -22,7 +22,7 @@ export function ShareButton({ sharing, shared }: ShareButtonProps) {
 export function PasteLinkButton({ sharing }: { readonly sharing: Sharing }) {
   return (
     <button type="button" onClick={() => sharing.paste()}>
-      {share.paste.title}
+      {moreMessages.value.share.paste.title}
     </button>
   );
 }

@@ -1,5 +1,5 @@
 import type { SharedSetting } from '../../../program/index.js';
-import { messages, timerName } from '../../messages/index.js';
+import { memoryName, timerName } from '../../messages/names.js';
 import type { Session } from '../../work/session.js';
 import { programName } from '../../work/standing-text.js';
 import type { Sharing } from './sharing.js';
@@ -18,7 +18,6 @@ function screenOf({ opened, origin }: Pick<Session, 'opened' | 'origin'>): Share
   const program = origin.program.value;
   if (!program || !opened.savable.value) return null;
   const { identity, memory } = program;
-  const { memoryName } = messages.value;
   const setting = origin.setting.value;
   const title = programName({ origin, opened });
   const own = [timerName(identity), ...(memory === null ? [] : [memoryName(memory)])].join(' ');

@@ -1,6 +1,6 @@
 import { type ReadonlySignal, useComputed } from '@preact/signals';
-import { share } from '../../messages/en-share.js';
 import { messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
 import { Modal } from '../../ui/modal.js';
 import type { Session } from '../../work/session.js';
 import { SettingOffer } from './offer.js';
@@ -30,8 +30,8 @@ export function SharingDialog({ session, sharing, asked, page, onProgram, onLibr
     current?.step === 'offer'
       ? messages.value.views.share
       : current?.step === 'paste'
-        ? share.paste.title
-        : share.received.title;
+        ? moreMessages.value.share.paste.title
+        : moreMessages.value.share.received.title;
   return (
     <Modal open={current !== null && isFree.value} key={current?.step} title={title} onEscape={() => sharing.close()}>
       {current?.step === 'offer' && <SettingOffer sharing={sharing} shared={current.shared} page={page} />}

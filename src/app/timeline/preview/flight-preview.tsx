@@ -1,7 +1,8 @@
 import { computed, useSignal } from '@preact/signals';
 import { useEffect, useId, useLayoutEffect, useMemo } from 'preact/hooks';
 import type { ServoUse, TimerProgram } from '../../../program/index.js';
-import { dutyName, messages, momentText, slotLabel } from '../../messages/index.js';
+import { messages, momentText, slotLabel } from '../../messages/index.js';
+import { dutyName, servoName } from '../../messages/names.js';
 import { eventsBetween, flightEnd, motorStopOf, reachedAt } from '../flight.js';
 import { servoColour } from '../servo-colour.js';
 import { ModelSketch } from './model-sketch.js';
@@ -27,7 +28,7 @@ const MANY = 4;
  * something happens, not at each frame.
  */
 export function FlightPreview({ program, player, named, onName }: FlightPreviewProps) {
-  const { preview, servoName } = messages.value;
+  const { preview } = messages.value;
   const { identity } = program;
   const id = useId();
   const naming = useSignal(false);
@@ -94,7 +95,7 @@ export function FlightPreview({ program, player, named, onName }: FlightPreviewP
 /** A DT at which no servo moves brings no model down. */
 function AtDt({ comesDown }: { readonly comesDown: boolean }) {
   const { preview, findings } = messages.value;
-  if (!comesDown) return <p class="bad-text">{findings['dt-moves-nothing']({})}</p>;
+  if (!comesDown) return <p class="bad-text">{findings['dt-moves-nothing']}</p>;
   return (
     <p>
       <strong>{preview.comesDown}</strong>
@@ -123,5 +124,5 @@ function happened(program: TimerProgram, time: number): string {
   const names = eventsBetween(program, last - 1, last).map(({ slot }) =>
     slot > 0 ? slotLabel(program.identity, slot) : words.motorStop,
   );
-  return `${names.join(', ')} ${preview.at(momentText(last))}`;
+  return `${names.join(', ')} ${preview.at({ time: momentText(last) })}`;
 }

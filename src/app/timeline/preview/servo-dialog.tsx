@@ -3,6 +3,7 @@ import { Fragment } from 'preact';
 import { DUTIES, LIMITS, type ServoUse } from '../../../program/index.js';
 import { MAX_POSITION } from '../../../protocol/index.js';
 import { messages } from '../../messages/index.js';
+import { servoName } from '../../messages/names.js';
 import { Select } from '../../ui/choice.js';
 import { FormButtons } from '../../ui/form-buttons.js';
 import { Modal } from '../../ui/modal.js';
@@ -29,7 +30,7 @@ export function ServoDialog({ open, onCancel, ...form }: ServoDialogProps) {
 }
 
 function ServoForm({ uses, onSave, onCancel }: Omit<ServoDialogProps, 'open'>) {
-  const { preview, save, servoName } = messages.value;
+  const { preview, save } = messages.value;
   const draft = useSignal(uses);
   return (
     <form
@@ -79,7 +80,7 @@ interface ServoRowProps {
 }
 
 function ServoRow({ servo, use, onChange }: ServoRowProps) {
-  const { servoName, preview, timeline } = messages.value;
+  const { preview, timeline } = messages.value;
   const { naming: words, duties } = preview;
   const name = servoName(servo);
   const isSurface = SURFACES.some((surface) => surface === use.duty);
@@ -87,7 +88,7 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
     <fieldset class="row servo-row" {...servoColour(servo)}>
       <legend>{name}</legend>
       <Select
-        name={words.duty(name)}
+        name={words.duty({ servo: name })}
         choices={DUTIES}
         nameOf={(duty) => duties[duty]}
         chosen={use.duty}
@@ -96,7 +97,7 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
       {use.duty === 'other' && (
         <input
           type="text"
-          aria-label={words.name(name)}
+          aria-label={words.name({ servo: name })}
           value={use.name}
           maxLength={LIMITS.servoName}
           onInput={(event) => onChange({ name: event.currentTarget.value })}
@@ -112,7 +113,7 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
                 <input
                   type="number"
                   inputMode="numeric"
-                  aria-label={words[end](name)}
+                  aria-label={words[end]({ servo: name })}
                   min={0}
                   max={MAX_POSITION}
                   step={1}
@@ -125,7 +126,7 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
             <span aria-hidden="true">{timeline.stepsUnit}</span>
           </span>
           <Select
-            name={words.sense(name)}
+            name={words.sense({ servo: name })}
             choices={[false, true]}
             nameOf={(reversed) => (use.duty === 'rudder' ? words.rudderSense : words.otherSense)[`${reversed}`]}
             chosen={use.reversed}

@@ -3,11 +3,10 @@ import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { holdDroppedFiles } from '../../../../src/app/browser/dropped-files.js';
 import { LibraryFiles } from '../../../../src/app/library/files/library-files.js';
+import { faultText } from '../../../../src/app/library/files/place-in-file.js';
 import { filesOf } from '../../../../src/app/library-files.js';
-import { en } from '../../../../src/app/messages/en.js';
-import { filesMessages } from '../../../../src/app/messages/en-files.js';
-import { libraryMessages } from '../../../../src/app/messages/en-library.js';
 import { messages } from '../../../../src/app/messages/index.js';
+import { countedText } from '../../../../src/app/messages/names.js';
 import { Library } from '../../../../src/app/records/library.js';
 import {
   formatLibraryFile,
@@ -16,6 +15,7 @@ import {
   type Setting,
 } from '../../../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../../../program/library-examples.js';
+import { en } from '../../../tools/en.js';
 import { type AppBench, idle, MemoryStore } from '../../bench/bench.js';
 import { button, connected, goTo, opened, press } from '../../screen.js';
 
@@ -26,7 +26,7 @@ beforeEach(() => {
 
 const ALL: Kept = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
 const DAY = 86_400_000;
-const words = filesMessages.import;
+const words = en.files.import;
 const ONE_OF_EACH = { models: 1, settings: 1, flights: 1 };
 
 const text = (library: Kept = ALL, writtenAt = 1): string =>
@@ -84,13 +84,13 @@ describe('an import', () => {
     expect(await drop(file())).toBe(true);
     expect(dialog().getByRole('heading', { name: 'Import lancer.sidus.json' })).toBeTruthy();
     dialog().getByText(/^Saved .*\. It holds 1\smodel, 1\sprogram, 1\sflight\.$/);
-    dialog().getByText(words.group.fresh('1 model, 1 program, 1 flight'));
+    dialog().getByText(words.group.fresh({ what: '1 model, 1 program, 1 flight' }));
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
     await press('Import 3');
     expect(kept(app)).toEqual(ALL);
     expect(screen.queryByRole('dialog')).toBeNull();
-    expect(notice(/^Imported from “lancer/).textContent).toContain(en.counted(ONE_OF_EACH));
-    await press(filesMessages.import.undo);
+    expect(notice(/^Imported from “lancer/).textContent).toContain(countedText(ONE_OF_EACH));
+    await press(en.files.import.undo);
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
     notice(words.undone);
     expect(screen.queryByRole('button', { name: words.undo })).toBeNull();
@@ -107,7 +107,7 @@ describe('an import', () => {
   it('of entries that are there already has nothing to do', async () => {
     await library();
     await drop(file());
-    dialog().getByText(filesMessages.import.nothing);
+    dialog().getByText(en.files.import.nothing);
     expect(dialog().queryByRole('button', { name: /^Import/ })).toBeNull();
     await press('Close');
     expect(screen.queryByRole('dialog')).toBeNull();
@@ -120,11 +120,11 @@ describe('an import', () => {
   ] as const)('with “%s” brings %j', async (way, names) => {
     const app = await library();
     await drop(file(text({ ...ALL, settings: [windy] })));
-    dialog().getByText(words.group.fileNewer('windy (here: calm morning)'));
-    dialog().getByText(words.group.same('1 model, 1 flight'));
+    dialog().getByText(words.group.fileNewer({ what: 'windy (here: calm morning)' }));
+    dialog().getByText(words.group.same({ what: '1 model, 1 flight' }));
     await choose(way);
     dialog().getByText(words.wayText[way]);
-    await press(words.take(1));
+    await press(words.take({ count: 1 }));
     expect(
       kept(app)
         .settings.map(({ name }) => name)
@@ -137,11 +137,11 @@ describe('an import', () => {
     const app = await library();
     const at = isSameDate ? (app.session.library.settings.list.value[0]?.changedAt ?? 0) : 1;
     await drop(file(text({ ...ALL, settings: [{ ...windy, at }] })));
-    dialog().getByText(words.group.deviceNewer('windy (here: calm morning)'));
-    expect(button(words.take(0)).disabled).toBe(true);
+    dialog().getByText(words.group.deviceNewer({ what: 'windy (here: calm morning)' }));
+    expect(button(words.take({ count: 0 })).disabled).toBe(true);
     dialog().getByText(words.allStays);
     await choose('both');
-    await press(words.take(1));
+    await press(words.take({ count: 1 }));
     expect(
       kept(app)
         .settings.map(({ name }) => name)
@@ -155,7 +155,7 @@ describe('an import', () => {
     const vega: Kept['models'][number] = { ...other, note: 'new' };
     await drop(file(text({ ...ALL, models: [MODEL, vega], settings: [windy] }, Date.now() + DAY)));
     dialog().getByText(words.differs);
-    await press(words.take(2));
+    await press(words.take({ count: 2 }));
     expect(kept(app).models.map(({ note }) => note)).toEqual([MODEL.note, 'new']);
     expect(kept(app).settings).toEqual([windy]);
   });
@@ -176,7 +176,7 @@ describe('an import', () => {
     };
     await library({ ...ALL, settings });
     await drop(file(text(newer, at)));
-    dialog().getByText(words.group.fileNewer('the model itself, a, b. And 2 more.'));
+    dialog().getByText(words.group.fileNewer({ what: 'the model itself, a, b. And 2 more.' }));
     await press('Cancel');
     await drop(file(text({ ...newer, models: [MODEL], settings: [] }, at)));
     dialog().getByText(/^Newer in the file: flight of \S/);
@@ -194,14 +194,14 @@ describe('an import', () => {
     await library({});
     await drop(file(text({ models: [], settings: [], flights: [] })));
     dialog().getByText(/It holds nothing\.$/);
-    expect(dialog().queryByText(filesMessages.import.nothing)).toBeNull();
+    expect(dialog().queryByText(en.files.import.nothing)).toBeNull();
     button('Close');
   });
 
   it('says that it leaves out what this version does not know', async () => {
     await library({});
     await drop(file(text().replace('"name": "Lancer 07"', '"name": "Lancer 07", "colour": "red"')));
-    dialog().getByText(words.ignored(1));
+    dialog().getByText(words.ignored({ count: 1 }));
   });
 
   it('begins anew with each file, and Escape leaves it', async () => {
@@ -242,7 +242,7 @@ describe('an import', () => {
     await press('Import 3');
     await app.session.library.keepSetting({ ...SETTING, note: 'flew well' });
     await idle();
-    await press(filesMessages.import.undo);
+    await press(en.files.import.undo);
     expect(kept(app)).toEqual({ models: [], settings: [{ ...SETTING, note: 'flew well' }], flights: [] });
     notice(words.undone);
   });
@@ -258,7 +258,7 @@ describe('an import', () => {
     await drop(file(text(newer, at)));
     await press('Import 3');
     expect(kept(app)).toEqual(newer);
-    await press(filesMessages.import.undo);
+    await press(en.files.import.undo);
     expect(kept(app)).toEqual(ALL);
     await press('Dismiss');
     expect(screen.queryByText(/^The import was undone/)).toBeNull();
@@ -281,7 +281,7 @@ describe('an import', () => {
     await drop(file());
     await press('Import 3');
     app.store.broken = true;
-    await press(filesMessages.import.undo);
+    await press(en.files.import.undo);
     notice(messages.value.notKept);
     expect(screen.queryByText(words.undone)).toBeNull();
     expect(app.session.library.models.list.value).toEqual([]);
@@ -297,7 +297,7 @@ describe('an import', () => {
       await new Promise<void>((resolve) => (go = resolve));
       await change(given);
     };
-    fireEvent.click(button(filesMessages.import.undo));
+    fireEvent.click(button(en.files.import.undo));
     await idle(0);
     notice(messages.value.parts.coming);
     expect([screen.queryByText(words.undone), kept(app)]).toEqual([null, ALL]);
@@ -313,7 +313,7 @@ describe('an import', () => {
     await press('Import 1');
     const { settings } = app.session.library;
     settings.remove(SETTING.id);
-    fireEvent.click(button(filesMessages.import.undo));
+    fireEvent.click(button(en.files.import.undo));
     await idle(0);
     settings.undoRemove();
     expect(settings.list.value.map(({ key }) => key)).toEqual([SETTING.id]);
@@ -352,12 +352,12 @@ describe('an import', () => {
     held[0]?.();
     await idle(0);
     notice(/^Imported from “first/);
-    await click(filesMessages.import.undo);
+    await click(en.files.import.undo);
     held[1]?.();
     await idle(0);
     notice(/^Imported from “second/);
     expect(app.session.library.settings.list.value.map(({ key }) => key)).toEqual(['second']);
-    await click(filesMessages.import.undo);
+    await click(en.files.import.undo);
     expect(app.session.library.settings.list.value).toEqual([]);
   });
 
@@ -389,7 +389,7 @@ describe('an import', () => {
     await idle();
     await drop(file());
     expect(button('Import 3').disabled).toBe(true);
-    dialog().getByText(libraryMessages.unread);
+    dialog().getByText(en.library.unread);
   });
 });
 
@@ -406,7 +406,7 @@ it('a file is not imported while a list has not been read, also when the storage
 });
 
 describe('what cannot be imported', () => {
-  const { refused } = filesMessages;
+  const { refused } = en.files;
   const calm = { kind: 'settings', number: 1, name: 'calm morning' } as const;
   const lancer = { kind: 'models', number: 1, name: '', slot: '', field: 'name' } as const;
   it.each([
@@ -416,23 +416,27 @@ describe('what cannot be imported', () => {
     [text().replace('"memory"', 'memory'), refused.damaged, true],
     [
       text().replace('"0.30"', '"700.00"'),
-      refused.fault(35, { ...calm, slot: '1', field: 'time' }, '0.00 to 655.35', '700'),
+      faultText({ line: 35, wanted: '0.00 to 655.35', found: '700' }, { ...calm, slot: '1', field: 'time' }),
       true,
     ],
     [
       text().replace('"positions": [115, 115]', '"positions": [115, 1150]'),
-      refused.fault(38, { ...calm, slot: 'DT', field: 'positions[1]' }, '0 to 255', '1150'),
+      faultText({ line: 38, wanted: '0 to 255', found: '1150' }, { ...calm, slot: 'DT', field: 'positions[1]' }),
       true,
     ],
-    [text().replace('"name": "Lancer 07"', '"name": ""'), refused.fault(9, lancer, '1 to 60 characters', '0'), true],
-    [text().replace('"name": "Lancer 07",', ''), refused.fault(7, lancer, 'a text', '–'), true],
+    [
+      text().replace('"name": "Lancer 07"', '"name": ""'),
+      faultText({ line: 9, wanted: '1 to 60 characters', found: '0' }, lancer),
+      true,
+    ],
+    [text().replace('"name": "Lancer 07",', ''), faultText({ line: 7, wanted: 'a text', found: '–' }, lancer), true],
     [`ÿþ{`, refused.damaged, true],
     [Uint8Array.of(0x7b, 0xff, 0x00), refused.damaged, true],
   ])('is refused with place and reason, %#', async (content, reason, isDamaged) => {
     const app = await library();
     const before = kept(app);
     await drop(file(content as BlobPart));
-    dialog().getByRole('heading', { name: refused.title('lancer.sidus.json') });
+    dialog().getByRole('heading', { name: refused.title({ name: 'lancer.sidus.json' }) });
     expect(
       dialog()
         .getByRole('alert')
@@ -495,6 +499,9 @@ describe('what cannot be imported', () => {
 });
 
 describe('an export', () => {
+  /** A name whose date does not break. */
+  const shown = (file: { name: string } | undefined): string => (file?.name ?? '').replaceAll('-', '-\u2060');
+
   it('goes into the downloads, all of it', async () => {
     await library();
     const saved = downloads();
@@ -502,7 +509,7 @@ describe('an export', () => {
     expect(saved[0]?.name).toMatch(/^Sidus library \d{4}-\d\d-\d\d\.sidus\.json$/);
     const { library: read } = parseLibraryFile(await (saved[0]?.text() ?? ''));
     expect(read).toEqual(ALL);
-    const said = filesMessages.export.downloaded(saved[0]?.name ?? '', en.counted(ONE_OF_EACH));
+    const said = en.files.export.downloaded({ name: shown(saved[0]), what: countedText(ONE_OF_EACH) });
     expect(document.querySelector('.notices')?.textContent).toContain(said);
   });
 
@@ -529,16 +536,18 @@ describe('an export', () => {
     await library({}, store);
     const saved = downloads();
     await press('Export all…');
-    const { partly, without } = filesMessages.export;
-    const holds = en.counted({ models: 0, settings: 6, flights: 0 });
-    expect(document.querySelector('.notices')?.textContent).toContain(partly(saved[0]?.name ?? '', holds, ['flights']));
+    const { partly, without } = en.files.export;
+    const holds = countedText({ models: 0, settings: 6, flights: 0 });
+    expect(document.querySelector('.notices')?.textContent).toContain(
+      partly({ name: shown(saved[0]), what: holds, missing: 'flights' }),
+    );
     const read = parseLibraryFile(await (saved[0]?.text() ?? ''));
-    expect([read.library.settings.length, read.writtenBy.endsWith(without('flights'))]).toEqual([6, true]);
+    expect([read.library.settings.length, read.writtenBy.endsWith(without({ kind: 'flights' }))]).toEqual([6, true]);
     const reminder = () => document.querySelector('.export-reminder');
     expect(reminder(), 'it is still due').not.toBeNull();
     store.flights.all = all;
     await press('Export all…');
-    expect(parseLibraryFile(await (saved[1]?.text() ?? '')).writtenBy).not.toContain(without('flights'));
+    expect(parseLibraryFile(await (saved[1]?.text() ?? '')).writtenBy).not.toContain(without({ kind: 'flights' }));
     expect(reminder()).toBeNull();
   });
 
@@ -548,7 +557,7 @@ describe('an export', () => {
     await library({}, store);
     const saved = downloads();
     await press('Export all…');
-    expect(document.querySelector('.notices')?.textContent).toContain(libraryMessages.unread);
+    expect(document.querySelector('.notices')?.textContent).toContain(en.library.unread);
     expect(saved).toEqual([]);
   });
 
@@ -578,7 +587,7 @@ describe('the reminder to export', () => {
 
   it('comes when much was changed long ago and never exported, and an export removes it', async () => {
     await season(old);
-    expect(reminder()).toContain(filesMessages.reminder(6));
+    expect(reminder()).toContain(en.files.reminder({ changes: 6 }));
     downloads();
     await press('Export all…');
     expect(reminder()).toBeNull();
@@ -594,20 +603,20 @@ describe('the reminder to export', () => {
     expect(reminder()).toBeNull();
     cleanup();
     await season(old, six.slice(0, 5));
-    expect(reminder()).toContain(filesMessages.reminder(5));
+    expect(reminder()).toContain(en.files.reminder({ changes: 5 }));
   });
 
   it('counts what has changed since the last export', async () => {
     localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: old - 5 * DAY, putOffAt: null }));
     await season(old);
-    expect(reminder()).toContain(filesMessages.reminder(6));
+    expect(reminder()).toContain(en.files.reminder({ changes: 6 }));
   });
 
   it('comes also where the last export was marked while the clock of the device was years ahead', async () => {
     const ahead = Date.now() + 3000 * DAY;
     localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: ahead, putOffAt: ahead }));
     await season(old);
-    expect(reminder()).toContain(filesMessages.reminder(6));
+    expect(reminder()).toContain(en.files.reminder({ changes: 6 }));
   });
 
   it('does not come for entries that a file has brought to an empty device', async () => {

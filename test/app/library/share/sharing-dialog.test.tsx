@@ -1,12 +1,11 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { whole } from '../../../../src/app/messages/dotted.js';
-import { libraryMessages } from '../../../../src/app/messages/en-library.js';
-import { share } from '../../../../src/app/messages/en-share.js';
 import { messages } from '../../../../src/app/messages/index.js';
 import { linkOf, sharedOf } from '../../../../src/app/work/setting-link.js';
 import type { SharedSetting } from '../../../../src/program/index.js';
 import { MODEL, SETTING } from '../../../program/library-examples.js';
+import { en } from '../../../tools/en.js';
 import { type AppBench, idle, MemoryStore } from '../../bench/bench.js';
 import { connected, opened, press } from '../../screen.js';
 
@@ -53,7 +52,7 @@ describe('a setting that is shared', () => {
     const { sharing } = await opened();
     act(() => sharing.offer({ ...SHARED, note: 'n'.repeat(2000) }));
     await idle(0);
-    expect(dialog().getByText(share.offer.cut)).toBeTruthy();
+    expect(dialog().getByText(en.share.offer.cut)).toBeTruthy();
   });
 });
 
@@ -62,13 +61,13 @@ describe('a setting that comes by link', () => {
     const bench = await opened();
     act(() => bench.sharing.paste());
     await idle(0);
-    const field = () => dialog().getByRole('textbox', { name: share.offer.link });
+    const field = () => dialog().getByRole('textbox', { name: en.share.offer.link });
     fireEvent.input(field(), { target: { value: 'https://pilot.example/#library' } });
-    await press(share.paste.show);
-    expect(dialog().getByRole('alert').textContent).toBe(share.paste.notLink);
+    await press(en.share.paste.show);
+    expect(dialog().getByRole('alert').textContent).toBe(en.share.paste.notLink);
     fireEvent.input(field(), { target: { value: `For Sunday: ${linkOf(SHARED, PAGE)} See you` } });
-    await press(share.paste.show);
-    expect(screen.getByRole('dialog', { name: share.received.title })).toBeTruthy();
+    await press(en.share.paste.show);
+    expect(screen.getByRole('dialog', { name: en.share.received.title })).toBeTruthy();
     expect(dialog().getByText('calm morning')).toBeTruthy();
   });
 
@@ -77,7 +76,7 @@ describe('a setting that comes by link', () => {
     await comes(bench);
     expect(dialog().getByText('calm morning')).toBeTruthy();
     expect(dialog().getAllByText(/Lancer 07/).length).toBeGreaterThan(0);
-    const place = dialog().getByRole('combobox', { name: share.received.modelChoice });
+    const place = dialog().getByRole('combobox', { name: en.share.received.modelChoice });
     const values = dialog().getByRole('table');
     const order = place.compareDocumentPosition(values);
     expect(order, 'where it would go stands above the values').toBe(Node.DOCUMENT_POSITION_FOLLOWING);
@@ -102,8 +101,8 @@ describe('a setting that comes by link', () => {
     const bench = await opened();
     const { library } = bench.session;
     await comes(bench);
-    expect(dialog().getByText(share.received.lead)).toBeTruthy();
-    await press(share.received.keep);
+    expect(dialog().getByText(en.share.received.lead)).toBeTruthy();
+    await press(en.share.received.keep);
     const [model] = library.models.list.value;
     const [kept] = library.settings.list.value;
     expect(model?.model).toMatchObject({ name: 'Lancer 07', timerClass: 'Q' });
@@ -118,11 +117,11 @@ describe('a setting that comes by link', () => {
     await library.keepModel(MODEL);
     await library.keepSetting(SETTING);
     await comes(bench);
-    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: share.received.modelChoice }).value).toBe(
+    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: en.share.received.modelChoice }).value).toBe(
       MODEL.id,
     );
     expect(dialog().getByText(/has these values already: Lancer 07 · calm morning/)).toBeTruthy();
-    await press(share.received.keep);
+    await press(en.share.received.keep);
     expect(library.models.list.value).toHaveLength(1);
     expect(library.settings.list.value.map(({ setting }) => setting.model)).toEqual([MODEL.id, MODEL.id]);
     expect(library.settings.get(SETTING.id)?.setting).toEqual(SETTING);
@@ -135,7 +134,7 @@ describe('a setting that comes by link', () => {
     await library.keepSetting(SETTING);
     await comes(bench, { ...SHARED, name: `\u202e${SHARED.name}`, modelName: `${MODEL.name}\u2066`, tags: ['\u202d'] });
     expect(dialog().getByText(/has these values already: Lancer 07 · calm morning/)).toBeTruthy();
-    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: share.received.modelChoice }).value).toBe(
+    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: en.share.received.modelChoice }).value).toBe(
       MODEL.id,
     );
     expect(screen.getByRole('dialog').textContent).not.toMatch(/[\u202a-\u202e\u2066-\u2069]|Tags/);
@@ -154,12 +153,12 @@ describe('a setting that comes by link', () => {
     });
     const bench = await opened({ store });
     await comes(bench);
-    const keep = () => screen.getByRole<HTMLButtonElement>('button', { name: share.received.keep });
+    const keep = () => screen.getByRole<HTMLButtonElement>('button', { name: en.share.received.keep });
     expect(keep().disabled).toBe(true);
     answer();
     await idle(0);
     expect(keep().disabled).toBe(false);
-    await press(share.received.keep);
+    await press(en.share.received.keep);
     expect(bench.session.library.models.list.value.map(({ key }) => key)).toEqual([MODEL.id]);
   });
 
@@ -169,8 +168,8 @@ describe('a setting that comes by link', () => {
     await bench.session.library.keepModel(MODEL);
     await comes(bench);
     store.broken = true;
-    await press(share.received.keep);
-    expect(document.querySelector('.library-list')?.textContent).toContain(whole(libraryMessages.unkept.mark));
+    await press(en.share.received.keep);
+    expect(document.querySelector('.library-list')?.textContent).toContain(whole(en.library.unkept.mark));
     expect(within(screen.getByRole('article')).getByText(messages.value.notKept)).toBeTruthy();
   });
 
@@ -210,9 +209,9 @@ describe('a setting that comes by link', () => {
     await press('Write…');
     await comes(bench);
     expect(screen.getAllByRole('dialog')).toHaveLength(1);
-    expect(screen.queryByText(share.received.title)).toBeNull();
+    expect(screen.queryByText(en.share.received.title)).toBeNull();
     await press('Cancel');
-    expect(dialog().getByText(share.received.title)).toBeTruthy();
+    expect(dialog().getByText(en.share.received.title)).toBeTruthy();
   });
 
   it.each(['#s=', '#s=AVEYAgoEAwMADOgD', linkOf(SHARED, PAGE).slice(0, -3), `#s=${'A'.repeat(70_000)}`])(
@@ -220,7 +219,7 @@ describe('a setting that comes by link', () => {
     async (link) => {
       const bench = await opened();
       await comes(bench, link);
-      expect(dialog().getByRole('alert').textContent).toContain(share.damaged.bad);
+      expect(dialog().getByRole('alert').textContent).toContain(en.share.damaged.bad);
       await press('Close');
       expect([isOpen(), bench.session.library.settings.list.value]).toEqual([false, []]);
     },

@@ -1,11 +1,11 @@
 import { signal } from '@preact/signals';
 import { act, fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { en } from '../../../../src/app/messages/en.js';
 import { FlightPreview, type FlightPreviewProps } from '../../../../src/app/timeline/preview/flight-preview.js';
 import { Player } from '../../../../src/app/timeline/preview/player.js';
 import { guessedUses } from '../../../../src/app/timeline/preview/surfaces.js';
 import type { ServoUse } from '../../../../src/program/index.js';
+import { en } from '../../../tools/en.js';
 import { programOf } from '../../programs.js';
 import { HandFrames } from './hand-frames.js';
 
@@ -174,7 +174,7 @@ describe('the flight preview', () => {
   it('says so where no servo moves at DT', async () => {
     const { player } = shown({ program: programOf('Q', PROGRAM.times, [[65, 130, 0, 65, 65]]) });
     await seek(player, 18000);
-    expect(screen.getByText(en.findings['dt-moves-nothing']({}))).toBeTruthy();
+    expect(screen.getByText(en.findings['dt-moves-nothing'])).toBeTruthy();
     expect([turned('tailplane'), document.querySelector('.fall')]).toEqual(['rotate(0deg)', null]);
   });
 

@@ -1,0 +1,56 @@
+import { act, render, screen } from '@testing-library/preact';
+import { beforeEach, expect, it } from 'vitest';
+import { App } from '../../../src/app/app.js';
+import type { Tree } from '../../../src/app/messages/catalogue.js';
+import { inLanguage, speak } from '../../../src/app/messages/language.js';
+import { appBench, idle } from '../bench/bench.js';
+import { PLAIN } from '../flights/flights.js';
+import { leftOut, speakPseudo } from './pseudo.js';
+
+beforeEach(() => localStorage.clear());
+
+it('a page that is open changes its language at once, and back', async () => {
+  let loads: Promise<Tree> = Promise.resolve({ next: 'Weiter' });
+  const words = inLanguage({ next: 'Next' }, { './de.ftl': () => loads });
+  const Words = () => <p>{words.value.next}</p>;
+  const { container } = render(<Words />);
+  await act(() => speak('de'));
+  expect(container.textContent).toBe('Weiter');
+  await act(() => speak('xx'));
+  expect(container.textContent, 'English for a language that is not there').toBe('Next');
+  loads = Promise.reject(new Error('no network'));
+  await expect(speak('de')).rejects.toThrow('no network');
+  expect(container.textContent, 'nothing changes halfway').toBe('Next');
+});
+
+/** What never comes from en.ftl: a day, and the place of the test. */
+const ELSEWHERE: readonly RegExp[] = [/^Sun, 22 Nov 2026 · 1$/];
+
+it('the bench and the flights have no text of their own that is not in en.ftl', async () => {
+  const app = await appBench();
+  render(<App models={app.models} />);
+  screen.getByRole('button', { name: 'Connect' }).click();
+  await idle();
+  await app.session.library.keepFlight({ ...PLAIN, place: '1', modelName: '2' });
+  speakPseudo();
+  const found = new Set<string>();
+  for (const show of [() => app.models.views.show('bench'), () => app.models.views.show('library', 'flights')]) {
+    act(show);
+    await idle();
+    expect(document.body.textContent).toContain('⟦');
+    for (const text of leftOut(document.body)) found.add(text.replaceAll(/\s/g, ' ').replaceAll('\u2060', ''));
+  }
+  expect([...found].filter((text) => !ELSEWHERE.some((known) => known.test(text)))).toEqual([]);
+});
+
+it('what is left out is found, also beside and around a sentence', () => {
+  const { container } = render(
+    <div title="Left out">
+      <p>{'⟦Óowñ⟧'}</p>
+      <p>{'⟦Óowñ ⟦íiñ⟧ ít⟧ 3:00'}</p>
+      <p>{'⟦Óowñ⟧ and'}</p>
+      <button type="button" aria-label="Bare" />
+    </div>,
+  );
+  expect(leftOut(container)).toEqual(['Left out', '⟦Óowñ⟧ and', 'Bare']);
+});

@@ -1,0 +1,46 @@
+import { readFileSync } from 'node:fs';
+import { act } from '@testing-library/preact';
+import { onTestFinished } from 'vitest';
+import { sentencesOf } from '../../../src/app/messages/catalogue.js';
+import { messages } from '../../../src/app/messages/index.js';
+import { moreMessages } from '../../../src/app/messages/more.js';
+import type { MoreSentences, PageSentences } from '../../../src/app/messages/sentences.js';
+import { catalogueOf, ofStep, pseudo, treeOf } from '../../tools/catalogue.js';
+
+const source = catalogueOf(readFileSync('src/app/messages/en.ftl', 'utf8'), 'en.ftl');
+const tree = treeOf(source, pseudo(source));
+
+/** Until the end of the test the page speaks the language of tests: each sentence of en.ftl stands in ⟦brackets⟧. */
+export function speakPseudo(): void {
+  const before = [messages.value, moreMessages.value] as const;
+  act(() => {
+    messages.value = sentencesOf<PageSentences>(ofStep(tree, 'page'), 'en');
+    moreMessages.value = sentencesOf<MoreSentences>(ofStep(tree, 'more'), 'en');
+  });
+  onTestFinished(() => {
+    [messages.value, moreMessages.value] = before;
+  });
+}
+
+/** What a screen reader reads besides the texts. */
+const SPOKEN = ['aria-label', 'title', 'placeholder', 'alt'];
+
+/**
+ * The texts on the screen, also those for screen readers, that do not come from en.ftl. One that is put together from
+ * two sentences is among them, unless each is in an element of its own.
+ */
+export function leftOut(within: Element): string[] {
+  const texts = [...within.querySelectorAll('*')].flatMap((element) => [
+    ...[...element.childNodes].filter(({ nodeType }) => nodeType === Node.TEXT_NODE).map((node) => node.textContent),
+    ...SPOKEN.map((name) => element.getAttribute(name)),
+  ]);
+  return texts
+    .filter((text): text is string => text !== null && /\p{L}{2}/u.test(bare(text)))
+    .map((text) => text.trim());
+}
+
+/** A text without the sentences in it. Brackets within brackets are a sentence in a sentence. */
+function bare(text: string): string {
+  const inner = text.replaceAll(/⟦[^⟦⟧]*⟧/g, '');
+  return inner === text ? text : bare(inner);
+}
