@@ -110,7 +110,7 @@ export class FlightLog {
     if (key !== null) this.remove(key);
   }
 
-  /** The result of a write was left: its logged flight is no longer shown there. */
+  /** The logged flight is no longer shown in the place of the button. */
   forgetLogged(): void {
     this.#logged.value = null;
   }

@@ -18,6 +18,9 @@ export interface FlyingThisProps {
   readonly again?: boolean;
 }
 
+/** How long the note about a logged flight stands in the place of the button, in milliseconds. */
+const NOTE_STAYS = 60_000;
+
 /** One tap logs a flight with what the timer holds. Then it says so, and offers to undo it or to fill it in. */
 export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThisProps) {
   const { flying: words } = moreMessages.value.flights;
@@ -27,7 +30,13 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   const logged = flights.get(key)?.flight;
   const held = log.flyable.value;
   const box = useHandedFocus('button:not(.quiet)');
-  // The note about a logged flight goes away with this part of the page.
+  // The note about a logged flight goes away with this part of the page, and in time for the next flight. Not behind
+  // the form: what has opened it gets the focus back.
+  const isFilling = log.filling.value !== null;
+  useEffect(() => {
+    const rest = isFilling ? undefined : setTimeout(() => log.forgetLogged(), NOTE_STAYS);
+    return () => clearTimeout(rest);
+  }, [log, key, isFilling]);
   useEffect(() => () => log.forgetLogged(), [log]);
   if (logged) {
     const fillIn = (): void => {

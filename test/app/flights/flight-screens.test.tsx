@@ -1,5 +1,5 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
-import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { offsetText } from '../../../src/app/flights/flight-list.js';
 import { dotted } from '../../../src/app/messages/dotted.js';
 import { moreMessages } from '../../../src/app/messages/more.js';
@@ -237,6 +237,18 @@ describe('the log', () => {
     expect(screen.getByText(moreMessages.value.flights.empty.title)).toBeTruthy();
     expect(screen.queryByRole('button', { name: 'Flying this' })).toBeNull();
   });
+});
+
+it('the button is back for the next flight', async () => {
+  const app = await connected();
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+  onTestFinished(() => void vi.useRealTimers());
+  for (let count = 1; count <= 3; count++) {
+    act(() => button('Flying this').click());
+    expect(screen.queryByRole('button', { name: 'Flying this' })).toBeNull();
+    act(() => void vi.advanceTimersByTime(60_000));
+  }
+  expect(flights(app).length).toBe(3);
 });
 
 it('one press beside the program on the screen logs a flight, and what it flew is opened again from the log', async () => {
