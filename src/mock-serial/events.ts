@@ -10,9 +10,6 @@ const BUBBLING = 3;
 type ListenerArguments = Parameters<EventTarget['addEventListener']>;
 type Listener = NonNullable<ListenerArguments[1]>;
 type Options = ListenerArguments[2];
-type OwnType = 'connect' | 'disconnect';
-/** A function that listens to an event of the standard, called on the target. */
-type OwnListener<Target> = (this: Target, event: Event) => void;
 
 /** The browser's own events. */
 const announced = new WeakSet<Event>();
@@ -23,7 +20,7 @@ const announced = new WeakSet<Event>();
 const views = new WeakMap<Event, PropertyDescriptorMap>();
 
 /** Fires an event of the browser's own at a port. It bubbles to Serial. */
-export function announce(target: EventTarget, type: OwnType): void {
+export function announce(target: EventTarget, type: 'connect' | 'disconnect'): void {
   const event = new Event(type, { bubbles: true });
   announced.add(event);
   target.dispatchEvent(event);
@@ -71,18 +68,26 @@ export class ConnectionTarget extends EventTarget {
   }
 
   /** The `addEventListener()` method. A listener that is there already is not added again. */
-  override addEventListener(type: OwnType, listener: OwnListener<this>, options?: Options): void;
-  override addEventListener(type: string, listener: Listener | null, options?: Options): void;
-  override addEventListener(type: string, listener: Listener | null, options?: Options): void {
+  override addEventListener(
+    type: 'connect' | 'disconnect',
+    listener: (this: this, event: Event) => void,
+    options?: Options,
+  ): void;
+  override addEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void;
+  override addEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void {
     const of = listenerOptions(options);
     const keeper = of.capture ? this.#down : of.once && this.#onceNeverFires ? this.#passedBy : this.#up;
     if (listener) keeper.addEventListener(type, this.#bind(listener), of);
   }
 
   /** The `removeEventListener()` method. Removing a listener that is not there does no harm. */
-  override removeEventListener(type: OwnType, listener: OwnListener<this>, options?: Options): void;
-  override removeEventListener(type: string, listener: Listener | null, options?: Options): void;
-  override removeEventListener(type: string, listener: Listener | null, options?: Options): void {
+  override removeEventListener(
+    type: 'connect' | 'disconnect',
+    listener: (this: this, event: Event) => void,
+    options?: Options,
+  ): void;
+  override removeEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void;
+  override removeEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void {
     const of = listenerOptions(options);
     if (!listener) return;
     for (const keeper of of.capture ? [this.#down] : [this.#up, this.#passedBy])
