@@ -38,6 +38,8 @@ export const LOSS: readonly Probe[] = [
     const one = writer();
     await order('unplug');
     await how(one.write(Uint8Array.of(1)));
+    // Chromium notices the loss a moment later.
+    await how(new Promise(() => {}));
     return [await how(one.write(Uint8Array.of(1))), port.writable];
   }),
   opened('the stream after the first', 'NetworkError null', async ({ port, writer, order, how }) => {
