@@ -8,8 +8,8 @@ import { fileURLToPath } from 'node:url';
 const root = new URL('../../', import.meta.url);
 const budgets = new URL('budgets.json', import.meta.url);
 const MESSAGES = 'src/app/messages';
-/** Written by a tool: it is as long as en.ftl wants it. */
-const MADE = `${MESSAGES}/sentences.ts`;
+/** As long as en.ftl wants them: its types, which a tool writes, and its translations. */
+const FOLLOWS = new RegExp(`^${MESSAGES}/(?:sentences\\.ts|(?!en\\.)[\\w-]+\\.ftl)$`);
 
 /**
  * @typedef {object} Figures
@@ -24,7 +24,7 @@ function filesIn(folder) {
   return readdirSync(new URL(folder, root), { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile() && !/node_modules|\.tsbuildinfo$/.test(`${entry.parentPath}/${entry.name}`))
     .map((entry) => `${entry.parentPath}/${entry.name}`.slice(fileURLToPath(root).length))
-    .filter((file) => file !== MADE);
+    .filter((file) => !FOLLOWS.test(file));
 }
 
 /** @param {string} file */

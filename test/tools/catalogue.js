@@ -58,7 +58,7 @@ const STEPS = {
 const BETWEEN = '_';
 
 /** A figure and its unit stay on one line. */
-const UNIT = /(?<=[\d}]) (?=(?:s|min|cm|m\/s|°C)(?![\p{L}/]))/gu;
+const UNIT = /(?<=[\d}]) (?=(?:s|min|cm|m\/s|°C|с|хв|см|м\/с)(?![\p{L}/]))/gu;
 
 const PLURALS = ['zero', 'one', 'two', 'few', 'many', 'other'];
 
@@ -167,23 +167,39 @@ export function faultsOf(source, other, language) {
     const wrong = kind.find((key) => !known.includes(key));
     return wrong === undefined ? null : `$${name} is never “${wrong}”`;
   };
+  const needed = Array.from({ length: 200 }, (_, count) => new Intl.PluralRules(language).select(count));
   return [...other].flatMap(([id, { pattern, params }]) => {
     const known = source.get(id);
     if (!known) return [`${id} is no sentence of the page`];
     const found = [...params].map(([name, kind]) => fault(name, kind, known.params.get(name)));
-    const never = categoriesIn(pattern).find((each) => !(/** @type {string[]} */ (pluralCategories).includes(each)));
-    if (never) found.push(`this language has no plural “${never}”`);
+    for (const name of shownIn(known.pattern)) if (!shownIn(pattern).includes(name)) found.push(`lacks $${name}`);
+    for (const keys of pluralsIn(pattern)) {
+      const never = keys.find((each) => !(/** @type {string[]} */ (pluralCategories).includes(each)));
+      if (never) found.push(`this language has no plural “${never}”`);
+      const lacking = needed.find((each) => keys.length > 1 && !keys.includes(each));
+      if (lacking) found.push(`lacks the plural “${lacking}”`);
+    }
     return found.filter((each) => each !== null).map((each) => `${id}: ${each}`);
   });
 }
 
-/** @param {Pattern} pattern @returns {string[]} */
-function categoriesIn(pattern) {
+/** The parameters that a reader sees. @param {Pattern} pattern @returns {string[]} */
+function shownIn(pattern) {
+  if (typeof pattern === 'string') return [];
+  return pattern.flatMap((part) => {
+    if (typeof part === 'string') return [];
+    if (part.type === 'var') return [part.name];
+    return part.type === 'select' ? part.variants.flatMap(({ value }) => shownIn(value)) : [];
+  });
+}
+
+/** The plurals of each choice, without its numbers such as `[0]`. @param {Pattern} pattern @returns {string[][]} */
+function pluralsIn(pattern) {
   if (typeof pattern === 'string') return [];
   return pattern.flatMap((part) => {
     if (typeof part === 'string' || part.type !== 'select') return [];
     const keys = part.variants.map(({ key }) => String(key.value)).filter((key) => PLURALS.includes(key));
-    return [...keys, ...part.variants.flatMap(({ value }) => categoriesIn(value))];
+    return [keys, ...part.variants.flatMap(({ value }) => pluralsIn(value))];
   });
 }
 
@@ -343,7 +359,8 @@ function main(writes) {
     if (language === SOURCE) continue;
     const other = catalogueIn(fileURLToPath(new URL(file, FOLDER)));
     found.push(...faultsOf(source, other, language).map((each) => `${file}: ${each}`));
-    console.log(`${file}: ${other.size} of ${source.size} sentences`);
+    const missing = [...source.keys()].filter((id) => !other.has(id));
+    console.log(`${file}: ${missing.length === 0 ? 'whole' : `in English are ${missing.join(', ')}`}`);
   }
   for (const each of found) console.error(`src/app/messages/${each}`);
   process.exitCode = found.length > 0 ? 1 : 0;

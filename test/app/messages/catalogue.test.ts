@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { FluentBundle, FluentNumber } from '@fluent/bundle';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -8,6 +8,9 @@ import { findingText } from '../../../src/app/messages/index.js';
 import { checkProgram } from '../../../src/program/index.js';
 import { catalogueOf, faultsOf, ofStep, pseudo, treeOf, typesOf } from '../../tools/catalogue.js';
 import { en } from '../../tools/en.js';
+
+const FOLDER = 'src/app/messages';
+const LANGUAGES = readdirSync(FOLDER).flatMap((file) => /^(.*)\.ftl$/.exec(file)?.[1] ?? []);
 
 const read = (text: string) => catalogueOf(text, 'en.ftl');
 
@@ -106,13 +109,26 @@ describe('a translation', () => {
   it.each([
     ['bench_titel = Werkbank', 'bench_titel is no sentence of the page'],
     ['bench_title = { $name }', 'bench_title: has $name, which English has not'],
-    ['bench_trim = { $slot ->\n [one] a\n *[other] b\n}', 'bench_trim: $slot is no number'],
-    ['bench_timer = { $simulated ->\n [wahr] a\n *[false] b\n}', 'bench_timer: $simulated is never “wahr”'],
-    ['bench_tried = { $count ->\n [few] a\n *[other] b\n}', 'bench_tried: this language has no plural “few”'],
+    ['bench_trim = { $slot ->\n [one] { $slot }\n *[other] { $slot }\n}', 'bench_trim: $slot is no number'],
+    ['bench_trim = Hier trimmen', 'bench_trim: lacks $slot'],
+    [
+      'bench_timer = { $simulated ->\n [wahr] { $name }\n *[false] { $rate }\n}',
+      'bench_timer: $simulated is never “wahr”',
+    ],
+    [
+      'bench_tried = { $count ->\n [one] eine\n [few] a\n *[other] { $count }\n}',
+      'bench_tried: this language has no plural “few”',
+    ],
+    ['bench_tried = { $count ->\n [0] keine\n *[other] { $count }\n}', null],
     ['bench_tried = Ausprobiert: { $count }', null],
     ['bench_title = { bench_waits }\nbench_waits = Wartet', null],
-  ])('is refused for what English has not: %s', (text, fault) => {
+  ])('is refused for what English has not, or it lacks: %s', (text, fault) => {
     expect(faultsOf(read(ENGLISH), catalogueOf(text, 'de.ftl'), 'de')).toEqual(fault === null ? [] : [fault]);
+  });
+
+  it('is refused without a plural that its language has for a whole number', () => {
+    const few = 'bench_tried = { $count ->\n [one] { $count } pozycja\n *[many] { $count } pozycji\n}';
+    expect(faultsOf(read(ENGLISH), catalogueOf(few, 'pl.ftl'), 'pl')).toEqual(['bench_tried: lacks the plural “few”']);
   });
 });
 
@@ -157,14 +173,17 @@ export interface MoreSentences {
   });
 });
 
-it('every sentence is said as Fluent says it', () => {
-  const source = catalogueOf(readFileSync('src/app/messages/en.ftl', 'utf8'), 'en.ftl');
-  const bundle = new FluentBundle('en', { useIsolating: false });
-  const whole = sentencesOf<Record<string, never>>(treeOf(source, source), 'en');
+it.each(LANGUAGES)('every sentence in %s is said as Fluent says it', (language) => {
+  const file = (name: string) => catalogueOf(readFileSync(`${FOLDER}/${name}.ftl`, 'utf8'), `${name}.ftl`);
+  const english = file('en');
+  const source = new Map([...english, ...file(language)]);
+  const bundle = new FluentBundle(language, { useIsolating: false });
+  const whole = sentencesOf<Record<string, never>>(treeOf(english, source), language);
   expect(source.size).toBeGreaterThan(1000);
-  for (const [id, { pattern, params }] of source) {
+  for (const [id, { params }] of english) {
+    const { pattern } = source.get(id) ?? {};
     const sentence = id.split('_').reduce<unknown>((at, name) => (at as Record<string, unknown>)[name], whole);
-    for (const [at, count] of [0, 1, 2, 9600].entries()) {
+    for (const [at, count] of [0, 1, 2, 5, 9600].entries()) {
       const given = Object.fromEntries(
         [...params].map(([name, kind]) => {
           if (kind === 'text') return [name, 'M1'];
@@ -176,7 +195,7 @@ it('every sentence is said as Fluent says it', () => {
         name,
         typeof value === 'number' ? new FluentNumber(value, { useGrouping: false }) : value,
       ]);
-      expect(said, id).toBe(bundle.formatPattern(pattern, Object.fromEntries(figures)));
+      expect(said, id).toBe(bundle.formatPattern(pattern ?? '', Object.fromEntries(figures)));
     }
   }
 });
