@@ -725,7 +725,7 @@ library_setting_gone = Il n’est plus dans la bibliothèque.
 library_save_open = Enregistrer…
 library_save_over = Remplacer { $program }
 library_save_undo = Annuler l’enregistrement{"\u00a0"}: { $name }
-library_save_crossing = Ce sont des valeurs de { $from }. Les enregistrer sous { $to }.
+library_save_crossing = Ce sont des valeurs du modèle { $from }. Les enregistrer sous { $to }.
 library_save_asNew = Enregistrer un nouveau…
 library_save_taken = Il y a déjà un programme { $program }. Tapez un autre nom, ou{"\u00a0"}:
 library_save_replace = Le remplacer. Ses valeurs restent comme version antérieure.
@@ -1425,9 +1425,9 @@ whichModel_recognition_dialog_keep = Conserver comme nouveau modèle
 whichModel_recognition_dialog_taken = Un modèle de ce nom est déjà dans la liste.
 whichModel_memoryNames_label = Nom de { $memory }
 whichModel_memoryNames_give = Nommer
-whichModel_crossing_title = Ce sont des valeurs de { $from }, mais cette minuterie ressemble à celle de { $to }.
+whichModel_crossing_title = Ce sont des valeurs du modèle { $from }, mais cette minuterie ressemble à celle du modèle { $to }.
 whichModel_crossing_advice = Avec les valeurs d’un autre modèle, vous pouvez perdre celui-ci. Regardez le modèle devant vous.
-whichModel_crossing_confirm = Écrire des valeurs de { $from } dans la minuterie de { $to }.
+whichModel_crossing_confirm = Écrire des valeurs du modèle { $from } dans la minuterie du modèle { $to }.
 whichModel_crossing_memoryOf = { $memory } ({ $model })
 
 ## A write, from the difference to the verdict.
