@@ -12,12 +12,15 @@ import './connect/start-cards.css';
 import './connect/step-list.css';
 import './timeline/picture.css';
 import './timeline/small-lanes.css';
+import { effect } from '@preact/signals';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { media } from './browser/doors.js';
 import { holdDroppedFiles } from './browser/dropped-files.js';
 import { tried } from './browser/services.js';
 import { earlyClicks } from './early-clicks.js';
-import english from './messages/en.ftl?first';
+import { firstOf, preferredLanguage } from './messages/first.js';
+import { language, speak } from './messages/language.js';
+import './messages/page.js';
 import { Theme } from './settings/theme.js';
 
 /*
@@ -30,6 +33,7 @@ document.querySelector('.not-started')?.remove();
 const root = document.getElementById('app') as HTMLElement;
 const theme = new Theme();
 tried(() => theme.follow(document, media('(prefers-color-scheme: dark)')));
+const preferred = tried(preferredLanguage) ?? 'en';
 // Inside another page, or at the address of another view, something else will be shown.
 const isStart = window.top === window.self && ['', '#program'].includes(location.hash);
 if (!isStart) root.replaceChildren();
@@ -44,7 +48,8 @@ else void open();
 async function open(): Promise<void> {
   const slow = setTimeout(offerReload, SLOW);
   try {
-    const { openPage } = await import('./open-page.js');
+    const [{ openPage }] = await Promise.all([import('./open-page.js'), speak(preferred).catch(() => speak('en'))]);
+    effect(() => sayLanguage(language.value));
     await nextTask();
     await openPage(root, theme);
     notice?.remove();
@@ -57,14 +62,22 @@ async function open(): Promise<void> {
   }
 }
 
+/** Says to the browser what the page speaks: for its voice and hyphens, and to the system that installs the page. */
+function sayLanguage(code: string): void {
+  document.documentElement.lang = code;
+  const manifest = document.querySelector<HTMLLinkElement>('link[rel="manifest"]');
+  if (manifest) manifest.href = code === 'en' ? './manifest.webmanifest' : `./manifest.${code}.webmanifest`;
+}
+
 /** Says that something is missing, with a button to load the page again: it has no other sentences or parts yet. */
 function offerReload(): void {
   notice ??= document.createElement('p');
   notice.role = 'alert';
   notice.className = 'notice bad';
   const again = document.createElement('button');
-  again.textContent = english.first.again;
+  const first = firstOf(preferred);
+  again.textContent = first.again;
   again.addEventListener('click', () => location.reload());
-  notice.replaceChildren(english.first.failed, ' ', again);
+  notice.replaceChildren(first.failed, ' ', again);
   document.body.prepend(notice);
 }

@@ -1,5 +1,6 @@
 import { act, cleanup, configure } from '@testing-library/preact';
 import { afterAll, afterEach, vi } from 'vitest';
+import { speak } from '../../src/app/messages/language.js';
 import { fetchParts } from '../../src/app/parts.js';
 
 // The page answers at once, but a busy machine may take long.
@@ -8,6 +9,7 @@ configure({ asyncUtilTimeout: 10_000 });
 afterEach(() => act(cleanup));
 // Like a page that the pilot has had open for a moment.
 await fetchParts();
+await speak('en');
 
 // The next file must find everything as if it was the first.
 afterAll(() => {

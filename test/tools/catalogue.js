@@ -21,12 +21,14 @@ import { lineOffset, parse } from '@fluent/syntax';
  */
 
 const FOLDER = new URL('../../src/app/messages/', import.meta.url);
+const MANIFEST = new URL('../../public/manifest.webmanifest', import.meta.url);
 const TYPES = new URL('sentences.ts', FOLDER);
 const SOURCE = 'en';
 
 /** The steps in which the page is loaded, by the groups of sentences that are not of the step `page`. */
 const STEPS = {
   first: ['first'],
+  manifest: ['manifest'],
   more: [
     'aboutPage',
     'aboutTimer',
@@ -296,6 +298,14 @@ function typeOf(params) {
   return `(params: { ${list.join('; ')} }) => string`;
 }
 
+/** The languages beside English, each with the path of its file. @returns {[language: string, path: string][]} */
+function translations() {
+  const languages = readdirSync(FOLDER).flatMap((file) => /^([\w-]+)\.ftl$/.exec(file)?.[1] ?? []);
+  return languages
+    .filter((language) => language !== SOURCE)
+    .map((language) => [language, fileURLToPath(new URL(`${language}.ftl`, FOLDER))]);
+}
+
 /** @param {string} path of a file */
 const catalogueIn = (path) => catalogueOf(readFileSync(path, 'utf8'), basename(path));
 
@@ -345,7 +355,29 @@ export function sentences({ inPseudo = false } = {}) {
         return `export default ${JSON.stringify(ofStep(treeOf(english, said), step))}`;
       },
     },
+    generateBundle() {
+      const manifest = readFileSync(MANIFEST, 'utf8');
+      const source = catalogueIn(fileURLToPath(new URL(`${SOURCE}.ftl`, FOLDER)));
+      for (const [language, path] of translations()) {
+        const text = manifestOf(manifest, source, catalogueIn(path), language);
+        this.emitFile({ type: 'asset', fileName: `manifest.${language}.webmanifest`, source: text });
+      }
+    },
   };
+}
+
+/**
+ * The manifest of the page in a language: that in English, with each of its texts translated.
+ * @param {string} manifest @param {Catalogue} source @param {Catalogue} said @param {string} language
+ */
+export function manifestOf(manifest, source, said, language) {
+  const texts = new Map(
+    [...source].flatMap(([id, { pattern }]) => (id.startsWith('manifest_') ? [[pattern, said.get(id)?.pattern]] : [])),
+  );
+  return JSON.stringify({
+    ...JSON.parse(manifest, (_, value) => (typeof value === 'string' && texts.get(value)) || value),
+    lang: language,
+  });
 }
 
 /** @param {boolean} writes the types, instead of comparing them */
@@ -354,13 +386,11 @@ function main(writes) {
   const types = typesOf(source);
   if (writes) writeFileSync(TYPES, types);
   const found = readFileSync(TYPES, 'utf8') === types ? [] : ['sentences.ts is not that of en.ftl: npm run sentences'];
-  for (const file of readdirSync(FOLDER)) {
-    const [, language = SOURCE] = /^([\w-]+)\.ftl$/.exec(file) ?? [];
-    if (language === SOURCE) continue;
-    const other = catalogueIn(fileURLToPath(new URL(file, FOLDER)));
-    found.push(...faultsOf(source, other, language).map((each) => `${file}: ${each}`));
+  for (const [language, path] of translations()) {
+    const other = catalogueIn(path);
+    found.push(...faultsOf(source, other, language).map((each) => `${language}.ftl: ${each}`));
     const missing = [...source.keys()].filter((id) => !other.has(id));
-    console.log(`${file}: ${missing.length === 0 ? 'whole' : `in English are ${missing.join(', ')}`}`);
+    console.log(`${language}.ftl: ${missing.length === 0 ? 'whole' : `in English are ${missing.join(', ')}`}`);
   }
   for (const each of found) console.error(`src/app/messages/${each}`);
   process.exitCode = found.length > 0 ? 1 : 0;

@@ -60,7 +60,7 @@ export function service<Name extends ServiceName>(name: Name): Service<Name> | n
 }
 
 /** What the browser says about itself. */
-export function nameplate(): Nameplate & Pick<Navigator, 'platform' | 'onLine'> {
+export function nameplate(): Nameplate & Pick<Navigator, 'platform' | 'onLine' | 'languages'> {
   return navigator;
 }
 

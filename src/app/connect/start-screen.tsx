@@ -3,6 +3,7 @@ import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { memoryName, timerName } from '../messages/names.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
+import { LanguageChoice } from '../ui/language-choice.js';
 import { NoticeText } from '../ui/notice-text.js';
 import type { Session } from '../work/session.js';
 import { ConnectButtons } from './connect-buttons.js';
@@ -81,6 +82,7 @@ function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) 
       <a class="alone" href="#settings">
         {views.names.settings}
       </a>
+      <LanguageChoice />
     </p>
   );
 }

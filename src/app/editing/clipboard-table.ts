@@ -1,5 +1,6 @@
 import type { TimerProgram } from '../../program/index.js';
 import { columnsIn, type GridField, type GridRange, gridField, gridValue, rowsIn } from './grid.js';
+import { locale } from './locale.js';
 import { areWords, isUnit } from './paste-names.js';
 import { plainDigits } from './units.js';
 
@@ -25,7 +26,8 @@ export interface TextCell {
 
 /**
  * Writes a range for a spreadsheet: tabs between cells, line breaks between rows. Times and intervals are seconds with
- * two decimals, positions are steps. Intervals are left out where the range also has the times.
+ * two decimals, positions are steps. The decimal sign is that of the language. Intervals are left out where the range
+ * also has the times.
  */
 export function formatTable(program: TimerProgram, range: GridRange): string {
   const { identity } = program;
@@ -39,7 +41,7 @@ export function formatTable(program: TimerProgram, range: GridRange): string {
 function formatCell(program: TimerProgram, field: GridField | null): string {
   const value = field && gridValue(program, field);
   if (value === null) return '';
-  return field?.kind === 'position' ? String(value) : (value / 100).toFixed(2);
+  return field?.kind === 'position' ? String(value) : (value / 100).toFixed(2).replace('.', locale.value.decimal);
 }
 
 /**

@@ -1,10 +1,12 @@
 /**
- * Recognises what the rows and columns of a pasted table are called: in the words of the page, and in the short forms
- * that pilots use. A test holds that the page's own words are among them.
+ * Recognises what the rows and columns of a pasted table are called: in the words of the page, in its language and in
+ * English, and in the short forms that pilots use. A test holds that the page's own words are among them.
  */
 
+import { computed } from '@preact/signals';
 import type { Identity } from '../../protocol/index.js';
 import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from './grid.js';
+import { locale } from './locale.js';
 import { plainDigits } from './units.js';
 
 /**
@@ -41,11 +43,22 @@ const UNIT_BESIDE = /^(.+) (s|sec|min|steps)\.?$/;
 
 /** A name in plain small letters, without what nobody sees and without a mark at its end. */
 export function bareName(text: string): string {
-  return plainDigits(text.normalize('NFKC'))
+  const name = plainDigits(text.normalize('NFKC'))
     .toLowerCase()
     .replaceAll(/\s+/g, ' ')
     .replace(/ ?[.:]$/, '');
+  const { form, known } = ownWords.value;
+  return known.size === 0 ? name : name.replaceAll(form, (word) => known.get(word) ?? word);
 }
+
+/** The words of the language that are not English. A short one may be part of a long one. */
+const ownWords = computed(() => {
+  const words = locale.value.words.filter(([own, known]) => own !== known);
+  const longestFirst = words
+    .map(([own]) => own.replaceAll(/[.*+?^${}()|[\]\\/]/g, '\\$&'))
+    .sort((a, b) => b.length - a.length);
+  return { form: new RegExp(`(?<!\\p{L})(?:${longestFirst.join('|')})(?!\\p{L})`, 'gu'), known: new Map(words) };
+});
 
 function unitOf(name: string): { readonly head: string; readonly unit: string } {
   const [, head = '', ...apart] = UNIT_APART.exec(name) ?? [];

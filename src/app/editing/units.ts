@@ -3,6 +3,8 @@
  * works on the digits as text, so that 0.07 is 7 and never 7.000000000000001.
  */
 
+import { locale } from './locale.js';
+
 /**
  * Why a typed text is not a value: it is empty, no number, finer than a hundredth of a second,
  * not a whole number, or ambiguous.
@@ -66,13 +68,13 @@ export interface Ambiguous {
 export type TypedText = Parsed | Ambiguous;
 
 const TIME = /^(?:(\d{1,4})(?::(?=[0-5]?\d(?:[.,]|$))|[.,](?=[0-5]\d[.,])))?(\d{1,6})?(?:[.,](\d*))?$/;
-const IN_UNITS = /^(?:(\d{1,4}) ?min)?(?: ?(\d*[.,]?\d*) ?(?:s|sec)?)?$/i;
-const CLOCK_IN_MINUTES = /^(\d+:[\d.,]+) ?min$/i;
+const IN_UNITS = /^(?:(\d{1,4}) ?(?:min|хв))?(?: ?(\d*[.,]?\d*) ?(?:s|sec|с)?)?$/i;
+const CLOCK_IN_MINUTES = /^(\d+:[\d.,]+) ?(?:min|хв)$/i;
 /** Minutes and seconds as on a score card: `2'30`, `2′30″`, `2m30s`. */
 const CARD = /^(\d{1,3}) ?['’′m] ?([0-5]\d(?:[.,]\d{1,2})?) ?(?:["”″s]|'')?$/i;
 /** The same with a space. Where minutes are not usual, these may be two numbers. */
 const SPACED = /^(\d{1,3}) ([0-5]\d(?:[.,]\d{1,2})?) ?(?:["”″s]|'')?$/i;
-const DECIMAL_MINUTES = /^(\d{0,4})[.,](\d{1,2}) ?min$/i;
+const DECIMAL_MINUTES = /^(\d{0,4})[.,](\d{1,2}) ?(?:min|хв)$/i;
 
 /**
  * Reads a time in hundredths of a second. Forms: `12.5`, `12,5`, `.5`, `2:05`, `2:05.5`; `2.05.5`, because the number
@@ -110,7 +112,7 @@ const MINUTES_POINT_SECONDS = /^(\d{0,2})[.,]([0-5]\d?)$/;
 const MINUTES_POINT_DECIMALS = /^(\d{0,2})[.,](5|[6-9]\d?)$/;
 const MINUTES_AND_SECONDS = /^(\d{1,2})([0-5]\d)$/;
 /** Two digits after the point may be seconds also where the unit is said: `2.30 min`. */
-const MINUTES_POINT_SECONDS_MIN = /^(\d{0,2})[.,]([0-5]\d) ?min$/i;
+const MINUTES_POINT_SECONDS_MIN = /^(\d{0,2})[.,]([0-5]\d) ?(?:min|хв)$/i;
 /** How pilots write minutes without saying so, the likeliest first, and what the two digits after are worth. */
 const FORMS: readonly (readonly [RegExp, number])[] = [
   [MINUTES_AND_SECONDS, 100],
@@ -161,14 +163,18 @@ export function parseSteps(text: string): Parsed {
   return steps === undefined ? { unreadable: 'not-a-whole-number' } : { value: Number(steps) };
 }
 
-/** Writes hundredths of a second as pilots do: `0.50`, `12.05`; from one minute on `3:00` or `3:00.50`. */
+/**
+ * Writes hundredths of a second as pilots do: `0.50`, `12.05`; from one minute on `3:00` or `3:00.50`; with a comma
+ * where the language has one.
+ */
 export function formatTime(hundredths: number): string {
   if (!Number.isInteger(hundredths) || hundredths < 0) return String(hundredths);
   const fraction = String(hundredths % 100).padStart(2, '0');
   const seconds = Math.floor(hundredths / 100);
-  if (seconds < 60) return `${seconds}.${fraction}`;
+  const { decimal } = locale.value;
+  if (seconds < 60) return `${seconds}${decimal}${fraction}`;
   const clock = `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, '0')}`;
-  return fraction === '00' ? clock : `${clock}.${fraction}`;
+  return fraction === '00' ? clock : `${clock}${decimal}${fraction}`;
 }
 
 /** Like {@link parseTime}, with a minus sign where times fall. */
@@ -214,10 +220,11 @@ export interface Figure {
  */
 export function formatFigure(hundredths: number, step: number): Figure {
   const unit = hundredths < MINUTE ? 's' : 'min';
-  const [whole = '', fraction = ''] = formatTime(hundredths).split('.');
+  const { decimal } = locale.value;
+  const [whole = '', fraction = ''] = formatTime(hundredths).split(decimal);
   const needed = unit === 'min' || step % 100 === 0 ? 0 : step % 10 === 0 ? 1 : 2;
   const shown = fraction.replace(/0+$/, '').padEnd(needed, '0');
-  return { text: shown === '' ? whole : `${whole}.${shown}`, unit };
+  return { text: shown === '' ? whole : `${whole}${decimal}${shown}`, unit };
 }
 
 /** The parts of a time for a spoken form: `2` and `30`, `0` and `2.3`. */
@@ -227,5 +234,10 @@ export function spokenParts(hundredths: number): { readonly minutes: number; rea
 
 /** Seconds without needless zeros: `230`, `2.3`. */
 export function plainSeconds(hundredths: number): string {
-  return String(hundredths / 100);
+  return numberText(hundredths / 100);
+}
+
+/** A number as the language writes it: `2.3`, `2,3`. */
+export function numberText(value: number): string {
+  return String(value).replace('.', locale.value.decimal);
 }

@@ -1,4 +1,4 @@
-import { type Ambiguous, parseTime, plainDigits, readTime } from '../editing/units.js';
+import { type Ambiguous, numberText, parseTime, plainDigits, readTime } from '../editing/units.js';
 
 /*
  * Converts between what a pilot types with cold hands and the numbers of a flight: with comma or point, with or without
@@ -50,7 +50,7 @@ export function readMeasure(measure: keyof typeof RANGES, text: string): ReadMea
 
 /** A number in the form of its field. A result stays in seconds, as on a score card. */
 export function measureText(value: number | null): string {
-  return value === null ? '' : String(value);
+  return value === null ? '' : numberText(value);
 }
 
 /** The next whole number up or down, within the range. */

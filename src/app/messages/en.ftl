@@ -409,6 +409,10 @@ files_export_one = Export…
 files_export_downloaded = “{ $name }” goes to your downloads: { $what }. Check that it is there.
 # Added to the name of the program that wrote a file.
 files_export_without = without { $kind }
+# Kinds of what the library has, inside a sentence.
+files_export_kinds_models = models
+files_export_kinds_settings = programs
+files_export_kinds_flights = flights
 files_export_partly = “{ $name }” is not complete. It holds { $what }. The browser cannot read the { $missing } now: close other tabs of this page, and export again.
 # Joins what is missing.
 files_export_and = { $first } and { $next }
@@ -486,6 +490,21 @@ files_reminder =
 
 first_failed = The page is not complete. Is there a network?
 first_again = Load it again
+
+## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
+
+manifest_description = Sets Sidus F1Q, F1B and F1E free-flight timers: reads what a timer holds, takes your changes, writes them, reads them back and compares. Keeps your models and programs on this device. Works without a network.
+manifest_connect = Connect a timer
+manifest_connectShort = Connect
+manifest_connectWhat = The start, with Connect at hand
+manifest_library = Library
+manifest_libraryWhat = Models and their programs
+manifest_simulated = Simulated timer
+manifest_simulatedWhat = The start, with the simulated timers at hand
+manifest_pictures_program = The program of a timer, with two changes marked
+manifest_pictures_write = What a write will change, before it is written
+manifest_pictures_programPhone = The whole program on a phone
+manifest_pictures_writePhone = What a write will change, on a phone
 
 ## The help inside the page.
 
@@ -1618,6 +1637,14 @@ slotName =
         [dt] DT
        *[function] Function { $slot }
     }
+# Inside a sentence.
+within_slot =
+    { $kind ->
+        [start] start
+        [dt] DT
+       *[function] function { $slot }
+    }
+within_idleThrottle = idle throttle
 # Where there is little room: only the number.
 slotShort =
     { $kind ->
@@ -1718,6 +1745,7 @@ open = Open
 save = Save
 delete = Delete
 notNow = Not now
+label_language = Language
 label_name = Name
 label_note = Note
 label_model = Model

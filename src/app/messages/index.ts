@@ -56,12 +56,17 @@ export function fieldName(identity: Identity, field: ProgramField): string {
 
 /** The same inside a sentence: “DT”, “motor stop”, “function 3 time”, “function 3, S1”. */
 export function fieldInSentence(identity: Identity, field: ProgramField): string {
-  return inSentence(fieldName(identity, field));
+  const { program, within, knowledge } = messages.value;
+  if (field.kind === 'idleThrottle') return within.idleThrottle;
+  const slot = slotInSentence(identity, field.slot);
+  if (field.kind === 'position') return program.positionOf({ slot, servo: servoName(field.servo) });
+  if (field.slot === 0 && identity.timerClass === 'Q') return knowledge.motorStop;
+  return field.slot === identity.functions ? program.dt : program.timeOf({ slot });
 }
 
 /** The name of a slot inside a sentence: “function 3”, “start”, “DT”. */
 export function slotInSentence(identity: Identity, slot: number): string {
-  return inSentence(slotLabel(identity, slot));
+  return messages.value.within.slot({ slot, kind: slotKind(identity, slot) });
 }
 
 /** Several slots, in one line: “start, functions 5 to 9, DT”. @param first the name of slot 0. */
@@ -82,10 +87,6 @@ function functionsText(numbers: readonly number[]): string {
   if (first === last) return words.function({ number: first });
   if (last - first + 1 === numbers.length) return words.functionRange({ first, last });
   return words.functions({ numbers: numbers.join(', ') });
-}
-
-function inSentence(name: string): string {
-  return /^[A-Z][a-z]/.test(name) ? name.charAt(0).toLowerCase() + name.slice(1) : name;
 }
 
 /** A time in spoken form: “2 min 30 s”, “20 s”, “2.3 s”. Before launch with a minus. */

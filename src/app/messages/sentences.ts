@@ -968,6 +968,10 @@ export interface PageSentences {
   readonly memoryName: (params: { readonly number: Text }) => string;
   readonly servoName: (params: { readonly number: Text }) => string;
   readonly slotName: (params: { readonly kind: 'dt' | 'function' | 'start'; readonly slot: Text }) => string;
+  readonly within: {
+    readonly slot: (params: { readonly kind: 'dt' | 'function' | 'start'; readonly slot: Text }) => string;
+    readonly idleThrottle: string;
+  };
   readonly slotShort: (params: { readonly kind: 'dt' | 'function' | 'start'; readonly slot: Text }) => string;
   readonly about: (params: { readonly name: Text }) => string;
   readonly previous: string;
@@ -1054,6 +1058,7 @@ export interface PageSentences {
   readonly delete: string;
   readonly notNow: string;
   readonly label: {
+    readonly language: string;
     readonly name: string;
     readonly note: string;
     readonly model: string;
@@ -1071,6 +1076,25 @@ export interface FirstSentences {
   readonly first: {
     readonly failed: string;
     readonly again: string;
+  };
+}
+
+export interface ManifestSentences {
+  readonly manifest: {
+    readonly description: string;
+    readonly connect: string;
+    readonly connectShort: string;
+    readonly connectWhat: string;
+    readonly library: string;
+    readonly libraryWhat: string;
+    readonly simulated: string;
+    readonly simulatedWhat: string;
+    readonly pictures: {
+      readonly program: string;
+      readonly write: string;
+      readonly programPhone: string;
+      readonly writePhone: string;
+    };
   };
 }
 
@@ -1217,6 +1241,11 @@ export interface MoreSentences {
       readonly one: string;
       readonly downloaded: (params: { readonly name: Text; readonly what: Text }) => string;
       readonly without: (params: { readonly kind: Text }) => string;
+      readonly kinds: {
+        readonly models: string;
+        readonly settings: string;
+        readonly flights: string;
+      };
       readonly partly: (params: { readonly name: Text; readonly what: Text; readonly missing: Text }) => string;
       readonly and: (params: { readonly first: Text; readonly next: Text }) => string;
       readonly tooLarge: string;

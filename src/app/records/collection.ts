@@ -38,8 +38,8 @@ export class Collection<T extends { readonly key: string }> {
   readonly #unsaved = signal<ReadonlySet<string>>(new Set());
   readonly #refused = signal<ReadonlySet<string>>(new Set());
   readonly #byKey = computed(() => new Map(this.list.value.map((record) => [record.key, record])));
-  /** In their order, without removed ones. */
-  readonly list: ReadonlySignal<readonly T[]> = this.#list;
+  /** In their order, which may be that of a language, without removed ones. */
+  readonly list: ReadonlySignal<readonly T[]> = computed(() => [...this.#list.value].sort(this.#parts.inOrder));
   /** Whether the storage has answered, whatever it said. */
   readonly loaded: ReadonlySignal<boolean> = this.#loaded;
   /** Whether the storage last failed to give its records: what is missing in the list may be there. */
@@ -159,7 +159,7 @@ export class Collection<T extends { readonly key: string }> {
 
   #show(records: readonly T[]): void {
     const removed = new Set(this.#removed.peek().map(({ key }) => key));
-    this.#list.value = records.filter(({ key }) => !removed.has(key)).sort(this.#parts.inOrder);
+    this.#list.value = records.filter(({ key }) => !removed.has(key));
   }
 
   #note(keys: readonly string[], isSaved: boolean): void {

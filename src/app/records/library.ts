@@ -1,5 +1,6 @@
 import { batch, computed, type ReadonlySignal } from '@preact/signals';
 import type { Flight, Model, Setting } from '../../program/index.js';
+import { language } from '../messages/language.js';
 import type { Change, FlightRecord, LibraryChange, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
 import { Collection, changeTime } from './collection.js';
 import { withPlainNames } from './plain-names.js';
@@ -20,7 +21,8 @@ export function emptyModel(id: string, name: string, timerClass: string | null):
   return { id, name, timerClass, note: '', servos: [], memoryNames: [], archived: false };
 }
 
-const { compare: byName } = new Intl.Collator('en', { numeric: true });
+/** By name, as the language of the page sorts. */
+const byName = computed(() => new Intl.Collator(language.value, { numeric: true }).compare);
 
 function byKey(a: { readonly key: string }, b: { readonly key: string }): number {
   return a.key < b.key ? -1 : 1;
@@ -44,7 +46,7 @@ export class Library {
     this.#storage = storage;
     const later = { flush: () => this.flush() };
     this.models = new Collection({
-      inOrder: (a, b) => byName(a.model.name, b.model.name) || byKey(a, b),
+      inOrder: (a, b) => byName.value(a.model.name, b.model.name) || byKey(a, b),
       read: () => storage.models.all(),
       change: (models) => this.change({ models }),
       later,

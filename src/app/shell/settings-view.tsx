@@ -14,6 +14,7 @@ import { THEMES, type Theme } from '../settings/theme.js';
 import { settleOf } from '../settle/settle.js';
 import { SettleView } from '../settle/settle-view.js';
 import { Check } from '../ui/check.js';
+import { LanguageChoice } from '../ui/language-choice.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import { SHAPES } from '../ui/shapes.js';
 import { useQuery } from '../ui/use-query.js';
@@ -49,7 +50,7 @@ export function SettingsView(props: SettingsViewProps) {
 /** The look of the page, the adapters, what this device keeps. */
 function Settings(props: SettingsViewProps) {
   const { session, preferences, theme, erase, views, installation, update } = props;
-  const { program, views: viewWords } = messages.value;
+  const { label, program, views: viewWords } = messages.value;
   const { settings: words, erase: eraseWords, theme: themeWords } = moreMessages.value;
   // A rail leads to the help, too.
   const areLinksBelow = useQuery(SHAPES.phone).value;
@@ -63,6 +64,10 @@ function Settings(props: SettingsViewProps) {
           </a>
         </p>
       )}
+      <section class="stack setting">
+        <h2>{label.language}</h2>
+        <LanguageChoice />
+      </section>
       <section class="stack setting">
         <h2>{words.look}</h2>
         <SegmentChoice

@@ -2,6 +2,13 @@ import { signal } from '@preact/signals';
 import type { ComponentType, FunctionComponent } from 'preact';
 import { useLayoutEffect } from 'preact/hooks';
 import { messages } from '../messages/index.js';
+import { speak } from '../messages/language.js';
+
+/** A file that comes later has sentences of its own. */
+async function speaking<File>(file: File): Promise<File> {
+  await speak();
+  return file;
+}
 
 /**
  * A file with parts of the page that is loaded after the first picture.
@@ -13,17 +20,19 @@ export function onDemand<File extends object>(load: () => Promise<File>) {
   let coming: Promise<void> | null = null;
   /** Loads it. Asked again, it loads nothing twice. */
   const fetch = (): Promise<void> => {
-    coming ??= load().then(
-      (file) => {
-        loaded.value = file;
-        failed.value = false;
-      },
-      () => {
-        failed.value = true;
-        // The next request tries again.
-        coming = null;
-      },
-    );
+    coming ??= load()
+      .then(speaking)
+      .then(
+        (file) => {
+          loaded.value = file;
+          failed.value = false;
+        },
+        () => {
+          failed.value = true;
+          // The next request tries again.
+          coming = null;
+        },
+      );
     return coming;
   };
   return {

@@ -166,6 +166,9 @@ describe('a file', () => {
 export interface FirstSentences {
 }
 
+export interface ManifestSentences {
+}
+
 export interface MoreSentences {
 }
 `);

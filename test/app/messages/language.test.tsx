@@ -1,8 +1,8 @@
 import { act, render, screen } from '@testing-library/preact';
-import { beforeEach, expect, it } from 'vitest';
+import { beforeEach, expect, it, onTestFinished } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import type { Tree } from '../../../src/app/messages/catalogue.js';
-import { inLanguage, speak } from '../../../src/app/messages/language.js';
+import { inLanguage, language, speak } from '../../../src/app/messages/language.js';
 import { appBench, idle } from '../bench/bench.js';
 import { PLAIN } from '../flights/flights.js';
 import { leftOut, speakPseudo } from './pseudo.js';
@@ -11,16 +11,28 @@ beforeEach(() => localStorage.clear());
 
 it('a page that is open changes its language at once, and back', async () => {
   let loads: Promise<Tree> = Promise.resolve({ next: 'Weiter' });
-  const words = inLanguage({ next: 'Next' }, { './de.ftl': () => loads });
-  const Words = () => <p>{words.value.next}</p>;
+  const files = { './en.ftl': async () => ({ next: 'Next' }), './de.ftl': () => loads };
+  const words = inLanguage<{ next: string }>(files);
+  onTestFinished(() => act(() => speak('en')));
+  await speak();
+  const Words = () => (
+    <p>
+      {words.value.next} {language.value}
+    </p>
+  );
   const { container } = render(<Words />);
+  expect(container.textContent).toBe('Next en');
   await act(() => speak('de'));
-  expect(container.textContent).toBe('Weiter');
-  await act(() => speak('xx'));
-  expect(container.textContent, 'English for a language that is not there').toBe('Next');
+  expect(container.textContent).toBe('Weiter de');
+  await act(async () => {
+    await Promise.all([speak('en'), speak('de'), speak()]);
+  });
+  expect(container.textContent, 'the last one that was asked for').toBe('Weiter de');
+  await expect(speak('xx')).rejects.toThrow('no language xx');
+  await act(() => speak('en'));
   loads = Promise.reject(new Error('no network'));
   await expect(speak('de')).rejects.toThrow('no network');
-  expect(container.textContent, 'nothing changes halfway').toBe('Next');
+  expect(container.textContent, 'nothing changes halfway').toBe('Next en');
 });
 
 /** What never comes from en.ftl: a day, and the place of the test. */

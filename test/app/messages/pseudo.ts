@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs';
+import type { Signal } from '@preact/signals';
 import { act } from '@testing-library/preact';
 import { onTestFinished } from 'vitest';
 import { sentencesOf } from '../../../src/app/messages/catalogue.js';
@@ -12,13 +13,14 @@ const tree = treeOf(source, pseudo(source));
 
 /** Until the end of the test the page speaks the language of tests: each sentence of en.ftl stands in ⟦brackets⟧. */
 export function speakPseudo(): void {
-  const before = [messages.value, moreMessages.value] as const;
+  const [page, more] = [messages as Signal<PageSentences>, moreMessages as Signal<MoreSentences>];
+  const before = [page.value, more.value] as const;
   act(() => {
-    messages.value = sentencesOf<PageSentences>(ofStep(tree, 'page'), 'en');
-    moreMessages.value = sentencesOf<MoreSentences>(ofStep(tree, 'more'), 'en');
+    page.value = sentencesOf<PageSentences>(ofStep(tree, 'page'), 'en');
+    more.value = sentencesOf<MoreSentences>(ofStep(tree, 'more'), 'en');
   });
   onTestFinished(() => {
-    [messages.value, moreMessages.value] = before;
+    [page.value, more.value] = before;
   });
 }
 

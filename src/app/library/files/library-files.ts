@@ -132,8 +132,8 @@ export class LibraryFiles {
     saveFile(name, made.text, 'application/json');
     const holds = countedText(made.holds);
     const shown = unbroken(name);
-    const [first = '', ...others] = missing;
-    const lost = others.reduce<string>((before, next) => words.and({ first: before, next }), first);
+    const [first = '', ...others] = missing.map((kind) => words.kinds[kind]);
+    const lost = others.reduce((before, next) => words.and({ first: before, next }), first);
     if (missing.length > 0)
       return this.#say({ text: words.partly({ name: shown, what: holds, missing: lost }), isBad: true });
     if (part.kind === 'all') this.marks.exported(now);

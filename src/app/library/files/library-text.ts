@@ -56,11 +56,9 @@ export function textOf(
     settings: settings.map(({ setting }) => setting),
     flights: flights.map(({ flight }) => flight),
   };
+  const { without, kinds } = moreMessages.value.files.export;
   try {
-    const writtenBy = [
-      `Sidus Timer ${version}`,
-      ...missing.map((kind) => moreMessages.value.files.export.without({ kind })),
-    ].join(', ');
+    const writtenBy = [`Sidus Timer ${version}`, ...missing.map((kind) => without({ kind: kinds[kind] }))].join(', ');
     const text = formatLibraryFile(library, { writtenAt: now, writtenBy, facts: new Map(facts) });
     return { text, holds: countsOf(library) };
   } catch (error) {
