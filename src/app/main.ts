@@ -18,6 +18,8 @@ import { media } from './browser/doors.js';
 import { holdDroppedFiles } from './browser/dropped-files.js';
 import { tried } from './browser/services.js';
 import { earlyClicks } from './early-clicks.js';
+import firstTexts from './first-picture.json';
+import { changeTexts } from './first-texts.js';
 import { firstOf, preferredLanguage } from './messages/first.js';
 import { language, speak } from './messages/language.js';
 import './messages/page.js';
@@ -37,6 +39,7 @@ const preferred = tried(preferredLanguage) ?? 'en';
 // Inside another page, or at the address of another view, something else will be shown.
 const isStart = window.top === window.self && ['', '#program'].includes(location.hash);
 if (!isStart) root.replaceChildren();
+if (preferred !== 'en') sayFirstPicture(preferred);
 root.hidden = false;
 holdDroppedFiles();
 let notice: HTMLElement | null = null;
@@ -60,6 +63,16 @@ async function open(): Promise<void> {
   } finally {
     clearTimeout(slow);
   }
+}
+
+/** The picture is in English. */
+function sayFirstPicture(code: string): void {
+  sayLanguage(code);
+  const texts: Readonly<Record<string, readonly string[]>> = firstTexts;
+  const said = texts[code]?.values();
+  changeTexts(root, (text) => said?.next().value ?? text);
+  const choice = root.querySelector('select');
+  if (choice) choice.value = code;
 }
 
 /** Says to the browser what the page speaks: for its voice and hyphens, and to the system that installs the page. */
