@@ -165,6 +165,7 @@ export function faultsOf(source, other, language) {
   const fault = (name, kind, known) => {
     if (!known) return `has $${name}, which English has not`;
     if (kind === 'number' && known !== 'number') return `$${name} is no number`;
+    if (kind === 'text' && typeof known === 'object') return `$${name} is a case, and no text to show`;
     if (typeof kind !== 'object') return null;
     const wrong = kind.find((key) => !known.includes(key));
     return wrong === undefined ? null : `$${name} is never “${wrong}”`;

@@ -728,7 +728,6 @@ library_save_crossing = Das sind Werte von { $from }. Trotzdem unter { $to } spe
 library_save_asNew = Als neu speichern…
 library_save_taken = Es gibt schon ein Programm { $program }. Geben Sie einen anderen Namen ein, oder:
 library_save_replace = Überschreiben. Seine Werte bleiben als frühere Fassung.
-library_save_name = Name ({ $of })
 library_save_namePlace = Zum Beispiel: Stechen, ruhig
 library_save_notSavable = Ein Feld hat keinen Wert. Berichtigen Sie es zuerst.
 library_save_state =

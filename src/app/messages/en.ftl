@@ -820,7 +820,11 @@ library_save_asNew = Save as new…
 # $program: its name, and the model's.
 library_save_taken = There is already a program { $program }. Type another name, or:
 library_save_replace = Save over it. Its values stay as an earlier version.
-library_save_name = Name of the { $of }
+library_save_name =
+    { $of ->
+        [program] Name of the program
+       *[model] Name of the model
+    }
 library_save_namePlace = For example: fly-off, calm
 library_save_notSavable = A field has no value. Correct it first.
 library_save_state =
@@ -907,9 +911,18 @@ line_unidentified = unknown
 line_load = Load…
 line_filter = Show
 line_searchHint = name or hex
-line_counts_out = { $count } to the timer
-line_counts_in = { $count } from the timer
-line_counts_damaged = { $count } damaged
+line_counts_out =
+    { $count ->
+       *[other] { $count } to the timer
+    }
+line_counts_in =
+    { $count ->
+       *[other] { $count } from the timer
+    }
+line_counts_damaged =
+    { $count ->
+       *[other] { $count } damaged
+    }
 line_counts_errors =
     { $count ->
         [one] { $count } line error
@@ -1495,7 +1508,10 @@ views_noTimer_bench = Connect a timer to move its servos.
 
 strip_panel = Memories and more
 # Positions that were tried while the servos follow: they are in the timer.
-strip_tried = { $count } tried
+strip_tried =
+    { $count ->
+       *[other] { $count } tried
+    }
 strip_notCertain = not certain
 strip_asRead = last read
 # In place of a figure.
@@ -1534,7 +1550,10 @@ whichModel_recognition_like =
 whichModel_recognition_several = This may be { $models }. Which model is it?
 # A choice of models: “Lancer, Vega or 3 more”.
 whichModel_or = { $names } or { $last }
-whichModel_others = { $count } more
+whichModel_others =
+    { $count ->
+       *[other] { $count } more
+    }
 whichModel_recognition_unknown = This timer is not known here. Which model is it?
 whichModel_recognition_yes = Yes, { $model }
 whichModel_recognition_choose = Choose…
@@ -1752,8 +1771,14 @@ label_model = Model
 label_search = Search
 noModel = No model
 # After the first of a list.
-more = And { $count } more.
-showMore = Show { $count } more
+more =
+    { $count ->
+       *[other] And { $count } more.
+    }
+showMore =
+    { $count ->
+       *[other] Show { $count } more
+    }
 # A button of a row, for a screen reader, which does not know the row.
 of = { $button }: { $name }
 notFitting = It does not fit the connected timer. Disconnect to open it.

@@ -729,7 +729,6 @@ library_save_crossing = Ce sont des valeurs du modèle { $from }. Les enregistre
 library_save_asNew = Enregistrer un nouveau…
 library_save_taken = Il y a déjà un programme { $program }. Tapez un autre nom, ou{"\u00a0"}:
 library_save_replace = Le remplacer. Ses valeurs restent comme version antérieure.
-library_save_name = Nom ({ $of })
 library_save_namePlace = Par exemple{"\u00a0"}: fly-off, calme
 library_save_notSavable = Un champ n’a pas de valeur. Corrigez-le d’abord.
 library_save_state =

@@ -649,7 +649,6 @@ library_save_crossing = Ezek { $from } értékei. Mentés ide: { $to }.
 library_save_asNew = Mentés újként…
 library_save_taken = Már van ilyen program: { $program }. Írjon másik nevet, vagy:
 library_save_replace = Mentés a helyére. A mostani értékei korábbi változatként megmaradnak.
-library_save_name = Név: { $of }
 library_save_namePlace = Például: fly-off, szélcsend
 library_save_notSavable = Egy mezőnek nincs értéke. Előbb javítsa ki.
 library_save_state =

@@ -729,7 +729,6 @@ library_save_crossing = Questi sono valori di { $from }. Salvarli sotto { $to }.
 library_save_asNew = Salva come nuovo…
 library_save_taken = C’è già un programma { $program }. Inserire un altro nome, oppure:
 library_save_replace = Salva sopra. I suoi valori restano come versione precedente.
-library_save_name = Nome: { $of }
 library_save_namePlace = Per esempio: spareggio, calma
 library_save_notSavable = Un campo non ha un valore. Prima va corretto.
 library_save_state =

@@ -749,7 +749,6 @@ library_save_crossing = To wartości modelu { $from }. Zapisz je pod modelem { $
 library_save_asNew = Zapisz jako nowy…
 library_save_taken = Program { $program } już jest. Wpisz inną nazwę albo:
 library_save_replace = Nadpisz go. Jego wartości zostaną jako wcześniejsza wersja.
-library_save_name = Nazwa: { $of }
 library_save_namePlace = Na przykład: dogrywka, cisza
 library_save_notSavable = Pole nie ma wartości. Najpierw je popraw.
 library_save_state =

@@ -374,9 +374,9 @@ export interface PageSentences {
     readonly filter: string;
     readonly searchHint: string;
     readonly counts: {
-      readonly out: (params: { readonly count: Text }) => string;
-      readonly in: (params: { readonly count: Text }) => string;
-      readonly damaged: (params: { readonly count: Text }) => string;
+      readonly out: (params: { readonly count: number }) => string;
+      readonly in: (params: { readonly count: number }) => string;
+      readonly damaged: (params: { readonly count: number }) => string;
       readonly errors: (params: { readonly count: number }) => string;
     };
     readonly recording: (params: { readonly entries: number; readonly name: Text }) => string;
@@ -861,7 +861,7 @@ export interface PageSentences {
   };
   readonly strip: {
     readonly panel: string;
-    readonly tried: (params: { readonly count: Text }) => string;
+    readonly tried: (params: { readonly count: number }) => string;
     readonly notCertain: string;
     readonly asRead: string;
     readonly notValid: string;
@@ -1065,8 +1065,8 @@ export interface PageSentences {
     readonly search: string;
   };
   readonly noModel: string;
-  readonly more: (params: { readonly count: Text }) => string;
-  readonly showMore: (params: { readonly count: Text }) => string;
+  readonly more: (params: { readonly count: number }) => string;
+  readonly showMore: (params: { readonly count: number }) => string;
   readonly of: (params: { readonly button: Text; readonly name: Text }) => string;
   readonly notFitting: string;
   readonly notKept: string;
@@ -1513,7 +1513,7 @@ export interface MoreSentences {
       readonly asNew: string;
       readonly taken: (params: { readonly program: Text }) => string;
       readonly replace: string;
-      readonly name: (params: { readonly of: Text }) => string;
+      readonly name: (params: { readonly of: 'model' | 'program' }) => string;
       readonly namePlace: string;
       readonly notSavable: string;
       readonly state: (params: { readonly changes: number; readonly name: Text }) => string;
@@ -1684,7 +1684,7 @@ export interface MoreSentences {
       };
     };
     readonly or: (params: { readonly names: Text; readonly last: Text }) => string;
-    readonly others: (params: { readonly count: Text }) => string;
+    readonly others: (params: { readonly count: number }) => string;
     readonly memoryNames: {
       readonly label: (params: { readonly memory: Text }) => string;
       readonly give: string;

@@ -111,6 +111,7 @@ describe('a translation', () => {
     ['bench_title = { $name }', 'bench_title: has $name, which English has not'],
     ['bench_trim = { $slot ->\n [one] { $slot }\n *[other] { $slot }\n}', 'bench_trim: $slot is no number'],
     ['bench_trim = Hier trimmen', 'bench_trim: lacks $slot'],
+    ['bench_timer = { $simulated } { $name } { $rate }', 'bench_timer: $simulated is a case, and no text to show'],
     [
       'bench_timer = { $simulated ->\n [wahr] { $name }\n *[false] { $rate }\n}',
       'bench_timer: $simulated is never “wahr”',
