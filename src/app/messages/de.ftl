@@ -363,6 +363,9 @@ files_export_all = Alles exportieren…
 files_export_one = Exportieren…
 files_export_downloaded = „{ $name }“ geht in Ihre Downloads: { $what }. Sehen Sie nach, ob die Datei dort ist.
 files_export_without = ohne { $kind }
+files_export_kinds_models = Modelle
+files_export_kinds_settings = Programme
+files_export_kinds_flights = Flüge
 files_export_partly = „{ $name }“ ist nicht vollständig. Die Datei enthält { $what }. Was der Browser gerade nicht lesen kann: { $missing }. Schließen Sie andere Tabs dieser Seite und exportieren Sie noch einmal.
 files_export_and = { $first } und { $next }
 files_export_tooLarge = Die Bibliothek ist zu groß für eine Datei. Exportieren Sie ihre Modelle einzeln.
@@ -433,6 +436,21 @@ files_reminder =
 
 first_failed = Die Seite ist nicht vollständig. Haben Sie Netz?
 first_again = Neu laden
+
+## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
+
+manifest_description = Stellt Sidus-Timer für den Freiflug ein, F1Q, F1B und F1E: liest, was ein Timer enthält, nimmt Ihre Änderungen, schreibt sie, liest sie zurück und vergleicht. Bewahrt Ihre Modelle und Programme auf diesem Gerät auf. Geht ohne Netz.
+manifest_connect = Einen Timer verbinden
+manifest_connectShort = Verbinden
+manifest_connectWhat = Die Startseite, mit „Verbinden“ zur Hand
+manifest_library = Bibliothek
+manifest_libraryWhat = Modelle und ihre Programme
+manifest_simulated = Simulierter Timer
+manifest_simulatedWhat = Die Startseite, mit den simulierten Timern zur Hand
+manifest_pictures_program = Das Programm eines Timers, zwei Änderungen markiert
+manifest_pictures_write = Was ein Schreiben ändern wird, bevor es geschieht
+manifest_pictures_programPhone = Das ganze Programm auf einem Telefon
+manifest_pictures_writePhone = Was ein Schreiben ändern wird, auf einem Telefon
 
 ## The help inside the page.
 
@@ -1503,6 +1521,13 @@ slotName =
         [dt] DT
        *[function] Funktion { $slot }
     }
+within_slot =
+    { $kind ->
+        [start] Start
+        [dt] DT
+       *[function] Funktion { $slot }
+    }
+within_idleThrottle = Leerlauf
 slotShort =
     { $kind ->
         [start] Start
@@ -1590,6 +1615,7 @@ open = Öffnen
 save = Speichern
 delete = Löschen
 notNow = Jetzt nicht
+label_language = Sprache
 label_name = Name
 label_note = Notiz
 label_model = Modell
