@@ -205,7 +205,7 @@ versions_until = Bis{"\u00a0"}{ $when }
 versions_changed =
     { $more ->
         [0] dann { $change }
-       *[other] dann { $change } und { $more }{"\u00a0"}weitere
+       *[other] dann { $change } und noch{"\u00a0"}{ $more }
     }
 versions_otherLayout = dann Werte für einen anderen Timer
 versions_same = Das gespeicherte Programm enthält jetzt dasselbe.
@@ -746,6 +746,11 @@ library_save_crossing = Das sind Werte von { $from }. Trotzdem unter { $to } spe
 library_save_asNew = Als neu speichern…
 library_save_taken = Es gibt schon ein Programm { $program }. Geben Sie einen anderen Namen ein, oder:
 library_save_replace = Überschreiben. Seine Werte bleiben als frühere Fassung.
+library_save_name =
+    { $of ->
+        [program] Name des Programms
+       *[model] Name des Modells
+    }
 library_save_namePlace = Zum Beispiel: Stechen, ruhig
 library_save_notSavable = Ein Feld hat keinen Wert. Berichtigen Sie es zuerst.
 library_save_state =
@@ -1621,8 +1626,8 @@ label_note = Notiz
 label_model = Modell
 label_search = Suchen
 noModel = Kein Modell
-more = Und { $count } weitere.
-showMore = { $count } weitere zeigen
+more = Und noch { $count }.
+showMore = Noch { $count } zeigen
 of = { $button }: { $name }
 notFitting = Es passt nicht zum verbundenen Timer. Trennen Sie, um es zu öffnen.
 notKept = Dieser Browser hat es nicht aufbewahrt: Es geht verloren, wenn die Seite geschlossen wird.

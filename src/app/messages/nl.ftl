@@ -158,7 +158,7 @@ findings_position-never-reached = Dezelfde tijd als de functie erboven, { $previ
 findings_motor-stop-after-dt = De motor stopt na DT ({ $dt }): het model komt met draaiende motor naar beneden.
 findings_motor-run-long = De motor draait langer dan { $limit }, de grens voor F1Q.
 findings_time-outside-manual = De handleiding staat { $min } tot { $max } toe.
-findings_time-too-fine = De handleiding geeft stappen van { $step }: de timer kan afronden.
+findings_time-too-fine = De handleiding gaat per { $step }: de timer kan afronden.
 findings_dt-short = Korter dan { $limit }.
 findings_dt-moves-nothing = Bij DT beweegt geen servo: de timer brengt het model niet naar beneden.
 findings_throttle-unusual = Meer dan { $limit } is ongewoon. De eenheid is niet bekend.
@@ -746,7 +746,11 @@ library_save_crossing = Dit zijn waarden van { $from }. Toch onder { $to } opsla
 library_save_asNew = Als nieuw opslaan…
 library_save_taken = Er is al een programma { $program }. Typ een andere naam, of:
 library_save_replace = Overschrijf het. De waarden ervan blijven als eerdere versie.
-library_save_name = Naam ({ $of })
+library_save_name =
+    { $of ->
+        [model] Naam van het model
+       *[program] Naam van het programma
+    }
 library_save_namePlace = Bijvoorbeeld: fly-off, kalm
 library_save_notSavable = Een veld heeft geen waarde. Verbeter het eerst.
 library_save_state =
