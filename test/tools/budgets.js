@@ -8,8 +8,8 @@ import { fileURLToPath } from 'node:url';
 const root = new URL('../../', import.meta.url);
 const budgets = new URL('budgets.json', import.meta.url);
 const MESSAGES = 'src/app/messages';
-/** As long as en.ftl wants them: its types, which a tool writes, and its translations. */
-const FOLLOWS = new RegExp(`^${MESSAGES}/(?:sentences\\.ts|(?!en\\.)[\\w-]+\\.ftl)$`);
+/** As long as en.ftl wants them: what is made of it, and its translations. */
+const FOLLOWS = new RegExp(`^(?:src/app/first-picture\\.json|${MESSAGES}/(?:sentences\\.ts|(?!en\\.)[\\w-]+\\.ftl))$`);
 
 /**
  * @typedef {object} Figures

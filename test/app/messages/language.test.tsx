@@ -2,6 +2,7 @@ import { act, render, screen } from '@testing-library/preact';
 import { beforeEach, expect, it, onTestFinished } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import type { Tree } from '../../../src/app/messages/catalogue.js';
+import { LANGUAGES } from '../../../src/app/messages/first.js';
 import { inLanguage, language, speak } from '../../../src/app/messages/language.js';
 import { appBench, idle } from '../bench/bench.js';
 import { PLAIN } from '../flights/flights.js';
@@ -10,10 +11,15 @@ import { leftOut, speakPseudo } from './pseudo.js';
 beforeEach(() => localStorage.clear());
 
 it('a page that is open changes its language at once, and back', async () => {
-  let loads: Promise<Tree> = Promise.resolve({ next: 'Weiter' });
-  const files = { './en.ftl': async () => ({ next: 'Next' }), './de.ftl': () => loads };
-  const words = inLanguage<{ next: string }>(files);
-  onTestFinished(() => act(() => speak('en')));
+  const german = Promise.resolve({ next: 'Weiter' });
+  let loads: Promise<Tree> = german;
+  // Of the other languages, too: these sentences stay for the tests that follow.
+  const others = LANGUAGES.map((code) => [`./${code}.ftl`, async () => ({ next: 'Next' })]);
+  const words = inLanguage<{ next: string }>({ ...Object.fromEntries(others), './de.ftl': () => loads });
+  onTestFinished(async () => {
+    loads = german;
+    await act(() => speak('en'));
+  });
   await speak();
   const Words = () => (
     <p>
