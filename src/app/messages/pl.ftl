@@ -373,7 +373,10 @@ edits_fixOf = Ustaw { $value }: { $field }
 files_export_all = Eksportuj wszystko…
 files_export_one = Eksportuj…
 files_export_downloaded = Plik „{ $name }” trafia do pobranych: { $what }. Sprawdź, czy tam jest.
-files_export_without = bez { $kind }
+files_export_without = brak: { $kind }
+files_export_kinds_models = modele
+files_export_kinds_settings = programy
+files_export_kinds_flights = loty
 files_export_partly = Plik „{ $name }” nie jest kompletny. Zawiera: { $what }. Przeglądarka nie może teraz odczytać: { $missing }. Zamknij inne karty tej strony i eksportuj ponownie.
 files_export_and = { $first } i { $next }
 files_export_tooLarge = Biblioteka jest za duża na jeden plik. Eksportuj jej modele pojedynczo.
@@ -446,6 +449,21 @@ files_reminder =
 
 first_failed = Strona nie jest kompletna. Czy jest sieć?
 first_again = Wczytaj ponownie
+
+## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
+
+manifest_description = Ustawia timery Sidus F1Q, F1B i F1E modeli swobodnie latających: odczytuje zawartość timera, przyjmuje twoje zmiany, wgrywa je, odczytuje kontrolnie i porównuje. Przechowuje twoje modele i programy na tym urządzeniu. Działa bez sieci.
+manifest_connect = Połącz timer
+manifest_connectShort = Połącz
+manifest_connectWhat = Strona początkowa z przyciskiem „Połącz”
+manifest_library = Biblioteka
+manifest_libraryWhat = Modele i ich programy
+manifest_simulated = Symulowany timer
+manifest_simulatedWhat = Strona początkowa z symulowanymi timerami
+manifest_pictures_program = Program timera z dwiema zaznaczonymi zmianami
+manifest_pictures_write = Co zmieni wgranie, pokazane przed wgraniem
+manifest_pictures_programPhone = Cały program na telefonie
+manifest_pictures_writePhone = Co zmieni wgranie, na telefonie
 
 ## The help inside the page.
 
@@ -749,6 +767,11 @@ library_save_crossing = To wartości modelu { $from }. Zapisz je pod modelem { $
 library_save_asNew = Zapisz jako nowy…
 library_save_taken = Program { $program } już jest. Wpisz inną nazwę albo:
 library_save_replace = Nadpisz go. Jego wartości zostaną jako wcześniejsza wersja.
+library_save_name =
+    { $of ->
+        [program] Nazwa programu
+       *[model] Nazwa modelu
+    }
 library_save_namePlace = Na przykład: dogrywka, cisza
 library_save_notSavable = Pole nie ma wartości. Najpierw je popraw.
 library_save_state =
@@ -1541,6 +1564,13 @@ slotName =
         [dt] DT
        *[function] Funkcja { $slot }
     }
+within_slot =
+    { $kind ->
+        [start] start
+        [dt] DT
+       *[function] funkcja { $slot }
+    }
+within_idleThrottle = wolne obroty
 slotShort =
     { $kind ->
         [start] Start
@@ -1630,6 +1660,7 @@ open = Otwórz
 save = Zapisz
 delete = Usuń
 notNow = Nie teraz
+label_language = Język
 label_name = Nazwa
 label_note = Notatka
 label_model = Model
