@@ -880,7 +880,7 @@ link_portNames_bluetooth = Bluetooth
 link_portNames_usb = USB-adapter
 link_portNames_other = Seriële poort
 link_stages_choosing = Kies de adapter van de timer
-link_stages_openingLong_title = De adapter doet er lang over om te openen
+link_stages_openingLong_title = Het openen van de adapter duurt lang
 link_stages_openingLong_advice = Bluetooth: zet de adapter aan, dichtbij. Kabel: trek hem eruit en steek hem er weer in.
 link_stages_asking = Vraagt met { $rate } baud.
 link_stages_noAnswer = Al { $seconds } s geen antwoord. Deze pagina blijft vragen en gaat vanzelf verder.
@@ -947,9 +947,9 @@ aboutTimer_quirkNames_idle-throttle-unanswered = { aboutTimer_quirkNames_bare-ch
 aboutTimer_quirkNames_identity-unusual = Wat hij over zichzelf zegt, bevat bytes die niet bekend zijn.
 aboutTimer_quirkNames_idle-throttle-malformed = { aboutTimer_quirkNames_bare-checksum }
 aboutTimer_quirkNames_replies-alike = Zijn antwoorden op sommige verzoeken zijn beschadigd, elk op dezelfde manier.
-aboutTimer_assumed = Wat bekend anders is
+aboutTimer_assumed = Bekende afwijkingen
 aboutTimer_assumedHint = Onthouden voor deze adapter en dit soort timer.
-aboutTimer_forget = Vergeten wat bekend anders is
+aboutTimer_forget = Bekende afwijkingen vergeten
 aboutTimer_assumptions_bigEndianTimes = De twee bytes van elke tijd zijn verwisseld
 aboutTimer_assumptions_servoFirst = { aboutTimer_quirkNames_servo-first }
 aboutTimer_assumptions_memoriesFromOne = { aboutTimer_quirkNames_memories-from-one }
@@ -1362,7 +1362,7 @@ timeline_zoomIn = Inzoomen
 timeline_zoomOut = Uitzoomen
 timeline_fit = Alles tonen
 timeline_passedOver = { $slot } wordt overgeslagen: { $next } komt op dezelfde tijd.
-timeline_goesBack = { $next } komt voor { $slot }. Het is niet bekend wat de timer in het gearceerde deel doet.
+timeline_goesBack = { $next } komt voor { $slot }. Het is niet bekend wat de timer in het gekleurde deel doet.
 
 ## A new version of the page.
 
