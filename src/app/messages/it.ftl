@@ -20,7 +20,7 @@ bench_followHint = Prima la pagina legge il timer e conserva un backup. Poi ogni
 bench_followingNow = I servi seguono: una posizione cambiata nella riga in cui si trovano viene memorizzata subito.
 bench_stopFollowing = Non seguire più
 bench_followPending = Modifiche precedenti attendono «Scrivi».
-bench_ended_over = I servi non seguono più.
+bench_ended_over = I servi non seguono più le posizioni.
 bench_ended_memory = I servi non seguono più: è corrente un’altra memoria, o può esserlo.
 bench_ended_strayed = Mentre i servi seguivano è diventata corrente un’altra memoria. Può aver preso alcune delle posizioni: controllarla tutta prima di volare con essa.
 bench_ended_unlike = I servi non seguono più: il timer non ha fatto ciò che ha confermato.
@@ -364,6 +364,9 @@ files_export_all = Esporta tutto…
 files_export_one = Esporta…
 files_export_downloaded = «{ $name }» va tra i download: { $what }. Controllare che ci sia.
 files_export_without = senza { $kind }
+files_export_kinds_models = modelli
+files_export_kinds_settings = programmi
+files_export_kinds_flights = voli
 files_export_partly = «{ $name }» non è completo. Contiene { $what }. Il browser ora non può leggere: { $missing }. Chiudere le altre schede di questa pagina ed esportare di nuovo.
 files_export_and = { $first } e { $next }
 files_export_tooLarge = La libreria è troppo grande per un solo file. Esportare i modelli uno per uno.
@@ -434,6 +437,21 @@ files_reminder =
 
 first_failed = La pagina non è completa. C’è rete?
 first_again = Ricarica
+
+## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
+
+manifest_description = Imposta i timer Sidus F1Q, F1B e F1E per il volo libero: legge ciò che un timer contiene, prende le modifiche, le scrive, le rilegge e confronta. Conserva modelli e programmi su questo dispositivo. Funziona senza rete.
+manifest_connect = Connetti un timer
+manifest_connectShort = Connetti
+manifest_connectWhat = La pagina iniziale, con Connetti a portata di mano
+manifest_library = Libreria
+manifest_libraryWhat = I modelli e i loro programmi
+manifest_simulated = Timer simulato
+manifest_simulatedWhat = La pagina iniziale, con i timer simulati a portata di mano
+manifest_pictures_program = Il programma di un timer, con due modifiche segnate
+manifest_pictures_write = Che cosa cambierà una scrittura, prima di scrivere
+manifest_pictures_programPhone = L’intero programma su un telefono
+manifest_pictures_writePhone = Che cosa cambierà una scrittura, su un telefono
 
 ## The help inside the page.
 
@@ -662,7 +680,7 @@ knowledge_hints_once = I campi segnati sono diversi dall’ultima lettura.
 knowledge_marks_now = era { $value }
 knowledge_marks_once = ultima lettura { $value }
 knowledge_notCertain = , ora non certo
-knowledge_held_now = Il timer contiene
+knowledge_held_now = Nel timer
 knowledge_held_once = Ultima lettura
 
 ## Why a program of the library or from a link cannot be opened now.
@@ -724,11 +742,16 @@ library_setting_notShown = Non è stato possibile aprirlo. Riprovare.
 library_setting_gone = Non è più nella libreria.
 library_save_open = Salva…
 library_save_over = Salva sopra { $program }
-library_save_undo = Ritira il salvataggio di { $name }
+library_save_undo = Annulla il salvataggio di { $name }
 library_save_crossing = Questi sono valori di { $from }. Salvarli sotto { $to }.
 library_save_asNew = Salva come nuovo…
 library_save_taken = C’è già un programma { $program }. Inserire un altro nome, oppure:
 library_save_replace = Salva sopra. I suoi valori restano come versione precedente.
+library_save_name =
+    { $of ->
+        [program] Nome del programma
+       *[model] Nome del modello
+    }
 library_save_namePlace = Per esempio: spareggio, calma
 library_save_notSavable = Un campo non ha un valore. Prima va corretto.
 library_save_state =
@@ -817,7 +840,11 @@ line_filter = Mostra
 line_searchHint = nome o hex
 line_counts_out = { $count } al timer
 line_counts_in = { $count } dal timer
-line_counts_damaged = { $count } con danni
+line_counts_damaged =
+    { $count ->
+        [one] { $count } danneggiato
+       *[other] { $count } danneggiati
+    }
 line_counts_errors =
     { $count ->
         [one] { $count } errore di linea
@@ -899,7 +926,7 @@ ports_dtr = DTR
 ports_rts = RTS
 ports_signals_leave = Come imposta il browser
 ports_signals_on = Attivo
-ports_signals_off = Spento
+ports_signals_off = Inattivo
 ports_reset = Impostazioni usuali
 
 ## What is known about the connected timer. Its numbers are in the report.
@@ -1376,7 +1403,11 @@ views_noTimer_bench = Connettere un timer per muovere i suoi servi.
 ## The strip above every view: the timer, its memory, DT, motor stop, and what is known.
 
 strip_panel = Memorie e altro
-strip_tried = { $count } in prova
+strip_tried =
+    { $count ->
+        [one] { $count } provata
+       *[other] { $count } provate
+    }
 strip_notCertain = incerto
 strip_asRead = ultima lettura
 strip_notValid = non valido
@@ -1410,7 +1441,11 @@ whichModel_recognition_like =
     }
 whichModel_recognition_several = Può essere { $models }. Quale modello è?
 whichModel_or = { $names } o { $last }
-whichModel_others = altri { $count }
+whichModel_others =
+    { $count ->
+        [one] { $count } altro
+       *[other] altri { $count }
+    }
 whichModel_recognition_unknown = Questo timer qui non è noto. Quale modello è?
 whichModel_recognition_yes = Sì, { $model }
 whichModel_recognition_choose = Scegli…
@@ -1437,7 +1472,7 @@ write_lead = Ecco che cosa cambia: { $memory }. Tutto il resto rimane com’è.
 write_target = Scrivi in
 write_nothing = Nessuna differenza. Il timer viene riletto e confrontato.
 write_field = Valore
-write_from = Il timer contiene
+write_from = Contiene
 write_to = Conterrà
 write_wasRead = Letto prima
 write_moved_model_title = Questo timer ora sembra appartenere a un altro modello.
@@ -1505,6 +1540,13 @@ slotName =
         [dt] DT
        *[function] Funzione { $slot }
     }
+within_slot =
+    { $kind ->
+        [start] lancio
+        [dt] DT
+       *[function] funzione { $slot }
+    }
+within_idleThrottle = minimo motore
 slotShort =
     { $kind ->
         [start] Lancio
@@ -1592,13 +1634,22 @@ open = Apri
 save = Salva
 delete = Elimina
 notNow = Non ora
+label_language = Lingua
 label_name = Nome
 label_note = Nota
 label_model = Modello
 label_search = Cerca
 noModel = Nessun modello
-more = E ancora { $count }.
-showMore = Mostra ancora { $count }
+more =
+    { $count ->
+        [one] E { $count } altro.
+       *[other] E altri { $count }.
+    }
+showMore =
+    { $count ->
+        [one] Mostra { $count } altro
+       *[other] Mostra altri { $count }
+    }
 of = { $button }: { $name }
 notFitting = Non è adatto al timer connesso. Disconnettere per aprirlo.
 notKept = Questo browser non lo ha conservato: va perso quando si chiude questa pagina.
