@@ -151,7 +151,7 @@ export default defineConfig(({ mode }) => ({
   },
   plugins: [
     preact({ include: [/\.tsx$/] }),
-    // Built with `--mode pseudo`, the page speaks a language that shows what does not come from en.ftl.
+    // Built with `--mode pseudo`, each language but English is one that shows what does not come from en.ftl.
     sentences({ inPseudo: mode === 'pseudo' }),
     shapes,
     whereBuilt,

@@ -53,6 +53,8 @@ async function open(): Promise<void> {
   try {
     const [{ openPage }] = await Promise.all([import('./open-page.js'), speak(preferred).catch(() => speak('en'))]);
     effect(() => sayLanguage(language.value));
+    // The browser's languages were changed in its settings. A chosen one stays.
+    window.addEventListener('languagechange', () => void speak(preferredLanguage()).catch(() => {}));
     await nextTask();
     await openPage(root, theme);
     notice?.remove();

@@ -339,7 +339,7 @@ export function pseudo(source) {
  * Gives the page its sentences: `import tree from './de.ftl?page'`. They are a script, because the page may fetch
  * nothing else, and are read here, so the page needs no reader for them.
  * @param {object} [options]
- * @param {boolean} [options.inPseudo] every language is that of the tests
+ * @param {boolean} [options.inPseudo] every language but English is that of the tests
  * @returns {import('vite').Plugin}
  */
 export function sentences({ inPseudo = false } = {}) {
@@ -352,7 +352,7 @@ export function sentences({ inPseudo = false } = {}) {
         const source = fileURLToPath(new URL(`${SOURCE}.ftl`, FOLDER));
         for (const file of new Set([path, source])) this.addWatchFile(file);
         const english = catalogueIn(source);
-        const said = inPseudo ? pseudo(english) : catalogueIn(path);
+        const said = inPseudo && path !== source ? pseudo(english) : catalogueIn(path);
         return `export default ${JSON.stringify(ofStep(treeOf(english, said), step))}`;
       },
     },
