@@ -109,7 +109,7 @@ flights_form_when = Datum, místo, model
 flights_form_date = Datum a čas
 flights_form_noOffset = Časové pásmo letiště není známo: toto je čas tohoto zařízení.
 flights_form_place = Místo
-flights_form_flown = S čím se letělo
+flights_form_flown = Nastavení za letu
 flights_form_open = Otevřít program letu
 flights_form_unreadable_ambiguous = Vyberte, co to znamená.
 flights_form_unreadable_not-a-number = Není to číslo.
@@ -164,7 +164,7 @@ findings_motor-run-long = Motor běží déle než { $limit }, což je mez pro F
 findings_time-outside-manual = Návod připouští od { $min } do { $max }.
 findings_time-too-fine = Návod uvádí krok { $step }: časovač může zaokrouhlit.
 findings_dt-short = Kratší než { $limit }.
-findings_dt-moves-nothing = Při DT se nepohne žádné servo: časovač model nesnese k zemi.
+findings_dt-moves-nothing = Při DT se nepohne žádné servo: časovač model nedostane na zem.
 findings_throttle-unusual = Více než { $limit } je neobvyklé. Jednotka není známa.
 findings_class-unknown = Třída „{ $timerClass }“ není známa: její pravidla nebyla zkontrolována.
 
@@ -481,7 +481,7 @@ firstSteps_3 = Let: nahoře je paměť pro příští let a její DT. Stránka n
 
 ## The values of a program, with unit and range.
 
-values_function_text = Krok letu: ve svém čase jde každé servo do své polohy. Chcete-li funkci přeskočit, dejte jí polohy funkce předchozí.
+values_function_text = Etapa letu: ve svém čase jde každé servo do své polohy. Chcete-li funkci přeskočit, dejte jí polohy funkce předchozí.
 values_function_range = Obvykle start, devět funkcí a DT.
 values_time_text = Kdy funkce začíná, počítáno od startu. Napište 12,5 nebo 2:05. U F1B a F1E není známo, odkud časovač počítá.
 values_time_range = Podle návodů. F1Q: 0,1 až 99,9 s. F1B: 0,01 až 9,99 s pro funkce 1 a 2, potom 0,1 až 99,9 s. F1E: není známo.
@@ -491,11 +491,11 @@ values_position_text = Kde servo stojí. Úhel jednoho kroku závisí na servu a
 values_position_range = 0 až 130 kroků.
 values_motorStop_text = F1Q: kdy se motor zastaví, počítáno od startu. Žádné servo se s ním nepohne.
 values_motorStop_range = Podle návodu 0,1 až 99,9 s, po 0,1 s.
-values_dt_text = Determalizátor: kdy snese model k zemi, počítáno od startu. Červeně, když je čas kratší než vaše mez.
+values_dt_text = Determalizátor: kdy dostane model na zem, počítáno od startu. Červeně, když je čas kratší než vaše mez.
 values_dt_range = 1 až 720 s podle návodu. Více než 10:55 min nelze odeslat.
 values_idleThrottle_text = F1Q: pravděpodobně jak rychle se točí motor, dokud je startovací tlačítko stisknuté.
 values_idleThrottle_range = Stránka předpokládá 0 až 100. Jednotka není známa.
-values_memory_text = Časovač má několik pamětí, v každé jeden program. Vybraná paměť je paměť pro příští let. Nahlédnutí do jiné ji vybere a zase se vrátí; je-li přerušeno, stránka řekne, která může být použita při příštím letu.
+values_memory_text = Časovač má několik pamětí, v každé jeden program. Vybraná paměť je paměť pro příští let. Nahlédnutí do jiné ji vybere a zase se vrátí; je-li to přerušeno, stránka řekne, která může být použita při příštím letu.
 values_memory_range = Obvykle čtyři, M1 až M4. Starší časovače jich mají pět.
 
 ## What a pilot checks before a flight.
@@ -782,7 +782,7 @@ library_save_state =
        *[other] { $name }: { $changes } změn neuloženo
     }
 library_unkept_mark = neuchováno
-library_nameNeeded = Potřebuje název.
+library_nameNeeded = Je potřeba název.
 
 ## The log of the line.
 
@@ -836,9 +836,9 @@ line_acknowledged = Potvrzeno.
 line_unreadable_wrong-length = Obsah je delší nebo kratší, než má být.
 line_unreadable_unknown-command = Není známo, co to znamená.
 line_unreadable_unexpected-reply = Odpovídá na jiný požadavek.
-line_unreadable_bad-identity = Co říká o časovači, nemůže být správně.
+line_unreadable_bad-identity = Co říká o časovači, nemůže být pravda.
 line_unreadable_identity-needed = Půjde to přečíst, až časovač řekne, co je zač.
-line_unreadable_out-of-range = Některá hodnota v něm nemůže být správně.
+line_unreadable_out-of-range = Některá hodnota v něm nemůže být správná.
 line_unreadable_not-an-integer = { line_unreadable_out-of-range }
 line_unreadable_wrong-count = { line_unreadable_out-of-range }
 line_unreadable_wrong-type = { line_unreadable_out-of-range }
@@ -1007,7 +1007,7 @@ look_or = nebo
 look_lead = Jen k nahlédnutí. Příští let: { $current }.
 look_edit = Upravit { $memory }
 look_look = Nahlédnout do { $memory }
-look_hint = Tím se { $memory } vybere, přečte a zase se vrátí na { $current }.
+look_hint = Vybere { $memory }, přečte ji a vrátí se na { $current }.
 look_fly = { $memory } pro příští let
 look_show = Zobrazit { $memory }
 
@@ -1023,7 +1023,7 @@ memories_plans_screen =
     }
 memories_plans_copy = { $to } dostane časy a polohy z { $from }, jak byly právě přečteny. Co { $to } obsahuje teď, se předtím zálohuje.
 memories_plans_restore = Zapíše se obsah zálohy ({ $time }). Paměť: { $names }. Co je tam teď, se předtím zálohuje.
-memories_atEnd = Nakonec je pro příští let zase { $current }.
+memories_atEnd = Nakonec bude pro příští let zase { $current }.
 memories_refused = { $memory }: nelze nic zapsat, žádný program nemůže tyto hodnoty poslat.
 memories_untouched = { $memory }: nic nebylo zapsáno.
 memories_stopped = Co ještě nebylo zapsáno, je jako předtím.
@@ -1035,7 +1035,7 @@ overview_copyTo = Kopírovat do…
 overview_compareWith = Porovnat s { $memory }
 overview_readAt = čteno { $time }
 overview_notCertain = Nejisté: zápis do této paměti byl přerušen. Zobrazen je stav před tímto zápisem.
-overview_edited = Zobrazeno a kopírováno, jak ji obsahuje časovač, bez vašich změn.
+overview_edited = Zobrazeno a kopírováno, jak to obsahuje časovač, bez vašich změn.
 overview_same = Obsahují totéž.
 overview_differs =
     { $count ->
@@ -1078,7 +1078,7 @@ connection_lost_advice = { connection_unplugged_advice }
 
 timer_no-answer_title = Časovač neodpověděl.
 timer_no-answer_advice = Krátce stiskněte tlačítko časovače, držte hlavici blíž než 20 cm a zkuste to znovu. Co jste napsali, je uchováno.
-timer_bad-reply_title = Odpověď časovače nemůže být správně.
+timer_bad-reply_title = Odpověď časovače nemůže být správná.
 timer_bad-reply_advice = Zkuste to znovu. Pokud se to opakuje: Nastavení, Expert, Linka, „{ line_copyReport }“.
 timer_unstable_title = Na lince je příliš šumu, nelze jí věřit.
 timer_unstable_advice = Držte infračervenou hlavici blíž, mimo slunce, a zkuste to znovu.
@@ -1171,7 +1171,7 @@ preview_duties_wing = Křídlo
 preview_duties_release = Kotouč nebo šňůra DT
 preview_duties_other = Něco jiného
 preview_duties_none = Nepoužito
-preview_naming_lead = Čím každé servo pohybuje a mezi kterými kroky. Nahoru a dolů platí pro odtokovou hranu.
+preview_naming_lead = Čím každé servo pohybuje a mezi kterými kroky. „Nahoru“ a „dolů“ platí pro odtokovou hranu.
 preview_naming_duty = { $servo } pohybuje
 preview_naming_name = Název toho, čím { $servo } pohybuje
 preview_naming_low = { $servo }, jeden konec v krocích
@@ -1311,7 +1311,7 @@ shortDt_putBack =
         [true] Vrátit DT na { $back }…
        *[false] Nastavit DT na { $back }…
     }
-shortDt_disconnect = Odpojit: { $memory }, DT{"\u00a0"}{ $dt }
+shortDt_disconnect = Odpojit s { $memory }, DT{"\u00a0"}{ $dt }
 shortDt_disconnectHere = Odpojit s DT{"\u00a0"}{ $dt }
 shortDt_blocked = Něco z toho, co jste napsali, zatím nelze zapsat. Opravte to, než vrátíte DT.
 shortDt_settings_limit = DT je krátké pod
@@ -1320,7 +1320,7 @@ shortDt_settings_hint = Kratší DT je červené a stránka se zeptá, než se o
 ## The start, before anything was read.
 
 start_title = Nastavte svůj časovač Sidus
-start_lead = Přečtěte, co obsahuje, změňte to, zapište a nechte ověřit. Nic neopustí toto zařízení.
+start_lead = Přečtěte, co obsahuje, změňte to, zapište a nechte to ověřit. Nic neopustí toto zařízení.
 start_adapter = Připojte adaptér
 start_firefox = Firefox se nejprve zeptá na povolení a při každém načtení této stránky na port.
 start_android = Telefon se připojí přes Bluetooth; kabel potřebuje Android { firstVersions_androidCable } a Chrome { firstVersions_android }.
@@ -1357,7 +1357,7 @@ newProgram_title = Nový program…
 newProgram_timerClass = Třída
 newProgram_functions = Funkce, bez startu a DT
 newProgram_servos = Serva
-newProgram_from = Začít s
+newProgram_from = Na začátek
 newProgram_beginnings_usual = Obvyklé časy, serva uprostřed
 newProgram_beginnings_nothing = Všechny časy a polohy 0
 newProgram_caution = Polohy vašeho modelu zde nejsou známy. Než budete zapisovat, nastavte každou z nich.
@@ -1500,13 +1500,13 @@ write_to = Bude
 write_wasRead = Přečteno
 write_moved_model_title = Tento časovač teď zřejmě patří jinému modelu.
 write_moved_model_advice = Nic nebylo zapsáno. Podívejte se na názvy modelů.
-write_moved_edits_title = Program se od tohoto zobrazení změnil.
+write_moved_edits_title = Program se změnil od chvíle, kdy to bylo zobrazeno.
 write_unkept_title = Na tomto zařízení se nepodařilo uchovat zálohu toho, co časovač obsahuje teď.
 write_unkept_advice = Tato paměť je stále jako předtím. Pokračovat bez zálohy?
 write_sideBySide = Hodnoty: { $names }
 write_withoutCopy = Pokračovat bez zálohy
-write_safety = Vrtule je sundaná nebo model někdo drží a časovač není odjištěný.
-write_acknowledge = Upozornění jsou přečtena, přesto chci zapsat.
+write_safety = Vrtule je sundaná nebo model někdo drží a časovač přitom není odjištěný.
+write_acknowledge = Přečteno, přesto chci zapsat.
 write_stillToTick = Zbývá zaškrtnout: { $ticks }.
 write_ticks_model = jiný model
 write_ticks_warnings = upozornění
@@ -1533,7 +1533,7 @@ write_stoppingBack = Zastavuje se: nejprve zpět na předchozí paměť
 write_verified_title = Ověřeno.
 write_verified_advice = Časovač byl kontrolně přečten a obsahuje, co bylo zobrazeno.
 write_verdict = { $memory }: ověřeno { $time }
-write_asItIs = jak je
+write_asItIs = beze změny
 write_insteadOf = místo { $value }
 write_wanted = K zápisu
 write_readBack = Kontrolní čtení
@@ -1676,8 +1676,8 @@ notKept = Tento prohlížeč to neuchoval: při zavření stránky se to ztratí
 
 settle_title = Vyjasněte to svým časovačem
 settle_lead = O tom, jak tyto časovače mluví, není známo vše. Za patnáct minut ten váš vyjasní, co je otevřené. Každá vyzkoušená hodnota se vrátí. Mějte po ruce ruční programátor.
-settle_safe = Vrtule je sundaná nebo motor odpojený a časovač není odjištěný.
-settle_danger = Teď se může něco pohnout. Je vrtule sundaná, nebo motor odpojený? Podívejte se ještě jednou.
+settle_safe = Vrtule je sundaná nebo motor odpojený a časovač přitom není odjištěný.
+settle_danger = Teď se může něco pohnout. Je vrtule sundaná nebo motor odpojený? Podívejte se ještě jednou.
 settle_blocked = Nejprve vyřešte, co říká pruh nahoře, a ponechte, nebo vraťte, co bylo vyzkoušeno.
 settle_readIt = Přečíst časovač
 settle_which = Co ukazuje programátor?

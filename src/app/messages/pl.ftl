@@ -55,9 +55,9 @@ bench_keep = Zachowaj
 bench_putBack = Przywróć…
 bench_unlock = Przytrzymaj: UNLOCK
 bench_unlockHold = Trzymaj dalej
-bench_unlockHint = Śmigło może ruszyć. Chwyć model, trzymaj ręce z dala od śmigła, potem naciśnij i przytrzymaj.
+bench_unlockHint = Śmigło może ruszyć. Trzymaj model, a ręce z dala od śmigła, potem naciśnij i przytrzymaj.
 bench_experimental = Eksperymentalne
-bench_jumpHint = Skacze do funkcji po wcześniejszym DT. Dokładne działanie nie jest opisane: serwa mogą się poruszyć.
+bench_jumpHint = Skacze do funkcji po przedwczesnym DT. Dokładne działanie nie jest opisane: serwa mogą się poruszyć.
 bench_jump = Skok…
 bench_jumpSure = Wyślij skok teraz
 
@@ -109,7 +109,7 @@ flights_form_when = Data, miejsce, model
 flights_form_date = Data i godzina
 flights_form_noOffset = Strefa czasowa lotniska nie jest znana: to czas tego urządzenia.
 flights_form_place = Miejsce
-flights_form_flown = Z czym latano
+flights_form_flown = Nastawy w locie
 flights_form_open = Otwórz program tego lotu
 flights_form_unreadable_ambiguous = Wybierz, co to znaczy.
 flights_form_unreadable_not-a-number = To nie jest liczba.
@@ -125,7 +125,7 @@ flights_score_maximumOf = Maksimum: { $round }
 flights_score_counted = Zaliczone (s)
 flights_score_notCounted = niezaliczony
 flights_score_count = Zalicz ten
-flights_score_noRound = bez kolejki
+flights_score_noRound = brak kolejki
 flights_score_total = Suma
 flights_score_copy = Kopiuj jako tekst
 flights_csv_save = Zapisz jako tabelę (CSV)
@@ -481,7 +481,7 @@ firstSteps_3 = Lot: na górze widać pamięć następnego lotu i jej DT. Strona 
 
 ## The values of a program, with unit and range.
 
-values_function_text = Krok lotu: w swoim czasie każde serwo idzie na swoją pozycję. Aby funkcję pominąć, nadaj jej pozycje poprzedniej funkcji.
+values_function_text = Etap lotu: w swoim czasie każde serwo idzie na swoją pozycję. Aby funkcję pominąć, nadaj jej pozycje poprzedniej funkcji.
 values_function_range = Zwykle start, dziewięć funkcji i DT.
 values_time_text = Kiedy zaczyna się funkcja, licząc od startu. Wpisz 12,5 albo 2:05. Dla F1B i F1E nie wiadomo, od czego timer liczy.
 values_time_range = Według instrukcji. F1Q: od 0,1 do 99,9 s. F1B: od 0,01 do 9,99 s dla funkcji 1 i 2, potem od 0,1 do 99,9 s. F1E: nieznane.
@@ -495,7 +495,7 @@ values_dt_text = Determalizator: kiedy sprowadza model na ziemię, licząc od st
 values_dt_range = Od 1 do 720 s według instrukcji. Więcej niż 10:55 min nie da się wysłać.
 values_idleThrottle_text = F1Q: prawdopodobnie jak szybko obraca się silnik, gdy przycisk startu jest wciśnięty.
 values_idleThrottle_range = Strona zakłada od 0 do 100. Jednostka nie jest znana.
-values_memory_text = Timer ma kilka pamięci, w każdej jest jeden program. Wybrana pamięć to pamięć następnego lotu. Podejrzenie innej wybiera ją i wraca; jeśli zostanie przerwane, strona mówi, która pamięć może działać w następnym locie.
+values_memory_text = Timer ma kilka pamięci, w każdej jest jeden program. Wybrana pamięć to pamięć następnego lotu. Podgląd innej wybiera ją i wraca; jeśli zostanie przerwany, strona mówi, która pamięć może działać w następnym locie.
 values_memory_range = Zwykle cztery, od M1 do M4. Starsze timery mają pięć.
 
 ## What a pilot checks before a flight.
@@ -548,7 +548,7 @@ troubles_symptoms_noMove_steps_1 = Trzymaj model i naciśnij odpowiedni wiersz w
 troubles_symptoms_noMove_steps_2 = Idzie w inne miejsce, niż podaje tabela? Niektóre timery mogą zapamiętywać pozycję tylko dla funkcji, przy której stoją serwa. Strona proponuje wtedy przestawianie serw podczas wgrywania.
 troubles_symptoms_noMove_steps_3 = Brzęczy albo staje za wcześnie? Może blokuje je popychacz: spróbuj mniejszego ruchu.
 troubles_symptoms_noMotor_title = Silnik nie rusza
-troubles_symptoms_noMotor_steps_1 = Po locie timer blokuje silnik. Aby go odblokować, chwyć model i trzymaj ręce z dala od śmigła: może ruszyć. Potem przytrzymaj przycisk „{ bench_unlock }” w widoku „{ views_names_bench }”.
+troubles_symptoms_noMotor_steps_1 = Po locie timer blokuje silnik. Aby go odblokować, trzymaj model, a ręce z dala od śmigła: może ruszyć. Potem przytrzymaj przycisk „{ bench_unlock }” w widoku „{ views_names_bench }”.
 troubles_symptoms_noMotor_steps_2 = Czy przycisk startu odskoczył? Dopóki jest wciśnięty, silnik pracuje tylko na wolnych obrotach.
 troubles_symptoms_noMotor_steps_3 = Czy stop silnika nie jest za wcześnie? Przy 0,1 s silnik staje zaraz po ruszeniu.
 troubles_symptoms_noLibrary_title = Nie ma moich modeli i programów
@@ -838,7 +838,7 @@ line_unreadable_unknown-command = Nie wiadomo, co to znaczy.
 line_unreadable_unexpected-reply = To odpowiedź na inne zapytanie.
 line_unreadable_bad-identity = To, co mówi o timerze, nie może być prawdą.
 line_unreadable_identity-needed = Da się to odczytać, gdy timer powie, czym jest.
-line_unreadable_out-of-range = Jedna z wartości nie może być prawdziwa.
+line_unreadable_out-of-range = Jedna z wartości nie może być poprawna.
 line_unreadable_not-an-integer = { line_unreadable_out-of-range }
 line_unreadable_wrong-count = { line_unreadable_out-of-range }
 line_unreadable_wrong-type = { line_unreadable_out-of-range }
@@ -988,7 +988,7 @@ nextFlight_badge = następny lot
 nextFlight_onScreen = To jest { $memory }.
 nextFlight_named = { $memory }, następny lot
 nextFlight_other = Następny lot: { $memory }.
-nextFlight_last = Gdy timer ostatnio odpowiedział, bieżąca była { $memory }. To pamięć następnego lotu, chyba że coś innego ją zmieniło.
+nextFlight_last = Gdy timer ostatnio odpowiedział, bieżąca była { $memory }. To ona jest na następny lot, chyba że coś innego to zmieniło.
 nextFlight_original = Przy połączeniu była to { $original }.
 nextFlight_originalUnknown = Nie wiadomo, która była bieżąca przy połączeniu.
 nextFlight_unknown = Nie wiadomo, która pamięć jest na następny lot.
@@ -1078,7 +1078,7 @@ connection_lost_advice = { connection_unplugged_advice }
 
 timer_no-answer_title = Timer nie odpowiedział.
 timer_no-answer_advice = Naciśnij krótko przycisk timera, trzymaj głowicę bliżej niż 20 cm i spróbuj ponownie. To, co wpisano, jest zachowane.
-timer_bad-reply_title = Odpowiedź timera nie może być prawdziwa.
+timer_bad-reply_title = Odpowiedź timera nie może być poprawna.
 timer_bad-reply_advice = Spróbuj ponownie. Jeśli to się powtórzy: Ustawienia, Ekspert, Linia, „{ line_copyReport }”.
 timer_unstable_title = Linia jest zbyt zaszumiona, aby jej ufać.
 timer_unstable_advice = Trzymaj głowicę podczerwieni bliżej, nie w słońcu, i spróbuj ponownie.
@@ -1171,7 +1171,7 @@ preview_duties_wing = Skrzydło
 preview_duties_release = Krążek lub linka DT
 preview_duties_other = Coś innego
 preview_duties_none = Nieużywane
-preview_naming_lead = Co porusza każde serwo i między którymi krokami. Góra i dół odnoszą się do krawędzi spływu.
+preview_naming_lead = Co porusza każde serwo i między którymi krokami. „W górę” i „w dół” dotyczą krawędzi spływu.
 preview_naming_duty = { $servo } porusza
 preview_naming_name = Nazwa tego, co porusza { $servo }
 preview_naming_low = { $servo }, jeden koniec w krokach
@@ -1312,7 +1312,7 @@ shortDt_putBack =
        *[false] Ustaw DT { $back }…
     }
 shortDt_disconnect = Rozłącz: { $memory }, DT{"\u00a0"}{ $dt }
-shortDt_disconnectHere = Rozłącz z DT{"\u00a0"}{ $dt }
+shortDt_disconnectHere = Rozłącz: DT{"\u00a0"}{ $dt }
 shortDt_blocked = Czegoś z tego, co wpisano, nie da się jeszcze wgrać. Popraw to, zanim przywrócisz DT.
 shortDt_settings_limit = DT jest krótkie poniżej
 shortDt_settings_hint = Krótsze DT jest czerwone, a strona pyta, zanim się rozłączysz. Przy 0 s nigdy nie pyta.
@@ -1506,7 +1506,7 @@ write_unkept_advice = Ta pamięć jest nadal jak przedtem. Dalej bez kopii zapas
 write_sideBySide = Wartości: { $names }
 write_withoutCopy = Dalej bez kopii zapasowej
 write_safety = Śmigło jest zdjęte albo model jest trzymany, a timer nie jest uzbrojony.
-write_acknowledge = Ostrzeżenie przeczytane, mimo to chcę wgrać.
+write_acknowledge = Przeczytane, mimo to chcę wgrać.
 write_stillToTick = Do zaznaczenia: { $ticks }.
 write_ticks_model = inny model
 write_ticks_warnings = ostrzeżenia
@@ -1547,7 +1547,7 @@ write_strayed_advice = Część wartości może być teraz w pamięci { $memory 
 write_refused = Nic nie wgrano.
 write_status_differs = inna
 write_status_unknown = nieznane
-write_putBack = zmieniona sama, przywrócona
+write_putBack = zmieniła się sama, przywrócona
 
 ## What the parts of the page that are loaded first say.
 
