@@ -151,13 +151,13 @@ findings_position-out-of-range = Debe estar entre { $min } y { $max }.
 findings_throttle-not-whole = { unreadable_not-a-whole-number }
 findings_throttle-out-of-range = Debe estar entre { $min } y { $max }.
 findings_position-as-read = Leído como { $value }, por encima del último paso, { $max }. Se queda así si no se cambia.
-findings_time-falls = Llega antes que la función anterior ({ $previous }).
-findings_time-repeats = El mismo tiempo que la función anterior, { $previous }.
-findings_position-never-reached = El mismo tiempo que la función anterior, { $previous }. Nunca se alcanzan las posiciones de la función anterior.
+findings_time-falls = Llega antes que la función de arriba ({ $previous }).
+findings_time-repeats = El mismo tiempo que la función de arriba, { $previous }.
+findings_position-never-reached = El mismo tiempo que la función de arriba, { $previous }. Nunca se alcanzan las posiciones de la función de arriba.
 findings_motor-stop-after-dt = El motor se para después de DT ({ $dt }): el modelo baja con el motor en marcha.
-findings_motor-run-long = El motor funciona más de { $limit }, el límite para F1Q.
+findings_motor-run-long = El motor funciona más tiempo que { $limit }, el límite para F1Q.
 findings_time-outside-manual = El manual admite de { $min } a { $max }.
-findings_time-too-fine = El manual indica pasos de { $step }: el temporizador puede redondear.
+findings_time-too-fine = El manual indica incrementos de { $step }: el temporizador puede redondear.
 findings_dt-short = Más corto que { $limit }.
 findings_dt-moves-nothing = En DT no se mueve ningún servo: el temporizador no hace bajar el modelo.
 findings_throttle-unusual = Más de { $limit } es inusual. No se conoce la unidad.
@@ -428,8 +428,8 @@ files_refused_format = No es un archivo de biblioteca de Sidus Timer.
 files_refused_newer = Lo ha creado una versión más nueva de esta página. Vuelva a cargar la página con conexión a la red.
 files_reminder =
     { $changes ->
-        [one] { $changes } cambio de la biblioteca está solo en este dispositivo. Si lo pierde, solo un archivo lo recupera.
-       *[other] { $changes } cambios de la biblioteca están solo en este dispositivo. Si lo pierde, solo un archivo los recupera.
+        [one] { $changes } cambio de la biblioteca está solo en este dispositivo. Si pierde el dispositivo, solo un archivo lo recupera.
+       *[other] { $changes } cambios de la biblioteca están solo en este dispositivo. Si pierde el dispositivo, solo un archivo los recupera.
     }
 
 ## For the time before the other sentences are loaded.
@@ -477,7 +477,7 @@ values_position_name = Posición
 values_position_text = Dónde está un servo. El ángulo de un paso depende del servo y de la transmisión: pruébelo en el banco.
 values_position_range = De 0 a 130 pasos.
 values_motorStop_text = F1Q: cuándo se para el motor, contado desde el lanzamiento. Ningún servo se mueve con él.
-values_motorStop_range = Según el manual, de 0,1 a 99,9 s, en pasos de 0,1 s.
+values_motorStop_range = Según el manual, de 0,1 a 99,9 s, en incrementos de 0,1 s.
 values_dt_text = El destermalizador: cuándo hace bajar el modelo, contado desde el lanzamiento. En rojo si es más corto que su límite.
 values_dt_range = De 1 a 720 s según el manual. No se pueden enviar más de 10:55 min.
 values_idleThrottle_text = F1Q: probablemente la velocidad a la que gira el motor mientras se mantiene pulsado el interruptor de salida.
@@ -634,7 +634,7 @@ framed_open = Abrir Sidus Timer en su propia pestaña
 knowledge_title = Contenido incierto
 knowledge_uncertain = No se sabe qué contiene { $memory }: { $values }.
 knowledge_noFly = No vuele antes de leer el temporizador.
-knowledge_since = Se interrumpió una escritura: { $time }.
+knowledge_since = Se interrumpió una escritura ({ $time }).
 knowledge_thisMemory = la memoria actual
 knowledge_memoryOf = { $memory } de { $timer }
 knowledge_timer_here = { $name } { $firmware }
@@ -914,7 +914,7 @@ ports_forget = Olvidar
 ports_settings = Ajustes del puerto
 ports_settingsHint = Solo para un adaptador especial. La página encuentra la velocidad por sí sola.
 ports_rate = Velocidad
-ports_findRate = Buscarla
+ports_findRate = Automática
 ports_baud = { $rate } baudios
 ports_parity = Paridad
 ports_parities_none = Ninguna
@@ -1000,9 +1000,9 @@ memories_plans_screen =
        *[false] { $to } contendrá los tiempos y posiciones de la pantalla. Antes se hace una copia de seguridad de lo que { $to } contiene ahora.
     }
 memories_plans_copy = { $to } contendrá los tiempos y posiciones de { $from }, recién leídos. Antes se hace una copia de seguridad de lo que { $to } contiene ahora.
-memories_plans_restore = Esto escribe en { $names } la copia de seguridad: { $time }. Antes se hace otra de lo que hay ahora.
+memories_plans_restore = Esto escribe en { $names } la copia de seguridad ({ $time }). Antes se hace otra de lo que hay ahora.
 memories_atEnd = Al final, el próximo vuelo será de nuevo con { $current }.
-memories_refused = No se puede escribir nada en { $memory }: ningún programa puede enviar estos valores.
+memories_refused = { $memory }: no se puede escribir nada, porque ningún programa puede enviar estos valores.
 memories_untouched = No se ha escrito nada en { $memory }.
 memories_stopped = Lo que aún no se había escrito está como estaba.
 
@@ -1194,7 +1194,7 @@ memoryNames_named = { $memory } «{ $name }»
 ## What an earlier job left behind on a timer.
 
 recovery_title = Se interrumpió una escritura anterior.
-recovery_when = Empezó una escritura en { $memory }: { $time }.
+recovery_when = Empezó una escritura en { $memory } ({ $time }).
 recovery_nothing =
     { $missing ->
         [one] El temporizador contiene lo que contenía antes: no se escribió nada, falta { $missing } cambio.
@@ -1207,8 +1207,8 @@ recovery_part =
     }
 recovery_foreign =
     { $count ->
-        [one] { $count } valor del temporizador no es ni el de antes ni de esa escritura. ¿Es otro temporizador, o lo ha cambiado otra cosa?
-       *[other] { $count } valores del temporizador no son ni los de antes ni de esa escritura. ¿Es otro temporizador, o los ha cambiado otra cosa?
+        [one] { $count } valor del temporizador no es ni de antes ni de esa escritura. ¿Es otro temporizador, o lo ha cambiado otra cosa?
+       *[other] { $count } valores del temporizador no son ni de antes ni de esa escritura. ¿Es otro temporizador, o los ha cambiado otra cosa?
     }
 recovery_sure = Esta página no distingue los temporizadores de un mismo tipo. Siga solo si este es el temporizador de esa escritura.
 recovery_finish = Terminar la escritura…
@@ -1221,7 +1221,7 @@ recovery_before = Antes
 recovery_elsewhere = Se interrumpió una escritura en { $memory } de un temporizador de este tipo. Lea { $memory } para ver qué contiene.
 recovery_left = Se interrumpió el trabajo con las memorias. Ahora el próximo vuelo es con { $current }. Antes era con { $original }.
 recovery_mayFly = El próximo vuelo puede ser con { $memory }: se interrumpió su selección.
-recovery_mayNotFly = Se interrumpió el trabajo con las memorias. El próximo vuelo puede ser con otra memoria que { $original }.
+recovery_mayNotFly = Se interrumpió el trabajo con las memorias. El próximo vuelo puede ser con una memoria distinta de { $original }.
 recovery_unknownMemory = una memoria desconocida
 
 ## The backups.
