@@ -21,7 +21,7 @@ bench_followingNow = Los servos siguen: una posición que se cambia en la fila d
 bench_stopFollowing = Dejar de seguir
 bench_followPending = Hay cambios anteriores que esperan a «Escribir».
 bench_ended_over = Los servos ya no siguen las posiciones.
-bench_ended_memory = Los servos ya no siguen: otra memoria es la actual, o puede serlo.
+bench_ended_memory = Los servos ya no siguen: otra memoria es la actual, o puede que lo sea.
 bench_ended_strayed = Mientras los servos seguían, otra memoria ha pasado a ser la actual. Puede haber tomado algunas de las posiciones: revísela entera antes de volar con ella.
 bench_ended_unlike = Los servos ya no siguen: el temporizador no ha hecho lo que ha confirmado.
 bench_ended_failed = Los servos ya no siguen: el temporizador no ha respondido.
@@ -1220,8 +1220,8 @@ recovery_compare = Comparar
 recovery_before = Antes
 recovery_elsewhere = Se interrumpió una escritura en { $memory } de un temporizador de este tipo. Lea { $memory } para ver qué contiene.
 recovery_left = Se interrumpió el trabajo con las memorias. Ahora el próximo vuelo es con { $current }. Antes era con { $original }.
-recovery_mayFly = El próximo vuelo puede ser con { $memory }: se interrumpió su selección.
-recovery_mayNotFly = Se interrumpió el trabajo con las memorias. El próximo vuelo puede ser con una memoria distinta de { $original }.
+recovery_mayFly = Puede que el próximo vuelo sea con { $memory }: se interrumpió su selección.
+recovery_mayNotFly = Se interrumpió el trabajo con las memorias. Puede que el próximo vuelo sea con una memoria distinta de { $original }.
 recovery_unknownMemory = una memoria desconocida
 
 ## The backups.

@@ -8,7 +8,7 @@ bench_elsewhere = Servi e motore lavorano con { $memory }, la memoria del prossi
 bench_trim = Regolazione: { $slot }
 bench_at = Posizione dei servi: { $slot }
 bench_atNone = Non è noto dove si trovano i servi.
-bench_moveMaybe = Nessuna risposta. I servi possono essersi mossi comunque. Guardare il modello.
+bench_moveMaybe = Nessuna risposta. I servi potrebbero essersi mossi comunque. Guardare il modello.
 bench_unlocked = Il motore è sbloccato. L’elica può partire.
 bench_unlockMaybe = Nessuna risposta. Il motore potrebbe essere comunque sbloccato. Stare lontani dall’elica.
 bench_jumped = Il timer ha confermato il salto.
@@ -21,8 +21,8 @@ bench_followingNow = I servi seguono: una posizione cambiata nella riga in cui s
 bench_stopFollowing = Smetti di seguire
 bench_followPending = Modifiche precedenti attendono «Scrivi».
 bench_ended_over = I servi non seguono più le posizioni.
-bench_ended_memory = I servi non seguono più: è corrente un’altra memoria, o può esserlo.
-bench_ended_strayed = Mentre i servi seguivano è diventata corrente un’altra memoria. Può aver preso alcune delle posizioni: controllarla tutta prima di volare con essa.
+bench_ended_memory = I servi non seguono più: è corrente un’altra memoria, o potrebbe esserlo.
+bench_ended_strayed = Mentre i servi seguivano è diventata corrente un’altra memoria. Potrebbe aver preso alcune delle posizioni: controllarla tutta prima di volare con essa.
 bench_ended_unlike = I servi non seguono più: il timer non ha fatto ciò che ha confermato.
 bench_ended_failed = I servi non seguono più: il timer non ha risposto.
 bench_notTaken = { $field } contiene { $held }, non { $wanted }.
@@ -483,7 +483,7 @@ values_dt_text = L’antitermica: quando fa scendere il modello, contando dal la
 values_dt_range = Da 1 a 720 s secondo il manuale. Non si possono inviare più di 10:55 min.
 values_idleThrottle_text = F1Q: probabilmente la velocità a cui gira il motore mentre l’interruttore di lancio è tenuto premuto.
 values_idleThrottle_range = La pagina presume da 0 a 100. L’unità non è nota.
-values_memory_text = Un timer ha più memorie, ognuna con un programma. Quella selezionata è la memoria del prossimo volo. Per guardarne un’altra la si seleziona e poi si torna indietro; se questo viene interrotto, la pagina dice quale può essere la memoria del prossimo volo.
+values_memory_text = Un timer ha più memorie, ognuna con un programma. Quella selezionata è la memoria del prossimo volo. Per guardarne un’altra la si seleziona e poi si torna indietro; se questo viene interrotto, la pagina dice quale potrebbe essere la memoria del prossimo volo.
 values_memory_range = Di solito quattro, da M1 a M4. I timer più vecchi ne hanno cinque.
 
 ## What a pilot checks before a flight.
@@ -872,7 +872,7 @@ line_send_danger = I servi possono muoversi, l’elica può partire, e ciò che 
 line_send_confirm = Sì, invia una volta
 line_send_sending = Invio
 line_send_answered = Risposta:
-line_send_unanswered = Nessuna risposta. Ciò che la trama chiedeva può essere avvenuto comunque.
+line_send_unanswered = Nessuna risposta. Ciò che la trama chiedeva potrebbe essere avvenuto comunque.
 line_copyReport = Copia rapporto
 
 ## From the ports to a timer that answers.
@@ -933,7 +933,7 @@ ports_reset = Impostazioni usuali
 
 aboutTimer_title = Questo timer
 aboutTimer_damage = Danni visti sulla linea
-aboutTimer_crowd = Nel fascio infrarosso può esserci un altro timer o programmatore. Da allora due letture devono coincidere.
+aboutTimer_crowd = Nel fascio infrarosso potrebbe esserci un altro timer o programmatore. Da allora due letture devono coincidere.
 aboutTimer_found = Che cosa ha fatto di diverso
 aboutTimer_nothingFound = Finora nulla: ha fatto tutto ciò che è stato chiesto nel modo usuale.
 aboutTimer_quirkNames_timers-reply-66 = Risponde con la lettera di un altro comando.
@@ -1060,13 +1060,13 @@ timer_bad-reply_title = La risposta del timer non può essere giusta.
 timer_bad-reply_advice = Riprovare. Se succede di nuovo: Opzioni, Esperto, Linea, «{ line_copyReport }».
 timer_unstable_title = La linea è troppo disturbata per fidarsene.
 timer_unstable_advice = Avvicinare la testina a infrarossi, al riparo dal sole, e riprovare.
-timer_crowded_title = Nel fascio infrarosso può esserci più di un timer.
+timer_crowded_title = Nel fascio infrarosso potrebbe esserci più di un timer.
 timer_crowded_advice = Tenere lontani altri timer e programmatori, e rileggere.
 timer_other-memory_title = La memoria corrente non è quella sullo schermo.
 timer_other-memory_advice = Rileggere prima di scrivere.
 timer_memory-unknown_title = Questo timer non dice quale memoria è corrente.
 timer_memory-unknown_advice = Perciò questa pagina non può guardare un’altra memoria e tornare indietro. Si può leggere e scrivere quella corrente.
-timer_memory-left_title = La memoria del prossimo volo può essere cambiata.
+timer_memory-left_title = La memoria del prossimo volo potrebbe essere cambiata.
 timer_memory-left_advice = Questa pagina non è riuscita a tornare a quella che era corrente. Connettersi di nuovo e scegliere la memoria giusta per il prossimo volo prima di volare.
 timer_other-timer_title = Non è il timer che ha risposto prima.
 timer_other-timer_advice = La pagina lo legge. Guardare che cosa contiene prima di scrivere.
@@ -1075,7 +1075,7 @@ timer_stale_advice = Nulla è stato scritto. Guardare che cosa cambierebbe ora u
 timer_changed_title = Il timer contiene valori diversi da prima.
 timer_changed_advice = Qualcos’altro li ha cambiati, o è un altro timer. Le modifiche sono conservate: guardare la differenza prima di scrivere.
 timer_stood-still_title = Questa pagina è rimasta ferma durante il lavoro.
-timer_stood-still_advice = Non è stato inviato altro: nel frattempo può esserci un altro timer. Rileggere.
+timer_stood-still_advice = Non è stato inviato altro: nel frattempo potrebbe esserci un altro timer. Rileggere.
 timer_too-slow_title = Questo timer risponde troppo lentamente.
 timer_too-slow_advice = Le sue risposte richiedono più di 3 secondi, perciò questa pagina non può distinguere a quale domanda appartengono. Non è stato inviato altro. Provare un altro adattatore, o un cavo al posto del Bluetooth.
 timer_undecided_title = { byteOrder_title }
@@ -1221,8 +1221,8 @@ recovery_compare = Confronta
 recovery_before = Prima
 recovery_elsewhere = Una scrittura in { $memory } di un timer di questo tipo è stata interrotta. Leggere { $memory } per vedere che cosa contiene.
 recovery_left = Il lavoro sulle memorie è stato interrotto. Ora il prossimo volo è con { $current }. Prima era con { $original }.
-recovery_mayFly = Il prossimo volo può essere con { $memory }: la selezione è stata interrotta.
-recovery_mayNotFly = Il lavoro sulle memorie è stato interrotto. Il prossimo volo può essere con una memoria diversa da { $original }.
+recovery_mayFly = Il prossimo volo potrebbe essere con { $memory }: la selezione è stata interrotta.
+recovery_mayNotFly = Il lavoro sulle memorie è stato interrotto. Il prossimo volo potrebbe essere con una memoria diversa da { $original }.
 recovery_unknownMemory = una memoria sconosciuta
 
 ## The backups.
@@ -1439,7 +1439,7 @@ whichModel_recognition_like =
         [one] È simile a { $model }, { $count } valore è diverso. È { $model }?
        *[other] È simile a { $model }, { $count } valori sono diversi. È { $model }?
     }
-whichModel_recognition_several = Può essere { $models }. Quale modello è?
+whichModel_recognition_several = Potrebbe essere { $models }. Quale modello è?
 whichModel_or = { $names } o { $last }
 whichModel_others =
     { $count ->
@@ -1519,7 +1519,7 @@ write_unknown_title = Non è certo che cosa contiene il timer.
 write_unknown_advice = Non è stato possibile rileggere il timer per intero. Rileggere, poi scrivere ciò che è ancora diverso. Le modifiche sono conservate.
 write_cut = La scrittura è stata interrotta: { $memory }.
 write_strayed_title = { $memory } è diventata corrente durante la scrittura.
-write_strayed_advice = Alcuni valori possono essere ora in { $memory }. Leggerla, e controllarla tutta prima di volare con essa.
+write_strayed_advice = Alcuni valori potrebbero essere ora in { $memory }. Leggerla, e controllarla tutta prima di volare con essa.
 write_refused = Nulla è stato scritto.
 write_status_differs = diverso
 write_status_unknown = non noto
