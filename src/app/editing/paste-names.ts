@@ -33,7 +33,7 @@ const NAMES = /^(?:functions?|func|fn|f|slot)$/;
 const START = /^(?:start|launch)$/;
 const MOTOR_STOP = /^(?:motor|motor ?stop|motor ?off)$/;
 const DT = /^(?:dt|d\/t|dethermali[sz]er)$/;
-const FUNCTION = /^(?:functions?|func|fn|f)\.? ?#?0?([1-9]\d?)$/;
+const FUNCTION = /^(?:(?:functions?|func|fn|f)\.? ?#?0?|(?=\d+\. function$))([1-9]\d?)(?:\. function)?$/;
 const NUMBER = /^0?([1-9]\d?)$/;
 
 /** “Time (s)”, “Time [s]”, “Time / s”, “Time, s”. */
@@ -51,7 +51,7 @@ export function bareName(text: string): string {
   return known.size === 0 ? name : name.replaceAll(form, (word) => known.get(word) ?? word);
 }
 
-/** The words of the language that are not English. A short one may be part of a long one. */
+/** The language's words that are not English. A short one may be part of a long one. Hungarian has “3. function”. */
 const ownWords = computed(() => {
   const words = locale.value.words.filter(([own, known]) => own !== known);
   const longestFirst = words

@@ -333,6 +333,9 @@ files_export_all = Minden exportálása…
 files_export_one = Exportálás…
 files_export_downloaded = „{ $name }” a letöltések közé kerül: { $what }. Nézze meg, hogy ott van-e.
 files_export_without = ezek nélkül: { $kind }
+files_export_kinds_models = modellek
+files_export_kinds_settings = programok
+files_export_kinds_flights = repülések
 files_export_partly = „{ $name }” nem teljes. Ez van benne: { $what }. A böngésző most nem tudja olvasni ezt: { $missing }. Zárja be az oldal többi lapját, és exportáljon újra.
 files_export_and = { $first } és { $next }
 files_export_tooLarge = A könyvtár túl nagy egy fájlhoz. Exportálja a modelleket egyenként.
@@ -395,6 +398,21 @@ files_reminder = A könyvtár { $changes } módosítása csak ezen az eszközön
 
 first_failed = Az oldal nem teljes. Van hálózat?
 first_again = Betöltés újra
+
+## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
+
+manifest_description = Sidus F1Q, F1B és F1E időzítőket állít be szabadonrepülő modellekhez: kiolvassa, mi van az időzítőben, átveszi az Ön módosításait, beírja, visszaolvassa és összeveti őket. A modelleket és a programokat ezen az eszközön őrzi. Hálózat nélkül is működik.
+manifest_connect = Kapcsolódás időzítőhöz
+manifest_connectShort = Kapcsolódás
+manifest_connectWhat = A kezdőlap, innen lehet kapcsolódni
+manifest_library = Könyvtár
+manifest_libraryWhat = Modellek és programjaik
+manifest_simulated = Szimulált időzítő
+manifest_simulatedWhat = A kezdőlap a szimulált időzítőkkel
+manifest_pictures_program = Egy időzítő programja két megjelölt módosítással
+manifest_pictures_write = Mit módosít egy írás, még a beírás előtt
+manifest_pictures_programPhone = A teljes program telefonon
+manifest_pictures_writePhone = Mit módosít egy írás, telefonon
 
 ## The help inside the page.
 
@@ -649,6 +667,11 @@ library_save_crossing = Ezek { $from } értékei. Mentés ide: { $to }.
 library_save_asNew = Mentés újként…
 library_save_taken = Már van ilyen program: { $program }. Írjon másik nevet, vagy:
 library_save_replace = Mentés a helyére. A mostani értékei korábbi változatként megmaradnak.
+library_save_name =
+    { $of ->
+        [program] A program neve
+       *[model] A modell neve
+    }
 library_save_namePlace = Például: fly-off, szélcsend
 library_save_notSavable = Egy mezőnek nincs értéke. Előbb javítsa ki.
 library_save_state =
@@ -879,8 +902,8 @@ memories_plans_screen =
 memories_plans_copy = Az { $to } ennek a memóriának az épp most kiolvasott időit és állásait fogja tartalmazni: { $from }. A mostani tartalmáról előbb biztonsági másolat készül.
 memories_plans_restore = Ide írja be, ami ekkor lett elmentve ({ $time }): { $names }. Ami most ott van, arról előbb biztonsági másolat készül.
 memories_atEnd = A végén ismét az { $current } repül legközelebb.
-memories_refused = Az { $memory } memóriába semmi nem írható: ezeket az értékeket egy program sem tudja elküldeni.
-memories_untouched = Az { $memory } memóriába nem lett semmi beírva.
+memories_refused = Ide semmi nem írható ({ $memory }): ezeket az értékeket egy program sem tudja elküldeni.
+memories_untouched = Ide nem lett semmi beírva: { $memory }.
 memories_stopped = Ami még nem volt beírva, az változatlan.
 
 ## All memories of a timer at a glance.
@@ -1362,6 +1385,13 @@ slotName =
         [dt] DT
        *[function] { $slot }. funkció
     }
+within_slot =
+    { $kind ->
+        [start] start
+        [dt] DT
+       *[function] { $slot }. funkció
+    }
+within_idleThrottle = alapjárati gáz
 slotShort =
     { $kind ->
         [start] Start
@@ -1444,6 +1474,7 @@ open = Megnyitás
 save = Mentés
 delete = Törlés
 notNow = Most nem
+label_language = Nyelv
 label_name = Név
 label_note = Megjegyzés
 label_model = Modell

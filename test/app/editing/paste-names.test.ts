@@ -222,7 +222,7 @@ describe("the page's own words", () => {
   });
 
   it.each([
-    ...['F3', 'f 3', 'Fn. 3', 'func 3', 'FUNCTION 03', 'Function\u00a03:', 'Ｆ３'].map((name) => [name, 3] as const),
+    ...['F3', 'f 3', 'Fn. 3', 'FUNC 03', 'Function\u00a03:', '3. function', 'Ｆ３'].map((name) => [name, 3] as const),
     ...['Start', 'launch'].map((name) => [name, 0] as const),
     ...['DT', 'D/T', 'Dethermaliser'].map((name) => [name, 10] as const),
   ])('and the usual short forms: %s', (name, slot) => {
