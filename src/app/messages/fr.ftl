@@ -364,6 +364,9 @@ files_export_all = Tout exporter…
 files_export_one = Exporter…
 files_export_downloaded = «{"\u00a0"}{ $name }{"\u00a0"}» va dans vos téléchargements{"\u00a0"}: { $what }. Regardez s’il y est.
 files_export_without = sans { $kind }
+files_export_kinds_models = modèles
+files_export_kinds_settings = programmes
+files_export_kinds_flights = vols
 files_export_partly = «{"\u00a0"}{ $name }{"\u00a0"}» n’est pas complet. Il contient{"\u00a0"}: { $what }. Le navigateur ne peut pas lire en ce moment{"\u00a0"}: { $missing }. Fermez les autres onglets de cette page et exportez à nouveau.
 files_export_and = { $first } et { $next }
 files_export_tooLarge = La bibliothèque est trop grande pour un seul fichier. Exportez ses modèles un par un.
@@ -434,6 +437,21 @@ files_reminder =
 
 first_failed = La page n’est pas complète. Y a-t-il du réseau{"\u00a0"}?
 first_again = Recharger
+
+## What a system shows of the installed page.
+
+manifest_description = Règle les minuteries de vol libre Sidus F1Q, F1B et F1E{"\u00a0"}: lit ce qu’une minuterie contient, prend vos changements, les écrit, les relit et compare. Garde vos modèles et programmes sur cet appareil. Fonctionne sans réseau.
+manifest_connect = Connecter une minuterie
+manifest_connectShort = Connecter
+manifest_connectWhat = L’accueil, avec Connecter sous la main
+manifest_library = Bibliothèque
+manifest_libraryWhat = Les modèles et leurs programmes
+manifest_simulated = Minuterie simulée
+manifest_simulatedWhat = L’accueil, avec les minuteries simulées sous la main
+manifest_pictures_program = Le programme d’une minuterie, avec deux changements marqués
+manifest_pictures_write = Ce qu’une écriture va changer, avant d’écrire
+manifest_pictures_programPhone = Tout le programme sur un téléphone
+manifest_pictures_writePhone = Ce qu’une écriture va changer, sur un téléphone
 
 ## The help inside the page.
 
@@ -729,6 +747,11 @@ library_save_crossing = Ce sont des valeurs du modèle { $from }. Les enregistre
 library_save_asNew = Enregistrer un nouveau…
 library_save_taken = Il y a déjà un programme { $program }. Tapez un autre nom, ou{"\u00a0"}:
 library_save_replace = Le remplacer. Ses valeurs restent comme version antérieure.
+library_save_name =
+    { $of ->
+        [program] Nom du programme
+       *[model] Nom du modèle
+    }
 library_save_namePlace = Par exemple{"\u00a0"}: fly-off, calme
 library_save_notSavable = Un champ n’a pas de valeur. Corrigez-le d’abord.
 library_save_state =
@@ -817,7 +840,11 @@ line_filter = Afficher
 line_searchHint = nom ou hexa
 line_counts_out = { $count } vers la minuterie
 line_counts_in = { $count } de la minuterie
-line_counts_damaged = endommagés{"\u00a0"}: { $count }
+line_counts_damaged =
+    { $count ->
+        [one] { $count } endommagé
+       *[other] { $count } endommagés
+    }
 line_counts_errors =
     { $count ->
         [one] { $count } erreur de liaison
@@ -1376,7 +1403,11 @@ views_noTimer_bench = Connectez une minuterie pour déplacer ses servos.
 ## The strip above every view: the timer, its memory, DT, motor stop, and what is known.
 
 strip_panel = Mémoires et plus
-strip_tried = { $count } à l’essai
+strip_tried =
+    { $count ->
+        [one] { $count } essayée
+       *[other] { $count } essayées
+    }
 strip_notCertain = incertain
 strip_asRead = dern. lecture
 strip_notValid = non valide
@@ -1409,7 +1440,11 @@ whichModel_recognition_like =
     }
 whichModel_recognition_several = C’est peut-être { $models }. Quel modèle est-ce{"\u00a0"}?
 whichModel_or = { $names } ou { $last }
-whichModel_others = { $count } autres
+whichModel_others =
+    { $count ->
+        [one] { $count } autre
+       *[other] { $count } autres
+    }
 whichModel_recognition_unknown = Cette minuterie n’est pas connue ici. Quel modèle est-ce{"\u00a0"}?
 whichModel_recognition_yes = Oui, { $model }
 whichModel_recognition_choose = Choisir…
@@ -1504,6 +1539,13 @@ slotName =
         [dt] DT
        *[function] Fonction { $slot }
     }
+within_slot =
+    { $kind ->
+        [start] départ
+        [dt] DT
+       *[function] fonction { $slot }
+    }
+within_idleThrottle = ralenti
 slotShort =
     { $kind ->
         [start] Départ
@@ -1591,6 +1633,7 @@ open = Ouvrir
 save = Enregistrer
 delete = Supprimer
 notNow = Plus tard
+label_language = Langue
 label_name = Nom
 label_note = Note
 label_model = Modèle
