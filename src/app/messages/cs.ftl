@@ -1117,7 +1117,6 @@ timer_closed_advice = Chcete-li pokračovat, stiskněte „Připojit“. Co jste
 
 alike_title = Každá odpověď na { $request } je poškozená stejným způsobem.
 alike_advice = To není šum: časovač nebo jeho adaptér tvoří tyto odpovědi neznámým způsobem. Zapněte v nastavení „Expert“, otevřete zobrazení „{ views_names_line }“ a stiskněte „{ line_copyReport }“. Zprávu pošlete správcům projektu (github.com/sidus-timer/sidus-timer/issues).
-alike_part = Jen k nahlédnutí, vše ostatní není známo: { $values }.
 
 ## Messages that are not about errors.
 
@@ -1145,7 +1144,6 @@ notes_backed-up_title = Všechny paměti byly přečteny a záloha každé z nic
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = Váš program je položen přes to, co obsahuje časovač.
 notes_made-laid_advice = Nic nebylo zapsáno. Co se liší, je označeno. „Zpět“ ukáže, co obsahuje časovač.
 notes_unexpected_title = Na této stránce se něco nepovedlo.
 notes_unexpected_advice = Nic dalšího nebylo posláno. Načtěte stránku znovu. Co jste napsali, je uchováno.

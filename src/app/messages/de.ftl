@@ -1090,7 +1090,6 @@ timer_closed_advice = Drücken Sie „Verbinden“, um weiterzumachen. Was Sie e
 
 alike_title = Jede Antwort auf { $request } ist auf dieselbe Art beschädigt.
 alike_advice = Das ist kein Rauschen: Der Timer oder sein Adapter bildet diese Antworten auf eine Art, die nicht bekannt ist. Schalten Sie in den Optionen „Experte“ ein, öffnen Sie „Leitung“ und drücken Sie „{ line_copyReport }“. Senden Sie den Bericht an die Betreuer (github.com/sidus-timer/sidus-timer/issues).
-alike_part = Nur zum Ansehen, alles Übrige ist nicht bekannt: { $values }.
 
 ## Messages that are not about errors.
 
@@ -1118,7 +1117,6 @@ notes_backed-up_title = Alle Speicher wurden gelesen, von jedem ist eine Sicheru
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = Ihr Programm liegt über dem, was der Timer enthält.
 notes_made-laid_advice = Nichts wurde geschrieben. Was abweicht, ist markiert. „Rückgängig“ zeigt, was der Timer enthält.
 notes_unexpected_title = Auf dieser Seite ist etwas schiefgegangen.
 notes_unexpected_advice = Es wurde nichts mehr gesendet. Laden Sie die Seite neu. Was Sie eingegeben haben, bleibt.

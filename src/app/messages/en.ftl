@@ -1183,7 +1183,7 @@ timer_closed_advice = Press Connect to go on. What you typed is kept.
 alike_title = Each reply to { $request } is damaged in the same way.
 alike_advice = That is not noise: the timer or its adapter forms these replies in a way that is not known. With Expert on in the settings, open Line and press “{ line_copyReport }”. Send the report to the maintainers (github.com/sidus-timer/sidus-timer/issues).
 # What could be read although the rest could not.
-alike_part = For looking only, all else is not known: { $values }.
+alike_part = For looking only: { $values }. All else is not known.
 
 ## Messages that are not about errors.
 
@@ -1211,7 +1211,7 @@ notes_backed-up_title = All memories were read, and a backup of each is kept.
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = Your program is loaded over what the timer holds.
+notes_made-laid_title = The table shows your program, not what the timer holds.
 notes_made-laid_advice = Nothing was written. What differs is marked. Undo shows what the timer holds.
 notes_unexpected_title = Something went wrong in this page.
 notes_unexpected_advice = Nothing more was sent. Load the page again. What you typed is kept.

@@ -1094,7 +1094,6 @@ timer_closed_advice = Pulse Conectar para seguir. Lo que ha introducido se conse
 
 alike_title = Cada respuesta a { $request } está dañada de la misma manera.
 alike_advice = Eso no es ruido: el temporizador o su adaptador forma estas respuestas de una manera que no se conoce. Con Experto activado en los ajustes, abra Línea y pulse «{ line_copyReport }». Envíe el informe a los responsables del proyecto (github.com/sidus-timer/sidus-timer/issues).
-alike_part = Solo para mirar, todo lo demás no se conoce: { $values }.
 
 ## Messages that are not about errors.
 
@@ -1122,7 +1121,6 @@ notes_backed-up_title = Se han leído todas las memorias, y se conserva una copi
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = Su programa está cargado sobre lo que contiene el temporizador.
 notes_made-laid_advice = No se ha escrito nada. Lo que difiere está marcado. Deshacer muestra lo que contiene el temporizador.
 notes_unexpected_title = Algo ha ido mal en esta página.
 notes_unexpected_advice = No se ha enviado nada más. Vuelva a cargar la página. Lo que ha introducido se conserva.

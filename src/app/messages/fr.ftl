@@ -1095,7 +1095,6 @@ timer_closed_advice = Appuyez sur «{"\u00a0"}{ header_connect }{"\u00a0"}» pou
 
 alike_title = Chaque réponse à { $request } est endommagée de la même façon.
 alike_advice = Ce n’est pas du bruit{"\u00a0"}: la minuterie ou son adaptateur forme ces réponses d’une façon inconnue. Activez Expert dans les paramètres, ouvrez { views_names_line } et appuyez sur «{"\u00a0"}{ line_copyReport }{"\u00a0"}». Envoyez le rapport aux responsables du projet (github.com/sidus-timer/sidus-timer/issues).
-alike_part = Pour consultation seulement, tout le reste est inconnu{"\u00a0"}: { $values }.
 
 ## Messages that are not about errors.
 
@@ -1123,7 +1122,6 @@ notes_backed-up_title = Toutes les mémoires ont été lues, et une sauvegarde d
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = Votre programme est chargé par-dessus ce que contient la minuterie.
 notes_made-laid_advice = Rien n’a été écrit. Ce qui diffère est marqué. «{"\u00a0"}{ undo }{"\u00a0"}» montre ce que contient la minuterie.
 notes_unexpected_title = Un problème est survenu dans cette page.
 notes_unexpected_advice = Rien de plus n’a été envoyé. Rechargez la page. Ce que vous avez tapé est conservé.

@@ -990,7 +990,6 @@ timer_closed_advice = A folytatáshoz nyomja meg a Kapcsolódás gombot. Amit be
 
 alike_title = Minden válasz ugyanúgy sérült erre a kérésre: { $request }.
 alike_advice = Ez nem zaj: az időzítő vagy az adaptere ismeretlen módon képezi ezeket a válaszokat. Kapcsolja be a Szakértő beállítást, nyissa meg a Vonal nézetet, és nyomja meg: „{ line_copyReport }”. Küldje el a jelentést a karbantartóknak (github.com/sidus-timer/sidus-timer/issues).
-alike_part = Csak megtekintésre, minden más ismeretlen: { $values }.
 
 ## Messages that are not about errors.
 
@@ -1018,7 +1017,6 @@ notes_backed-up_title = Minden memória ki lett olvasva, és mindegyikről megva
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = A programja betöltve arra, ami az időzítőben van.
 notes_made-laid_advice = Nem lett semmi beírva. Az eltérés meg van jelölve. A visszavonás megmutatja, mi van az időzítőben.
 notes_unexpected_title = Valami elromlott ezen az oldalon.
 notes_unexpected_advice = Több nem lett elküldve. Töltse be újra az oldalt. Amit beírt, megmarad.

@@ -1095,7 +1095,6 @@ timer_closed_advice = Premere Connetti per continuare. Ciò che è stato inserit
 
 alike_title = Ogni risposta a { $request } è danneggiata nello stesso modo.
 alike_advice = Non è rumore: il timer o il suo adattatore forma queste risposte in un modo che non è noto. Con Esperto attivo nelle opzioni, aprire Linea e premere «{ line_copyReport }». Inviare il rapporto ai curatori del progetto (github.com/sidus-timer/sidus-timer/issues).
-alike_part = Solo da guardare, tutto il resto non è noto: { $values }.
 
 ## Messages that are not about errors.
 
@@ -1123,7 +1122,6 @@ notes_backed-up_title = Tutte le memorie sono state lette, e di ognuna è conser
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = Il programma è caricato sopra ciò che il timer contiene.
 notes_made-laid_advice = Nulla è stato scritto. Le differenze sono segnate. Annulla mostra ciò che il timer contiene.
 notes_unexpected_title = Qualcosa è andato storto in questa pagina.
 notes_unexpected_advice = Non è stato inviato altro. Ricaricare la pagina. Ciò che è stato inserito è conservato.

@@ -1090,7 +1090,6 @@ timer_closed_advice = Druk op “Verbinden” om verder te gaan. Wat je hebt get
 
 alike_title = Elk antwoord op { $request } is op dezelfde manier beschadigd.
 alike_advice = Dat is geen ruis: de timer of zijn adapter vormt deze antwoorden op een manier die niet bekend is. Zet “Expert” aan in de opties, open “Lijn” en druk op “{ line_copyReport }”. Stuur het rapport naar de beheerders (github.com/sidus-timer/sidus-timer/issues).
-alike_part = Alleen om te bekijken, al het andere is niet bekend: { $values }.
 
 ## Messages that are not about errors.
 
@@ -1118,7 +1117,6 @@ notes_backed-up_title = Alle geheugens zijn gelezen, en van elk is een back-up b
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = Je programma ligt over wat de timer bevat.
 notes_made-laid_advice = Er is niets geschreven. Wat verschilt, is gemarkeerd. “Ongedaan maken” toont wat de timer bevat.
 notes_unexpected_title = Er ging iets mis op deze pagina.
 notes_unexpected_advice = Er is niets meer gestuurd. Laad de pagina opnieuw. Wat je hebt getypt, blijft bewaard.

@@ -1117,7 +1117,6 @@ timer_closed_advice = Aby pracować dalej, naciśnij „Połącz”. To, co wpis
 
 alike_title = Każda odpowiedź na { $request } jest uszkodzona w ten sam sposób.
 alike_advice = To nie szum: timer albo jego adapter tworzy te odpowiedzi w nieznany sposób. Włącz w ustawieniach „Ekspert”, otwórz widok „{ views_names_line }” i naciśnij „{ line_copyReport }”. Wyślij raport opiekunom projektu (github.com/sidus-timer/sidus-timer/issues).
-alike_part = Tylko do podglądu, cała reszta jest nieznana: { $values }.
 
 ## Messages that are not about errors.
 
@@ -1145,7 +1144,6 @@ notes_backed-up_title = Odczytano wszystkie pamięci i zachowano kopię zapasow�
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = Twój program jest nałożony na to, co zawiera timer.
 notes_made-laid_advice = Nic nie wgrano. To, co się różni, jest zaznaczone. „Cofnij” pokazuje, co zawiera timer.
 notes_unexpected_title = W tej stronie coś się nie powiodło.
 notes_unexpected_advice = Nic więcej nie wysłano. Wczytaj stronę ponownie. To, co wpisano, jest zachowane.

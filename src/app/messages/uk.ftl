@@ -1122,7 +1122,6 @@ timer_closed_advice = Щоб продовжити, натисніть «{ header
 
 alike_title = Кожна відповідь на { $request } пошкоджена однаково.
 alike_advice = Це не шум: таймер або його адаптер формує ці відповіді невідомим способом. Увімкніть «Експерт» у параметрах, відкрийте «{ views_names_line }» і натисніть «{ line_copyReport }». Надішліть звіт супровідникам (github.com/sidus-timer/sidus-timer/issues).
-alike_part = Лише перегляд, решта невідома: { $values }.
 
 ## Messages that are not about errors.
 
@@ -1150,7 +1149,6 @@ notes_backed-up_title = Усі пам’яті зчитано, і для кож�
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_title = Вашу програму накладено на те, що містить таймер.
 notes_made-laid_advice = Нічого не записано. Відмінності позначено. «Відмінити» показує, що містить таймер.
 notes_unexpected_title = На цій сторінці щось пішло не так.
 notes_unexpected_advice = Більше нічого не надіслано. Завантажте сторінку знову. Те, що ви ввели, лишається.
