@@ -6,34 +6,34 @@
 ## Moving servos and motor from the page.
 
 bench_slots = Mozgatás ide
-bench_elsewhere = A szervók és a motor az { $memory } memóriával működnek, amely legközelebb repül. Mozgatásukhoz jelenítse meg az { $memory } memóriát.
+bench_elsewhere = A szervók és a motor a következő repülés memóriájával működnek: { $memory }. Mozgatásukhoz jelenítse meg az { $memory } memóriát.
 bench_trim = Trimmelés: { $slot }
 bench_at = Szervók itt: { $slot }
 bench_atNone = Nem tudni, hol állnak a szervók.
 bench_moveMaybe = Nem jött válasz. A szervók ettől még elmozdulhattak. Nézze meg a modellt.
-bench_unlocked = A motor fel van oldva. A légcsavar elindulhat.
-bench_unlockMaybe = Nem jött válasz. A motor ettől még feloldott lehet. Maradjon távol a légcsavartól.
+bench_unlocked = A motor zárolása fel van oldva. A légcsavar elindulhat.
+bench_unlockMaybe = Nem jött válasz. Ettől még lehet, hogy a motor zárolása fel van oldva. Maradjon távol a légcsavartól.
 bench_jumped = Az időzítő nyugtázta az ugrást.
 bench_here = itt a szervók
 bench_waits = Beírásra vár.
 bench_bring = Szervók ide: { $slot }
 bench_follow = A szervók követik az állásokat
-bench_followHint = Az oldal először kiolvassa az időzítőt, és biztonsági másolatot készít. Utána minden állás, amelyet a szervók mostani helyén módosít, azonnal tárolódik, és a szervója elmozdul.
-bench_followingNow = Követés: ha a szervók mostani helyén módosít egy állást, az azonnal tárolódik.
+bench_followHint = Az oldal először kiolvassa az időzítőt, és biztonsági másolatot készít. Utána minden állás, amelyet abban a sorban módosít, ahol a szervók állnak, azonnal bekerül az időzítőbe, és a szervója elmozdul.
+bench_followingNow = Követés: ha abban a sorban módosít egy állást, ahol a szervók állnak, az azonnal bekerül az időzítőbe.
 bench_stopFollowing = Követés vége
 bench_followPending = Korábbi módosítások várnak beírásra.
 bench_ended_over = A szervók már nem követik az állásokat.
 bench_ended_memory = A szervók már nem követik az állásokat: másik memória az aktuális, vagy lehet az.
-bench_ended_strayed = Követés közben másik memória lett az aktuális. Lehet, hogy az állások egy része abba került: nézze át az egészet, mielőtt repül vele.
+bench_ended_strayed = Követés közben másik memória lett az aktuális. Lehet, hogy az állások egy része abba került: nézze át az egész memóriát, mielőtt repül vele.
 bench_ended_unlike = A szervók már nem követik az állásokat: az időzítő nem azt tette, amit nyugtázott.
 bench_ended_failed = A szervók már nem követik az állásokat: az időzítő nem válaszolt.
 bench_notTaken = { $field }: az időzítőben { $held } van, nem { $wanted }.
 bench_beside =
     { $more ->
-        [0] Mellette megváltozott: { $named }.
-       *[other] Mellette megváltozott: { $named }; és még { $more } érték.
+        [0] Ezenkívül megváltozott: { $named }.
+       *[other] Ezenkívül megváltozott: { $named }; és még { $more } érték.
     }
-bench_endUnread = Az időzítő azóta nem volt kiolvasva.
+bench_endUnread = Azóta az időzítő nem lett kiolvasva.
 bench_triedHere =
     { $more ->
         [0] Kipróbálva: { $named }.
@@ -44,13 +44,13 @@ bench_triedAndWaiting =
         [0] { $tried } kipróbálva az időzítőben
        *[other] { $tried } kipróbálva az időzítőben, { $waiting } beírásra vár
     }
-bench_triedIn = Itt lettek állások kipróbálva: { $memory }.
+bench_triedIn = Állásokat próbáltak ki itt: { $memory }.
 bench_decide = Megtartja, amit kipróbált, vagy visszaállítja, ami előtte az időzítőben volt?
 bench_keep = Megtartás
 bench_putBack = Visszaállítás…
 bench_unlock = UNLOCK: tartsa nyomva
 bench_unlockHold = Tartsa tovább
-bench_unlockHint = A légcsavar elindulhat. Fogja a modellt, a kezét tartsa távol a légcsavartól, majd nyomja meg és tartsa nyomva.
+bench_unlockHint = A légcsavar elindulhat. Fogja a modellt, a kezét tartsa távol a légcsavartól, majd nyomja meg és tartsa nyomva a gombot.
 bench_experimental = Kísérleti
 bench_jumpHint = A korai DT utáni funkcióra ugrik. Pontos hatása nincs dokumentálva: a szervók elmozdulhatnak.
 bench_jump = Ugrás…
@@ -146,7 +146,7 @@ findings_position-out-of-range = { $min } és { $max } között kell lennie.
 findings_throttle-not-whole = { unreadable_not-a-whole-number }
 findings_throttle-out-of-range = { $min } és { $max } között kell lennie.
 findings_position-as-read = A kiolvasott érték { $value }, az utolsó lépés ({ $max }) fölött. Így marad, ha nem módosítja.
-findings_time-falls = Ez a fölötte lévő funkció ({ $previous }) elé esik.
+findings_time-falls = Ez korábbra esik, mint a fölötte lévő funkció ({ $previous }).
 findings_time-repeats = Ugyanaz az idő, mint a fölötte lévő funkcióé: { $previous }.
 findings_position-never-reached = Ugyanaz az idő, mint a fölötte lévő funkcióé: { $previous }. A fölötte lévő funkció állásait a szervók soha nem érik el.
 findings_motor-stop-after-dt = A motor a DT ({ $dt }) után áll le: a modell járó motorral jön le.
@@ -160,11 +160,11 @@ findings_class-unknown = Ismeretlen osztály: „{ $timerClass }”. A szabálya
 
 ## Why a text in a field is no value.
 
-unreadable_empty = Üres: írjon be értéket.
+unreadable_empty = Üres: gépeljen be egy értéket.
 unreadable_not-a-time = Nem idő: írjon másodpercet, például 12,5, vagy percet, például 2:05.
 unreadable_too-fine = Századmásodpercnél finomabb.
 unreadable_not-a-whole-number = Egész számnak kell lennie.
-unreadable_ambiguous = Ez többféleképpen érthető: válasszon.
+unreadable_ambiguous = Ez többféleképpen érthető: válasszon egyet.
 
 ## For a page that cannot reach a timer here.
 
@@ -425,8 +425,8 @@ guide_nav = Súgóoldalak
 ## What a new pilot is told.
 
 firstSteps_1 = Kiolvasás: nyomja meg a Kapcsolódás gombot, ébressze fel az időzítőt, és tartsa közel az infravörös fejet. A kiolvasás semmit nem módosít és semmit nem mozdít meg.
-firstSteps_2 = Írás: írja be az új értékeket, nyomja meg az Írás gombot, és nézzen meg minden eltérést. Az „Igazolva” azt jelenti: az időzítő újra ki lett olvasva, és az van benne, amit Ön akar.
-firstSteps_3 = Repülés: felül látszik, melyik memória repül legközelebb, és mennyi a DT-je. Az oldalnak nem kell hálózat, és semmi nem hagyja el ezt az eszközt.
+firstSteps_2 = Írás: gépelje be az új értékeket, nyomja meg az Írás gombot, és nézzen meg minden eltérést. Az „Igazolva” azt jelenti: az időzítő újra ki lett olvasva, és az van benne, amit Ön akar.
+firstSteps_3 = Repülés: az oldal tetején látszik, melyik memóriával lesz a következő repülés, és mennyi a DT-je. Az oldalnak nem kell hálózat, és semmi nem hagyja el ezt az eszközt.
 
 ## The values of a program, with unit and range.
 
@@ -436,7 +436,7 @@ values_time_text = Mikor kezdődik egy funkció, a starttól számítva. Így í
 values_time_range = A kézikönyvek szerint. F1Q: 0,1–99,9 s. F1B: 0,01–9,99 s az 1. és 2. funkciónál, utána 0,1–99,9 s. F1E: nem ismert.
 values_after_text = Az előző funkció óta eltelt idő. Minden későbbi funkció vele mozog, a DT nem.
 values_position_name = Állás
-values_position_text = Hol áll egy szervó. Egy lépés szöge a szervótól és a rudazattól függ: próbálja ki a próbapadon.
+values_position_text = Hol áll egy szervó. Egy lépés szöge a szervótól és a rudazattól függ: próbálja ki a „{ views_names_bench }” nézetben.
 values_position_range = 0–130 lépés.
 values_motorStop_text = F1Q: mikor áll le a motor, a starttól számítva. Vele egy szervó sem mozdul.
 values_motorStop_range = A kézikönyv szerint 0,1–99,9 s, 0,1 s lépésekben.
@@ -444,29 +444,29 @@ values_dt_text = A termikfék (DT): mikor hozza le a modellt, a starttól szám�
 values_dt_range = A kézikönyv szerint 1–720 s. 10:55 min fölött nem küldhető el.
 values_idleThrottle_text = F1Q: valószínűleg az, hogy milyen gyorsan forog a motor, amíg a startkapcsolót nyomva tartják.
 values_idleThrottle_range = Az oldal feltevése: 0–100. A mértékegység nem ismert.
-values_memory_text = Az időzítőben több memória van, mindegyikben egy program. A kiválasztott repül legközelebb. Egy másik megtekintése kiválasztja azt, majd visszatér; ha ez megszakad, az oldal megmondja, melyik repülhet legközelebb.
+values_memory_text = Az időzítőben több memória van, mindegyikben egy program. A következő repülés a kiválasztottal lesz. Egy másik megtekintése kiválasztja azt, majd visszatér; ha ez megszakad, az oldal megmondja, melyikkel lehet a következő repülés.
 values_memory_range = Általában négy, M1–M4. A régebbi időzítőkben öt van.
 
 ## What a pilot checks before a flight.
 
 checklist_lead = Pipáljon ki minden pontot. A pipák egy repülésre szólnak, és nem őrződnek meg.
-checklist_items_memory = A megfelelő memória repül legközelebb.
+checklist_items_memory = A következő repüléshez a megfelelő memória van kiválasztva.
 checklist_items_dtTime = Hangosan kimondtam a DT idejét.
 checklist_items_surfaces = A szárny, a vezérsík és az oldalkormány szilárdan ül, és úgy áll, ahogy kell.
 checklist_items_battery = Az akkumulátor fel van töltve, és a dugója teljesen be van dugva.
-checklist_items_dtSeen = Láttam, hogy a szervó DT-re megy.
+checklist_items_dtSeen = Láttam, hogy a szervó a DT-állásba megy.
 checklist_items_radioDt = Kipróbáltam a rádiós DT-t, ha van.
 checklist_items_switch = Ötször megnyomtam a startkapcsolót, és mindannyiszor visszaugrott.
-checklist_items_propeller = A légcsavar szilárdan rögzített, és szabadon forog. Senki nincs előtte.
-checklist_known_now = Az { $memory } repül legközelebb, DT{"\u00a0"}{ $dt }, kiolvasva { $time }.
+checklist_items_propeller = A légcsavar szilárdan rögzítve van, és szabadon forog. Senki nincs előtte.
+checklist_known_now = Következő repülés: { $memory }, DT{"\u00a0"}{ $dt }, kiolvasva { $time }.
 checklist_known_onceAt = A legutóbbi kiolvasás szerint ({ $time }): { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_once = A legutóbbi kiolvasás szerint: { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_not = Nem tudni, mit tartalmaz az { $memory }. Repülés előtt olvassa ki.
-checklist_known_nothing = Még nem lett időzítő kiolvasva. Kapcsolódjon, hogy itt lássa a memóriáját és a DT-t.
+checklist_known_nothing = Még egy időzítő sincs kiolvasva. Kapcsolódjon, hogy itt lássa a következő repülés memóriáját és annak DT-jét.
 checklist_known_unwritten = { $count } módosítás még nincs az időzítőben.
 checklist_left = Még { $count } pont
 checklist_done = Minden kipipálva. Jó repülést.
-checklist_again = Pipák törlése
+checklist_again = Minden pipa törlése
 
 ## Problems as a pilot sees them, and what to do.
 
@@ -474,27 +474,27 @@ troubles_symptoms_noAnswer_title = Az időzítő nem válaszol
 troubles_symptoms_noAdapter_title = Az oldal nem találja az adaptert
 troubles_symptoms_refused_title = Az adapter nem nyílik meg
 troubles_symptoms_wrongValues_title = Az értékek hibásnak tűnnek
-troubles_symptoms_wrongValues_steps_1 = Nézze meg felül: melyik memória látszik, és melyik repül legközelebb?
+troubles_symptoms_wrongValues_steps_1 = Nézze meg az oldal tetején: melyik memória látszik, és melyikkel lesz a következő repülés?
 troubles_symptoms_wrongValues_steps_2 = Nyomja meg: „{ program_read }”.
 troubles_symptoms_wrongValues_steps_3 = Csökkennek az idők sorról sorra? Az oldal ekkor megkérdezi, hogyan olvassa őket.
 troubles_symptoms_wrongValues_steps_4 = F1B és F1E esetén hasonlítsa össze az időket a kézi programozóval.
 troubles_symptoms_cutOff_title = Az írás megszakadt
-troubles_symptoms_cutOff_steps_1 = Ezzel a modellel még ne repüljön. Kapcsolódjon: az oldal kiolvassa az időzítőt, majd felajánlja az írás befejezését vagy a visszatérést.
-troubles_symptoms_cutOff_steps_2 = Ami előtte az időzítőben volt, itt található: Memóriák, Biztonsági másolatok.
+troubles_symptoms_cutOff_steps_1 = Ezzel a modellel még ne repüljön. Kapcsolódjon: az oldal kiolvassa az időzítőt, majd felajánlja az írás befejezését vagy a régi értékek visszaírását.
+troubles_symptoms_cutOff_steps_2 = Ami előtte az időzítőben volt, itt található: „{ views_names_memories }”, „{ backups_title }”.
 troubles_symptoms_noDt_title = Nem jön a DT, vagy rossz időben jön
-troubles_symptoms_noDt_steps_1 = Nézze meg felül: ott áll, melyik memória repül legközelebb, és mennyi a DT-je. Másik memóriának más a DT-je.
+troubles_symptoms_noDt_steps_1 = Nézzen az oldal tetejére: ott áll, melyik memóriával lesz a következő repülés, és mennyi a DT-je. Másik memóriának más a DT-je.
 troubles_symptoms_noDt_steps_2 = Minden alkalommal visszaugrik a startkapcsoló? Amíg nyomva van, a lefutás nem indul el, és DT sem jön.
 troubles_symptoms_noDt_steps_3 = Fel van töltve az akkumulátor, és teljesen be van dugva a dugója? Ha az időzítő nem jár, DT sem jön.
-troubles_symptoms_noDt_steps_4 = Fogja biztosan a modellt, és nyomja meg a DT sort a Próbapad nézetben. Odamegy a szervó, és elengedi, amit tart?
-troubles_symptoms_noDt_steps_5 = Vegye le a légcsavart, és hagyja az időzítőt végig lefutni. Ne repüljön, amíg nem látta a szervót a DT idején elmozdulni.
+troubles_symptoms_noDt_steps_4 = Fogja biztosan a modellt, és nyomja meg a DT sorát a „{ views_names_bench }” nézetben. Beáll a szervó a DT-állásba, és elengedi, amit tart?
+troubles_symptoms_noDt_steps_5 = Vegye le a légcsavart, és hagyja végigfutni az időzítőt. Ne repüljön, amíg nem látta, hogy a szervó a DT idején elmozdul.
 troubles_symptoms_noMove_title = Egy szervó nem mozdul
-troubles_symptoms_noMove_steps_1 = Fogja a modellt, és nyomja meg a sorát a próbapadon. Semmi nem mozdul? Nézze meg a dugót és az akkumulátort. Ott mozdul, de repülés közben nem? Ugyanaz az állása, mint az előző funkcióban.
-troubles_symptoms_noMove_steps_2 = Máshová megy, mint ami a táblázatban áll? Van időzítő, amely egy állást csak annál a funkciónál tárol, ahol a szervók állnak. Az oldal ekkor felajánlja, hogy írás közben mozgatja a szervókat.
+troubles_symptoms_noMove_steps_1 = Fogja a modellt, és nyomja meg a „{ views_names_bench }” nézetben annak a funkciónak a sorát, amelynél a szervónak mozdulnia kell. Semmi nem mozdul? Nézze meg a dugót és az akkumulátort. Ott mozdul, de repülés közben nem? Ugyanaz az állása, mint az előző funkcióban.
+troubles_symptoms_noMove_steps_2 = Máshová megy, mint ami a táblázatban áll? Lehet, hogy egyes időzítők csak annál a funkciónál tárolják az állást, ahol a szervók állnak. Az oldal ekkor felajánlja, hogy írás közben mozgatja a szervókat.
 troubles_symptoms_noMove_steps_3 = Zúg, vagy túl korán megáll? A rudazat akadályozhatja: próbáljon kisebb mozgást.
 troubles_symptoms_noMotor_title = Nem indul a motor
-troubles_symptoms_noMotor_steps_1 = Repülés után az időzítő zárolja a motort. A feloldáshoz fogja a modellt, és a kezét tartsa távol a légcsavartól: elindulhat. Ezután a Próbapad nézetben tartsa nyomva ezt a gombot: „{ bench_unlock }”.
+troubles_symptoms_noMotor_steps_1 = Repülés után az időzítő zárolja a motort. A feloldáshoz fogja a modellt, és a kezét tartsa távol a légcsavartól: elindulhat. Ezután a „{ views_names_bench }” nézetben tartsa nyomva ezt a gombot: „{ bench_unlock }”.
 troubles_symptoms_noMotor_steps_2 = Visszaugrott a startkapcsoló? Amíg nyomva van, a motor csak alapjáraton jár.
-troubles_symptoms_noMotor_steps_3 = Elég későn van a motorleállítás? 0,1 s esetén a motor leáll, amint elindult.
+troubles_symptoms_noMotor_steps_3 = Nincs túl korán a motorleállítás? 0,1 s esetén a motor leáll, amint elindult.
 troubles_symptoms_noLibrary_title = Nincsenek itt a modelljeim és a programjaim
 troubles_symptoms_noLibrary_steps_1 = Ürítse ki a keresőmezőt, és nyomja meg az Archívum gombot.
 troubles_symptoms_noLibrary_steps_2 = Minden böngészőnek, profilnak és címnek saját könyvtára van; a privát ablak törli a magáét.
@@ -513,7 +513,7 @@ help_steps_linux-container = Lehet, hogy a Chromebook Linuxa foglalta le az adap
 help_steps_android = Androidon ez kell: { android }. { restWorks }
 help_steps_bluetooth = Bluetooth: párosítsa az adaptert a rendszer beállításaiban (kód: 1234 vagy 0000), hagyja bekapcsolva a közelben, és kapcsolja ki a Bluetooth-t a többi eszközön, amely használja.
 help_steps_firefox-finds = A Firefox nem talál Bluetooth-adaptert, és az Ubuntu áruházából telepítve semmilyet sem. Használjon Chrome-ot.
-help_steps_firefox-reload = A Firefox megtartja a hibára futott adaptert. Töltse be újra ezt az oldalt. Amit beírt, megmarad.
+help_steps_firefox-reload = A Firefox megtartja a hibára futott adaptert. Töltse be újra ezt az oldalt. Amit begépelt, megmarad.
 help_steps_switch = { link_stages_steps_switch }
 help_steps_near = { link_stages_steps_near }
 help_steps_battery = Fel van töltve és be van dugva az időzítő akkumulátora? Lemerült akkumulátorral az időzítő a DT-állásban áll.
@@ -526,8 +526,8 @@ help_page = Minden lépés, minden rendszerhez
 ## For when the browser does not store, or give back, what it should.
 
 keeping_title = Ez a böngésző nem őriz meg mindent.
-keeping_notKept = Amit beír, a biztonsági másolatok és a megszakadt írás feljegyzése csak addig él, amíg ez az oldal nyitva van. Exportálja a könyvtárat. Utána zárja be az oldal többi lapját, vagy szabadítson fel helyet ezen az eszközön.
-keeping_notKnown = A böngésző nem mondja meg, hogy megőrzi-e, amit csinál. Vegye úgy, hogy nem, és exportálja a könyvtárat.
+keeping_notKept = Amit begépel, a biztonsági másolatok és a megszakadt írás feljegyzése csak addig maradnak meg, amíg ez az oldal nyitva van. Exportálja a könyvtárat. Utána zárja be az oldal többi lapját, vagy szabadítson fel helyet ezen az eszközön.
+keeping_notKnown = A böngésző nem mondja meg, hogy megőrzi-e, amit Ön csinál. Vegye úgy, hogy nem, és exportálja a könyvtárat.
 keeping_oneTab = Ezt az oldalt csak egy lapon használja.
 keeping_emptied = A böngésző törölte, amit ennek az oldalnak megőrzött. Exportálja, amit még lát.
 keeping_export = Könyvtár exportálása…
@@ -536,8 +536,8 @@ keeping_export = Könyvtár exportálása…
 
 aside_title =
     { $count ->
-        [one] 1 bejegyzés nem olvasható. Félre van téve, nincs törölve.
-       *[other] { $count } bejegyzés nem olvasható. Félre vannak téve, nincsenek törölve.
+        [one] 1 bejegyzést nem sikerült beolvasni. Félre van téve, nincs törölve.
+       *[other] { $count } bejegyzést nem sikerült beolvasni. Félre vannak téve, nincsenek törölve.
     }
 aside_write = Köztük van egy megszakadt írás feljegyzése: repülés előtt olvassa ki az időzítőt.
 aside_save = Mentés fájlba
@@ -557,7 +557,7 @@ removed = Törölve: { $what }.
 
 erase_open = Minden törlése ezen az eszközön…
 erase_lead = Ez minden modellt, programot, repülést, biztonsági másolatot, be nem írt módosítást és az oldalon tett minden választást töröl ebből a böngészőből. Nem vonható vissza. Az időzítők tartalma megmarad.
-erase_uncertain = Egy írás megszakadt, és nem tudni, mit tartalmaz az az időzítő. Annak az írásnak a feljegyzése nélkül ez az oldal nem tudja figyelmeztetni: repülés előtt olvassa ki azt az időzítőt.
+erase_uncertain = Egy írás megszakadt, és nem tudni, mit tartalmaz az az időzítő. Annak az írásnak a feljegyzése nélkül ez az oldal nem tudja figyelmeztetni Önt: repülés előtt olvassa ki azt az időzítőt.
 erase_start = Minden törlése
 erase_running = Törlés
 erase_failed = Nem sikerült mindent törölni. Zárja be az oldal többi lapját, és próbálja újra, vagy törölje az adatait a böngésző beállításaiban.
@@ -572,7 +572,7 @@ framed_open = Sidus Timer megnyitása saját lapon
 knowledge_title = Bizonytalan
 knowledge_uncertain = Nem tudni, mit tartalmaz az { $memory } – { $values }.
 knowledge_noFly = Ne repüljön, amíg nem olvasta ki.
-knowledge_since = Egy írás megszakadt: { $time }.
+knowledge_since = Megszakadt írás, kezdete: { $time }.
 knowledge_thisMemory = aktuális memória
 knowledge_memoryOf = { $memory } ({ $timer })
 knowledge_timer_here = { $name } { $firmware }
@@ -606,7 +606,7 @@ knowledge_hints_now = A megjelölt mezők eltérnek attól, ami az időzítőben
 knowledge_hints_onceAt = A megjelölt mezők eltérnek a legutóbbi kiolvasástól ({ $time }).
 knowledge_hints_once = A megjelölt mezők eltérnek a legutóbbi kiolvasástól.
 knowledge_marks_now = volt: { $value }
-knowledge_marks_once = legutóbb: { $value }
+knowledge_marks_once = utolsó kiolvasás: { $value }
 knowledge_notCertain = , most bizonytalan
 knowledge_held_now = Időzítőben
 knowledge_held_once = Legutóbb kiolvasva
@@ -729,9 +729,9 @@ line_acknowledged = Nyugtázva.
 line_unreadable_wrong-length = A tartalma hosszabb vagy rövidebb, mint kellene.
 line_unreadable_unknown-command = Nem tudni, mit jelent.
 line_unreadable_unexpected-reply = Másik kérésre válaszol.
-line_unreadable_bad-identity = Amit az időzítőről mond, nem lehet igaz.
+line_unreadable_bad-identity = Amit az időzítőről mond, nem lehet helyes.
 line_unreadable_identity-needed = Akkor olvasható, ha az időzítő már megmondta, micsoda.
-line_unreadable_out-of-range = Egy benne lévő érték nem lehet igaz.
+line_unreadable_out-of-range = Egy benne lévő érték nem lehet helyes.
 line_unreadable_not-an-integer = { line_unreadable_out-of-range }
 line_unreadable_wrong-count = { line_unreadable_out-of-range }
 line_unreadable_wrong-type = { line_unreadable_out-of-range }
@@ -796,11 +796,11 @@ link_refused = Az oldal 15 másodpercig újra próbálja. Lehet, hogy másik pro
 link_heard_title = Valami hallatszik, de nem válaszol időzítő.
 link_heard_advice = Ébressze fel az időzítőt, tartsa közelebb a fejet, ne érje napfény, vagy válasszon másik adaptert.
 link_slow_title = Egy időzítő válaszol, de túl lassan.
-link_slow_advice = A bájtjai egyenként jönnek { $rate } baud sebességgel, olyan szünetekkel, hogy egy válasz sem ér ide időben egészben. Az oldal nem tudja olvasni. Próbáljon másik adaptert, vagy Bluetooth helyett kábelt.
+link_slow_advice = A bájtjai egyenként jönnek { $rate } baud sebességgel, olyan hosszú szünetekkel, hogy egy válasz sem ér ide időben egészben. Az oldal nem tudja kiolvasni. Próbáljon másik adaptert, vagy Bluetooth helyett kábelt.
 link_itSaid = Ez jött: { $bytes } („{ $text }”).
 link_trySelectBare = Próba helyes ellenőrző összeg nélkül
 link_lost_title = Megszakadt a kapcsolat az adapterrel.
-link_lost_advice = Dugja be, vagy hozza közel: az oldal magától folytatja. Amit beírt, megmarad.
+link_lost_advice = Dugja be, vagy hozza közel: az oldal magától folytatja. Amit begépelt, megmarad.
 link_status_off = Nincs kapcsolat
 link_status_opening = Kapcsolódás
 link_status_searching = Időzítő keresése
@@ -862,14 +862,14 @@ aboutTimer_assumptions_positionsNeedMove = Az állások csak ott maradnak meg, a
 
 ## Which memory flies next, and what is known about the others.
 
-nextFlight_badge = ez repül majd
+nextFlight_badge = következő repülés
 nextFlight_onScreen = Ez az { $memory }.
-nextFlight_named = { $memory }, ez repül majd
-nextFlight_other = Az { $memory } repül legközelebb.
-nextFlight_last = Az { $memory } volt az aktuális, amikor az időzítő utoljára válaszolt. Az repül legközelebb, hacsak más meg nem változtatta.
-nextFlight_original = Amikor kapcsolódott, az { $original } volt az.
-nextFlight_originalUnknown = Nem tudni, melyik volt az, amikor kapcsolódott.
-nextFlight_unknown = Nem tudni, melyik memória repül legközelebb.
+nextFlight_named = { $memory }, következő repülés
+nextFlight_other = Következő repülés: { $memory }.
+nextFlight_last = Az { $memory } volt az aktuális, amikor az időzítő utoljára válaszolt. A következő repülés ezzel lesz, hacsak valami más ezt meg nem változtatta.
+nextFlight_original = Amikor kapcsolódott, az { $original } volt az aktuális.
+nextFlight_originalUnknown = Nem tudni, melyik volt az aktuális, amikor kapcsolódott.
+nextFlight_unknown = Nem tudni, melyik memóriával lesz a következő repülés.
 nextFlight_asked = Utoljára az { $memory } lett kiválasztva.
 nextFlight_back = Vissza ide: { $original }
 nextFlight_leaving_title = Mielőtt bontja a kapcsolatot
@@ -879,14 +879,14 @@ nextFlight_leaving_failed = Az időzítő nem tért vissza ide: { $original }. A
 ## The last reading of a memory that is not current.
 
 look_read = { $memory }, kiolvasva { $time }
-look_notRead = Az { $memory } nem volt kiolvasva
+look_notRead = Az { $memory } nincs kiolvasva
 look_either = Vagy ez
 look_or = vagy ez
-look_lead = Csak megtekintés. Az { $current } repül legközelebb.
+look_lead = Csak megtekintés. Következő repülés: { $current }.
 look_edit = { $memory } szerkesztése
 look_look = { $memory } megtekintése
 look_hint = Ez kiválasztja az { $memory } memóriát, kiolvassa, majd visszatér ide: { $current }.
-look_fly = Legközelebb az { $memory } repüljön
+look_fly = { $memory } legyen a következő repüléshez
 look_show = { $memory } megjelenítése
 
 ## Jobs over several memories, and the backups.
@@ -899,12 +899,12 @@ memories_plans_screen =
         [true] Az { $to } a képernyőn lévő időket és állásokat fogja tartalmazni. A mostani tartalmáról előbb biztonsági másolat készül. Az alapjárati gáz változatlan marad.
        *[false] Az { $to } a képernyőn lévő időket és állásokat fogja tartalmazni. A mostani tartalmáról előbb biztonsági másolat készül.
     }
-memories_plans_copy = Az { $to } ennek a memóriának az épp most kiolvasott időit és állásait fogja tartalmazni: { $from }. A mostani tartalmáról előbb biztonsági másolat készül.
+memories_plans_copy = Az { $to } az { $from } memória épp most kiolvasott időit és állásait fogja tartalmazni. Az { $to } mostani tartalmáról előbb biztonsági másolat készül.
 memories_plans_restore = A biztonsági másolat ({ $time }) ide íródik be: { $names }. Ami most ott van, arról előbb biztonsági másolat készül.
-memories_atEnd = A végén ismét az { $current } repül legközelebb.
-memories_refused = Ide semmi nem írható ({ $memory }): ezeket az értékeket egy program sem tudja elküldeni.
-memories_untouched = Ide nem lett semmi beírva: { $memory }.
-memories_stopped = Ami még nem volt beírva, az változatlan.
+memories_atEnd = A végén a következő repüléshez ismét az { $current } lesz kiválasztva.
+memories_refused = Ide semmi nem írható be ({ $memory }): ezeket az értékeket semmilyen szoftver nem tudja elküldeni.
+memories_untouched = Ide semmi nem lett beírva: { $memory }.
+memories_stopped = Ami még nem lett beírva, az az időzítőben változatlan.
 
 ## All memories of a timer at a glance.
 
@@ -920,7 +920,7 @@ overview_differs = { $count } érték eltér.
 ## How the timer writes its times: the question that no reading can answer.
 
 byteOrder_title = Ennek az időzítőnek az idői sorról sorra csökkennek.
-byteOrder_advice = Növekednének, ha az idők két bájtja fel lenne cserélve. Hasonlítsa össze azzal, amit az időzítőről tud, és írás előtt válasszon.
+byteOrder_advice = Növekednének, ha minden idő két bájtja fel lenne cserélve. Hasonlítsa össze azzal, amit az időzítőről tud, és írás előtt válasszon.
 byteOrder_keep = Így helyesek, ahogy látszanak
 byteOrder_exchange = Felcserélés és kiolvasás újra
 
@@ -941,7 +941,7 @@ connection_busy_advice = Legtöbbször másik program vagy lap foglalja. Zárja 
 connection_bad-settings_title = Az adapter nem fogadja el ezeket a beállításokat.
 connection_bad-settings_advice = { help_steps_usual-settings }
 connection_unplugged_title = Az adapter nem érhető el.
-connection_unplugged_advice = Húzza ki, dugja be újra, és nyomja meg a Kapcsolódás gombot. Amit beírt, megmarad.
+connection_unplugged_advice = Húzza ki, dugja be újra, és nyomja meg a Kapcsolódás gombot. Amit begépelt, megmarad.
 connection_bad-reply_title = { link_heard_title }
 connection_bad-reply_advice = { link_heard_advice }
 connection_lost_title = { connection_unplugged_title }
@@ -950,51 +950,52 @@ connection_lost_advice = { connection_unplugged_advice }
 ## Why a job with the timer has ended.
 
 timer_no-answer_title = Az időzítő nem válaszolt.
-timer_no-answer_advice = Nyomja meg röviden az időzítő kapcsolóját, tartsa a fejet 20 cm-nél közelebb, és próbálja újra. Amit beírt, megmarad.
-timer_bad-reply_title = Az időzítő válasza nem lehet igaz.
+timer_no-answer_advice = Nyomja meg röviden az időzítő kapcsolóját, tartsa a fejet 20 cm-nél közelebb, és próbálja újra. Amit begépelt, megmarad.
+timer_bad-reply_title = Az időzítő válasza nem lehet helyes.
 timer_bad-reply_advice = Próbálja újra. Ha újra előfordul: Beállítások, Szakértő, Vonal, „{ line_copyReport }”.
 timer_unstable_title = A vonal túl zajos ahhoz, hogy meg lehessen bízni benne.
 timer_unstable_advice = Tartsa közelebb az infravörös fejet, ne érje napfény, és próbálja újra.
-timer_crowded_title = Lehet, hogy több időzítő van a sugárban.
+timer_crowded_title = Lehet, hogy egynél több időzítő van a sugárban.
 timer_crowded_advice = Tartsa távol a többi időzítőt és programozót, és olvassa ki újra.
 timer_other-memory_title = Az aktuális memória nem az, amely a képernyőn van.
 timer_other-memory_advice = Írás előtt olvassa ki újra.
 timer_memory-unknown_title = Ez az időzítő nem mondja meg, melyik az aktuális memória.
 timer_memory-unknown_advice = Ezért az oldal nem tud másik memóriát megnézni és visszatérni. Az aktuálisat kiolvashatja és írhatja.
-timer_memory-left_title = Lehet, hogy megváltozott, melyik memória repül legközelebb.
-timer_memory-left_advice = Az oldal nem tudott visszatérni a korábbi aktuális memóriához. Repülés előtt kapcsolódjon újra, és állítsa be, hogy a megfelelő memória repüljön.
+timer_memory-left_title = Lehet, hogy megváltozott, melyik memóriával lesz a következő repülés.
+timer_memory-left_advice = Az oldal nem tudott visszatérni a korábbi aktuális memóriához. Kapcsolódjon újra, és repülés előtt válassza ki a megfelelő memóriát a következő repüléshez.
 timer_other-timer_title = Ez nem az az időzítő, amely korábban válaszolt.
-timer_other-timer_advice = Az oldal kiolvassa. Írás előtt nézze meg, mi van benne.
+timer_other-timer_advice = Az oldal most kiolvassa. Írás előtt nézze meg, mi van benne.
 timer_stale_title = Az időzítőben nem az van, ami a képernyőn látszott.
-timer_stale_advice = Nem lett semmi beírva. Nézze meg, mit módosítana most egy írás.
+timer_stale_advice = Semmi nem lett beírva. Nézze meg, mit módosítana most egy írás.
 timer_changed_title = Az időzítőben más értékek vannak, mint korábban.
-timer_changed_advice = Valami más módosította, vagy ez másik időzítő. A módosításai megmaradtak: írás előtt nézze meg az eltérést.
-timer_stood-still_title = Ez az oldal munka közben leállt.
-timer_stood-still_advice = Több nem lett elküldve: azóta másik időzítő is lehet ott. Olvassa ki újra.
+timer_changed_advice = Valami más módosította az időzítőt, vagy ez másik időzítő. Az Ön módosításai megmaradtak: írás előtt nézze meg az eltérést.
+timer_stood-still_title = Ez az oldal munka közben egy ideig szünetelt.
+timer_stood-still_advice = Azután már semmit nem küldött: lehet, hogy most másik időzítő van ott. Olvassa ki újra.
 timer_too-slow_title = Ez az időzítő túl lassan válaszol.
-timer_too-slow_advice = A válaszai 3 másodpercnél tovább tartanak, ezért az oldal nem tudja, melyik melyik kérdéshez tartozik. Több nem lett elküldve. Próbáljon másik adaptert, vagy Bluetooth helyett kábelt.
+timer_too-slow_advice = A válaszaira 3 másodpercnél többet kell várni, ezért az oldal nem tudja, melyik melyik kérdéshez tartozik. Ezután már semmit nem küldött. Próbáljon másik adaptert, vagy Bluetooth helyett kábelt.
 timer_undecided_title = { byteOrder_title }
 timer_undecided_advice = { byteOrder_advice }
 timer_serious_title = A vizsgálat valami súlyosat talált.
 timer_serious_advice = { timer_stale_advice }
 timer_busy_title = Valami ezen az oldalon vagy a számítógépen használja az adaptert.
-timer_busy_advice = Nem lett semmi elküldve. Bontsa a kapcsolatot, és kapcsolódjon újra. Amit beírt, megmarad.
+timer_busy_advice = Semmi nem lett elküldve. Bontsa a kapcsolatot, és kapcsolódjon újra. Amit begépelt, megmarad.
 timer_port-lost_title = { link_lost_title }
 timer_port-lost_advice = { link_lost_advice }
 timer_aborted_title = Leállítva.
 timer_aborted_advice = Olvassa ki újra, hogy lássa, mi van az időzítőben.
 timer_closed_title = A kapcsolat bontva.
-timer_closed_advice = A folytatáshoz nyomja meg a Kapcsolódás gombot. Amit beírt, megmarad.
+timer_closed_advice = A folytatáshoz nyomja meg a Kapcsolódás gombot. Amit begépelt, megmarad.
 
 ## Replies that are no noise, which is random.
 
-alike_title = Minden válasz ugyanúgy sérült erre a kérésre: { $request }.
+alike_title = Erre a kérésre minden válasz ugyanúgy sérült: { $request }.
 alike_advice = Ez nem zaj: az időzítő vagy az adaptere ismeretlen módon képezi ezeket a válaszokat. Kapcsolja be a Szakértő beállítást, nyissa meg a Vonal nézetet, és nyomja meg: „{ line_copyReport }”. Küldje el a jelentést a karbantartóknak (github.com/sidus-timer/sidus-timer/issues).
+alike_part = Csak megtekintésre: { $values }. Minden más ismeretlen.
 
 ## Messages that are not about errors.
 
 notes_back_title = Visszatértek a módosításai.
-notes_back_advice = Hasonlítsa össze azzal, ami az időzítőben van, majd írja be vagy vonja vissza őket.
+notes_back_advice = Hasonlítsa össze őket azzal, ami az időzítőben van, majd írja be vagy vonja vissza őket.
 notes_back-uncertain_title = { notes_back_title }
 notes_back-uncertain_advice = Nem tudni, be lettek-e írva. Repülés előtt kapcsolódjon az időzítőhöz, és olvassa ki.
 notes_moved_title = { timer_changed_title }
@@ -1012,14 +1013,15 @@ notes_nothing-written_advice = {""}
 notes_not-backed-up_title = { write_unkept_title }
 notes_not-backed-up_advice = { keeping_notKept }
 notes_select-unanswered_title = Az időzítő nem válaszolt, amikor memóriát kellett kiválasztani.
-notes_select-unanswered_advice = Más kérésekre válaszol. Próbálja újra, vagy próbálja helyes ellenőrző összeg nélkül.
+notes_select-unanswered_advice = Más kérésekre válaszol. Próbálja újra, vagy próbálja meg helyes ellenőrző összeg nélkül.
 notes_backed-up_title = Minden memória ki lett olvasva, és mindegyikről megvan a biztonsági másolat.
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_advice = Nem lett semmi beírva. Az eltérés meg van jelölve. A visszavonás megmutatja, mi van az időzítőben.
-notes_unexpected_title = Valami elromlott ezen az oldalon.
-notes_unexpected_advice = Több nem lett elküldve. Töltse be újra az oldalt. Amit beírt, megmarad.
+notes_made-laid_title = A táblázatban az Ön programja látszik, nem az, ami az időzítőben van.
+notes_made-laid_advice = Semmi nem lett beírva. Az eltérés meg van jelölve. A „{ undo }” megmutatja, mi van az időzítőben.
+notes_unexpected_title = Hiba történt ezen az oldalon.
+notes_unexpected_advice = Ezután az oldal már semmit nem küldött. Töltse be újra az oldalt. Amit begépelt, megmarad.
 
 ## The flight of the program, and what the servos of the model move.
 
@@ -1066,7 +1068,7 @@ print_nothing = Válasszon programokat a könyvtárból, vagy nyisson meg egyet.
 print_choose = Programok ezen a nyomaton: { $chosen }
 print_clear = Mind eltávolítása
 print_simulated = szimulált időzítő
-print_warnings = Nézze meg repülés előtt
+print_warnings = Ezt nézze meg repülés előtt
 print_notes = Megjegyzések
 print_codeHint = Egy telefon kamerája megnyitja ezt a programot, a megjegyzése nélkül.
 print_unfinished = { $count } mezőnek még nincs értéke: a legutóbbi van kinyomtatva
@@ -1085,21 +1087,21 @@ memoryNames_named = { $memory } „{ $name }”
 
 recovery_title = Egy korábbi írás megszakadt.
 recovery_when = Az írás kezdete: { $time }, memória: { $memory }.
-recovery_nothing = Az időzítőben az van, ami előtte volt: nem lett semmi beírva, { $missing } módosítás hiányzik.
+recovery_nothing = Az időzítőben az van, ami előtte volt: semmi nem lett beírva, { $missing } módosítás hiányzik.
 recovery_part = Az időzítőben ennyi van meg abból az írásból: { $values }; { $missing } érték még olyan, mint előtte.
-recovery_foreign = { $count } érték az időzítőben se nem régi, se nem abból az írásból való. Másik időzítő ez, vagy valami más módosította?
+recovery_foreign = { $count } érték az időzítőben nem a régi, és nem is abból az írásból való. Másik időzítő ez, vagy valami más módosította?
 recovery_sure = Az oldal nem tudja megkülönböztetni az azonos fajtájú időzítőket. Csak akkor folytassa, ha ez annak az írásnak az időzítője.
 recovery_finish = Írás befejezése…
 recovery_goBack = Régi értékek visszaírása…
 recovery_leave = Maradjon így
 recovery_otherTimer = Ez másik időzítő
-recovery_sameTimer = Ez ugyanaz az időzítő: mutassa, mit kellett beírni
+recovery_sameTimer = Ez ugyanaz az időzítő: mutassa, mi volt beírandó
 recovery_compare = Összevetés
 recovery_before = Előtte
-recovery_elsewhere = Egy ilyen fajtájú időzítőn megszakadt egy írás, memória: { $memory }. Olvassa ki ({ $memory }), hogy lássa, mi van benne.
-recovery_left = A memóriákon végzett munka megszakadt. Most az { $current } repül legközelebb. Előtte az { $original } volt az.
-recovery_mayFly = Lehet, hogy az { $memory } repül legközelebb: a kiválasztása megszakadt.
-recovery_mayNotFly = A memóriákon végzett munka megszakadt. Lehet, hogy nem az { $original } repül legközelebb, hanem másik memória.
+recovery_elsewhere = Egy ilyen fajta időzítőn megszakadt egy írás. Memória: { $memory }. Olvassa ki, hogy lássa, mi van benne.
+recovery_left = Az oldal munkája a memóriákon megszakadt. Következő repülés: most { $current }, előtte { $original }.
+recovery_mayFly = Lehet, hogy a következő repülés ezzel lesz: { $memory }. Ennek a memóriának a kiválasztása megszakadt.
+recovery_mayNotFly = Az oldal munkája a memóriákon megszakadt. Lehet, hogy a következő repülés nem ezzel lesz: { $original }, hanem másik memóriával.
 recovery_unknownMemory = ismeretlen memória
 
 ## The backups.
@@ -1121,7 +1123,7 @@ theme_names_sun = Napfény
 
 settings_look = Megjelenés
 settings_expert = Szakértő: a vonal megjelenítése
-settings_expertHint = A vonal minden bájtot megmutat az oldal és az időzítő között. A próbapadon egy nem dokumentált ugrás is megjelenik.
+settings_expertHint = A vonal minden bájtot megmutat az oldal és az időzítő között. A „{ views_names_bench }” nézetben egy nem dokumentált ugrás is megjelenik.
 settings_kept = Amit ez az eszköz megőriz
 
 ## A saved program as a link and a QR code, and back.
@@ -1140,7 +1142,7 @@ share_received_modelChoice = Megőrzés itt
 share_received_newModel = Új modell: „{ $name }”
 share_received_keep = Megőrzés a könyvtárban
 share_received_discard = Elvetés
-share_received_unwritten = Amit beírt, megmarad: a visszavonás vagy a kezdőlap visszahozza.
+share_received_unwritten = Amit begépelt, megmarad: a „{ undo }” vagy a kezdőlap visszahozza.
 share_damaged_title = Ez a link nem olvasható.
 share_damaged_bad = Csonka vagy sérült, vagy nem erről az oldalról való. Kérje el újra.
 share_paste_title = Link beillesztése…
@@ -1166,7 +1168,7 @@ shortDt_disconnect = Bontás így: { $memory }, DT{"\u00a0"}{ $dt }
 shortDt_disconnectHere = Bontás így: DT{"\u00a0"}{ $dt }
 shortDt_blocked = Valami, amit begépelt, még nem írható be. Javítsa ki, mielőtt visszaállítja a DT-t.
 shortDt_settings_limit = Rövid a DT ez alatt
-shortDt_settings_hint = A rövidebb DT piros, és az oldal rákérdez, mielőtt bontja a kapcsolatot. 0 s esetén soha nem kérdez.
+shortDt_settings_hint = A rövidebb DT piros, és az oldal rákérdez, mielőtt Ön bontja a kapcsolatot. 0 s esetén soha nem kérdez.
 
 ## The start, before anything was read.
 
@@ -1262,7 +1264,7 @@ views_noTimer_bench = Kapcsolódjon egy időzítőhöz, hogy mozgassa a szervói
 strip_panel = Memóriák és egyebek
 strip_tried = { $count } kipróbálva
 strip_notCertain = bizonytalan
-strip_asRead = legutóbb olvasva
+strip_asRead = utolsó kiolvasás
 strip_notValid = érvénytelen
 strip_ofSetting =
     { $changes ->
@@ -1285,8 +1287,8 @@ parts_again = Újra
 
 ## Which model it is.
 
-whichModel_recognition_same = Ez { $model }, ugyanaz, mint ekkor: { $when }.
-whichModel_recognition_like = Erre hasonlít: { $model }, { $count } érték eltér. Ez az?
+whichModel_recognition_same = Ez { $model }, ugyanaz van benne, mint ekkor: { $when }.
+whichModel_recognition_like = Erre hasonlít: { $model }, { $count } érték eltér. Ez { $model }?
 whichModel_recognition_several = Ez lehet { $models }. Melyik modell ez?
 whichModel_or = { $names } vagy { $last }
 whichModel_others = még { $count }
@@ -1305,36 +1307,36 @@ whichModel_recognition_dialog_taken = Ilyen nevű modell már van a listában.
 whichModel_memoryNames_label = { $memory } neve
 whichModel_memoryNames_give = Elnevezés
 whichModel_crossing_title = Ezek { $from } értékei, de ez az időzítő { $to } időzítőjének látszik.
-whichModel_crossing_advice = Másik modell értékeivel elveszítheti ezt. Nézze meg a modellt, amely Ön előtt van.
+whichModel_crossing_advice = Másik modell értékeivel elveszítheti ezt a modellt. Nézze meg a modellt, amely Ön előtt van.
 whichModel_crossing_confirm = { $from } értékeinek beírása { $to } időzítőjébe.
 whichModel_crossing_memoryOf = { $memory } ({ $model })
 
 ## A write, from the difference to the verdict.
 
 write_title = Írás az időzítőbe
-write_lead = Ez változik itt: { $memory }. Minden más marad, ahogy van.
+write_lead = Ez fog változni. Memória: { $memory }. Minden más marad, ahogy van.
 write_target = Írás ide
-write_nothing = Nincs eltérés. Az időzítőt az oldal visszaolvassa és összeveti.
+write_nothing = Nincs eltérés. Az oldal visszaolvassa az időzítőt, és összeveti.
 write_field = Érték
 write_from = Időzítőben
 write_to = Ez lesz
-write_wasRead = Kiolvasva
-write_moved_model_title = Ez az időzítő most másik modellhez tartozónak látszik.
-write_moved_model_advice = Nem lett semmi beírva. Nézze meg a modellek nevét.
-write_moved_edits_title = A program megváltozott, mióta ez látszik.
-write_unkept_title = Ez az eszköz nem tudta megőrizni annak biztonsági másolatát, ami most az időzítőben van.
+write_wasRead = Korábbi kiolvasás
+write_moved_model_title = Úgy tűnik, ez az időzítő most másik modellhez tartozik.
+write_moved_model_advice = Semmi nem lett beírva. Nézze meg a modellek nevét.
+write_moved_edits_title = A program megváltozott, mióta ez megjelent.
+write_unkept_title = Ez az eszköz nem tudta megőrizni a biztonsági másolatot arról, ami most az időzítőben van.
 write_unkept_advice = Ez a memória még változatlan. Folytatja biztonsági másolat nélkül?
 write_sideBySide = Értékek: { $names }
 write_withoutCopy = Folytatás biztonsági másolat nélkül
-write_safety = A légcsavar le van véve, vagy valaki fogja a modellt, és az időzítő nincs élesítve.
-write_acknowledge = Elolvastam, és mégis be akarom írni.
+write_safety = A légcsavar le van véve, vagy valaki fogja a modellt, az időzítő pedig nincs élesítve.
+write_acknowledge = Ezt elolvastam, és mégis be akarom írni.
 write_stillToTick = Még ki kell pipálni: { $ticks }.
 write_ticks_model = másik modell
 write_ticks_warnings = figyelmeztetések
 write_ticks_safety = légcsavar
 write_move_why = Úgy tűnik, ez az időzítő csak ott tart meg állásokat, ahol a szervói állnak. Ha a szervók nem mozdulnak, ezeket valószínűleg nem tartja meg.
-write_move_label = A szervók minden funkcióhoz odamennek, mielőtt az állásai tárolódnak.
-write_move_hint = Fogja biztosan a modellt, semmi ne legyen az útjukban.
+write_move_label = A szervók menjenek oda minden funkcióhoz, mielőtt az állásai bekerülnek az időzítőbe.
+write_move_hint = Fogja biztosan a modellt, semmi ne legyen a szervók útjában.
 write_move_notHeld_title = Az időzítő nyugtázta az állásokat, de nem tartotta meg őket.
 write_move_notHeld_advice = Ez az időzítő valószínűleg csak ott tartja meg őket, ahol a szervói állnak. Írjon újra, és hagyja, hogy a szervók minden funkcióhoz odamenjenek.
 write_move_again = Írás újra…
@@ -1362,8 +1364,8 @@ write_unknown_title = Bizonytalan, mi van az időzítőben.
 write_unknown_advice = Az időzítőt nem sikerült teljesen visszaolvasni. Olvassa ki újra, majd írja be, ami még eltér. A módosításai megmaradnak.
 write_cut = Az írás megszakadt, memória: { $memory }.
 write_strayed_title = Írás közben az { $memory } lett az aktuális.
-write_strayed_advice = Lehet, hogy az értékek egy része most itt van: { $memory }. Olvassa ki, és nézze át az egészet, mielőtt repül vele.
-write_refused = Nem lett semmi beírva.
+write_strayed_advice = Lehet, hogy az értékek egy része most itt van: { $memory }. Olvassa ki, és nézze át az egész memóriát, mielőtt repül vele.
+write_refused = Semmi nem lett beírva.
 write_status_differs = eltér
 write_status_unknown = nem ismert
 write_putBack = magától megváltozott, visszaállítva
@@ -1409,7 +1411,7 @@ times_units_s = s
 times_units_min = min
 times_figure = { $text } { $unit }
 times_asSeconds = { $seconds }{" "}s, { $clock }
-times_meaning = { $field }: mit jelent
+times_meaning = { $field }: mit jelent, amit begépelt
 header_firmware = firmware { $firmware }
 header_simulated = szimulált
 header_connect = Kapcsolódás
@@ -1421,8 +1423,8 @@ program_tableCaption = Minden funkció ideje és szervóállásai
 program_slot = Funkció
 program_time = Idő
 program_memory = Memória
-program_memoryUnknown = Ez az időzítő nem mondja meg, melyik az aktuális memória, ezért nem tudni, melyik repül legközelebb.
-program_memoryOpen = Nem tudni, melyik memória repül legközelebb. Válassza ki, melyik repüljön, vagy olvassa ki újra.
+program_memoryUnknown = Ez az időzítő nem mondja meg, melyik az aktuális memória, ezért nem tudni, melyikkel lesz a következő repülés.
+program_memoryOpen = Nem tudni, melyik memóriával lesz a következő repülés. Válasszon ki egyet a következő repüléshez, vagy olvassa ki újra.
 program_dt = DT
 program_motorStop = Motorleállítás
 program_motor = Motor
@@ -1448,7 +1450,7 @@ program_table = Táblázat
 program_blocked = Még nem írható be semmi. { $field }: { $why }
 program_findings = Vizsgálat
 program_noFindings = Nincs semmi szokatlan.
-program_absolute = A starttól számítva látszik. Nem tudni, hogy ez az időzítő a starttól vagy az előző funkciótól számol.
+program_absolute = Az idők a starttól számítva láthatók. Nem tudni, hogy ez az időzítő a starttól vagy az előző funkciótól számol.
 program_severity_error = Nem írható be
 program_severity_serious = Súlyos
 program_severity_warning = Szokatlan
@@ -1488,14 +1490,14 @@ notKept = Ez a böngésző nem őrizte meg: elvész, ha ezt az oldalt bezárja.
 
 settle_title = Tisztázás az Ön időzítőjével
 settle_lead = Nem minden ismert abból, hogyan beszélnek ezek az időzítők. Az Öné tizenöt perc alatt tisztázza, ami nyitott. Minden kipróbált érték vissza lesz állítva. Legyen kéznél a kézi programozó.
-settle_safe = A légcsavar le van véve, vagy a motor le van választva, és az időzítő nincs élesítve.
+settle_safe = A légcsavar le van véve, vagy a motor le van választva, az időzítő pedig nincs élesítve.
 settle_danger = Most valami elmozdulhat. Le van véve a légcsavar, vagy le van választva a motor? Nézze meg még egyszer.
-settle_blocked = Előbb rendezze, amit a fenti sáv ír, és tartsa meg vagy állítsa vissza, amit kipróbált.
+settle_blocked = Előbb intézze el, amit a fenti színes sáv ír, és tartsa meg vagy állítsa vissza, amit kipróbált.
 settle_readIt = Időzítő kiolvasása
 settle_which = Melyiket mutatja a kézi programozó?
-settle_tryHint = Mozgassa a szervókat, és várja meg, amíg megállnak. Utána próbáljon ki egy állást: másodperceken belül módosul, majd visszaáll. Figyelje a szervókat.
+settle_tryHint = Mozgassa a szervókat az oldal gombjaival, és várja meg, amíg megállnak. Utána próbáljon ki egy állást: az oldal módosítja, majd másodperceken belül visszaállítja. Figyelje a szervókat.
 settle_tryIt = Állás kipróbálása
-settle_moved = A régi állás visszaállt: ki lett olvasva. Elmozdult egy szervó az új állás próbájakor?
+settle_moved = A régi állás újra az időzítőben van: az oldal kiolvasta. Elmozdult egy szervó az új állás kipróbálásakor?
 settle_ask = Kérdezés négy nullával
 settle_unknown = Nem tudom
 settle_send = Fájl küldése ezzel az űrlappal
