@@ -1,6 +1,5 @@
 import { useSignal } from '@preact/signals';
 import type { ServoUse, TimerProgram } from '../../program/index.js';
-import { messages } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
 import { dutyName, servoName } from '../messages/names.js';
 import type { ModelRecord } from '../storage/index.js';
@@ -17,7 +16,7 @@ interface ModelServosProps {
 /** What the servos of the model move, and between which steps. */
 export function ModelServos({ session, record, onChange }: ModelServosProps) {
   const { model: words } = moreMessages.value.library;
-  const { preview } = messages.value;
+  const { preview } = moreMessages.value;
   const naming = useSignal(false);
   const { servos } = record.model;
   const program = programOf(session, record);

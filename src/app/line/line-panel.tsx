@@ -1,4 +1,5 @@
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { Session } from '../work/session.js';
 import type { FrameForm } from './frame-form.js';
 import { LineRows } from './line-rows.js';
@@ -24,7 +25,7 @@ export function LinePanel({ session, view, form }: LinePanelProps) {
       {/* Above the log, which can be very long. */}
       {!unused && <SendFrame session={session} form={form} />}
       <RecordingBar session={session} view={view} />
-      {unused ? <p class="hint">{messages.value.line.unused}</p> : <LineRows view={view} />}
+      {unused ? <p class="hint">{moreMessages.value.line.unused}</p> : <LineRows view={view} />}
     </div>
   );
 }

@@ -1,13 +1,15 @@
 import { describeFrame, frameName } from '../messages/frame-text.js';
 import { hexOf } from '../messages/hex.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { LineRecord } from '../timer/line-record.js';
 import { type LineView, STEP } from './line-view.js';
 import './line-rows.css';
 
 /** What was on the line, newest first: time, direction, meaning, bytes. */
 export function LineRows({ view }: { readonly view: LineView }) {
-  const { line, showMore, views } = messages.value;
+  const { showMore, views } = messages.value;
+  const { line } = moreMessages.value;
   const { shown, found, recording } = view;
   const hidden = found.value.length - shown.value.length;
   return (

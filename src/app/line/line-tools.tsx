@@ -2,6 +2,7 @@ import { askForFiles } from '../browser/ask-for-file.js';
 import { saveFile } from '../browser/save-file.js';
 import { whole } from '../messages/dotted.js';
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { Choice } from '../ui/choice.js';
 import { CopyButton } from '../ui/copy-button.js';
 import type { Session } from '../work/session.js';
@@ -14,7 +15,7 @@ const FILTERS: readonly LineFilter[] = ['all', 'out', 'in', 'damaged'];
 
 /** The tools of the log: pause, clear, copy, save, load, filter. */
 export function LineTools({ session, view }: { readonly session: Session; readonly view: LineView }) {
-  const { line } = messages.value;
+  const { line } = moreMessages.value;
   const used = !view.unused.value;
   const live = used && view.recording.value === null;
   return (
@@ -56,7 +57,8 @@ export function LineTools({ session, view }: { readonly session: Session; readon
 }
 
 function LineChoice({ view }: { readonly view: LineView }) {
-  const { line, label } = messages.value;
+  const { label } = messages.value;
+  const { line } = moreMessages.value;
   return (
     <div class="row gap-4 line-choice">
       <Choice
@@ -84,7 +86,7 @@ function LineChoice({ view }: { readonly view: LineView }) {
 
 function Counts({ view }: { readonly view: LineView }) {
   const { out, in: incoming, damaged, errors } = view.counts.value;
-  const { counts: words } = messages.value.line;
+  const { counts: words } = moreMessages.value.line;
   const counts = [
     words.out({ count: out }),
     words.in({ count: incoming }),
@@ -95,7 +97,7 @@ function Counts({ view }: { readonly view: LineView }) {
 }
 
 function save(view: LineView): void {
-  const { line } = messages.value;
+  const { line } = moreMessages.value;
   const records = view.toSave();
   const identity = records.at(-1)?.layout.identity;
   const kind = identity ? `${identity.timerClass}${identity.firmware}` : line.unidentified;

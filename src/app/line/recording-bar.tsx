@@ -1,10 +1,12 @@
 import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import type { Session } from '../work/session.js';
 import type { LineView } from './line-view.js';
 
 /** Names the recording that is shown, and what can be done with it; or says why a file is no recording. */
 export function RecordingBar({ session, view }: { readonly session: Session; readonly view: LineView }) {
-  const { line, dismiss } = messages.value;
+  const { dismiss } = messages.value;
+  const { line } = moreMessages.value;
   const recording = view.recording.value;
   const fault = view.fault.value;
   const replay = (): void => {

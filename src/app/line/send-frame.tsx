@@ -1,7 +1,7 @@
 import type { Frame } from '../../protocol/index.js';
 import { describeFrame, frameName } from '../messages/frame-text.js';
 import { hexOf } from '../messages/hex.js';
-import { messages } from '../messages/index.js';
+import { moreMessages } from '../messages/more.js';
 import { Modal } from '../ui/modal.js';
 import type { Session } from '../work/session.js';
 import { StartButtons } from '../write/start-buttons.js';
@@ -15,7 +15,7 @@ interface SendFrameProps {
 
 /** Sends a frame of the pilot's own, to find out what a timer does. */
 export function SendFrame({ session, form }: SendFrameProps) {
-  const { send } = messages.value.line;
+  const { send } = moreMessages.value.line;
   const result = form.result.value;
   return (
     <details class="panel send-frame">
@@ -51,7 +51,7 @@ export function SendFrame({ session, form }: SendFrameProps) {
 }
 
 function Bytes({ form }: { readonly form: FrameForm }) {
-  const { send } = messages.value.line;
+  const { send } = moreMessages.value.line;
   const fault = form.fault.value;
   return (
     <div class="stack gap-1">
@@ -84,7 +84,7 @@ function Preview({ form }: { readonly form: FrameForm }) {
   if (!frame || !form.bytes.value) return null;
   return (
     <p class="stack frame-preview">
-      {messages.value.line.send.preview} <code>{hexOf(form.bytes.value)}</code>{' '}
+      {moreMessages.value.line.send.preview} <code>{hexOf(form.bytes.value)}</code>{' '}
       <Words form={form} frame={frame} direction="out" />
     </p>
   );
@@ -92,7 +92,7 @@ function Preview({ form }: { readonly form: FrameForm }) {
 
 /** What may happen, and the button that sends it. */
 function Confirm({ session, form }: SendFrameProps) {
-  const { send } = messages.value.line;
+  const { send } = moreMessages.value.line;
   const isSafe = session.safety.confirmed.value;
   return (
     <Modal open={form.asking.value} title={send.confirmTitle} onEscape={() => form.cancel()}>

@@ -13,6 +13,7 @@ import {
 } from '../../protocol/index.js';
 import { formatTime } from '../editing/units.js';
 import { figureText, messages, slotLabel } from './index.js';
+import { moreMessages } from './more.js';
 import { memoryName, servoName, timerName } from './names.js';
 
 /** The parts of a line entry that its words need. */
@@ -20,7 +21,7 @@ export type Seen = Pick<LineEntry, 'direction' | 'frame' | 'rejected' | 'error'>
 
 /** The name of a line entry: “Write a position · SETSERVO”, “Damaged: wrong checksum”. */
 export function frameName({ direction, frame, rejected, error }: Seen): string {
-  const { line } = messages.value;
+  const { line } = moreMessages.value;
   if (error) return line.error[error];
   if (rejected || !frame) return line.rejected[rejected ?? 'noise'];
   const command = commandOf(frame.code);
@@ -34,7 +35,7 @@ export function frameName({ direction, frame, rejected, error }: Seen): string {
  * @param layout what is known about the timer.
  */
 export function describeFrame({ frame, rejected, error }: Seen, layout: LayoutOptions): string {
-  const { line } = messages.value;
+  const { line } = moreMessages.value;
   if (error || rejected || !frame) return '';
   try {
     return content(frame, layout);
@@ -47,7 +48,8 @@ export function describeFrame({ frame, rejected, error }: Seen, layout: LayoutOp
 /** The identity of a timer: “F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos”. */
 export function identityText(identity: Identity): string {
   const { firmware, functions, memories, servos } = identity;
-  const { line, timeline } = messages.value;
+  const { timeline } = messages.value;
+  const { line } = moreMessages.value;
   return line.identity({
     name: timerName(identity),
     firmware,
@@ -68,7 +70,7 @@ function content(frame: Frame, layout: LayoutOptions): string {
 }
 
 function requestText(request: Request, { identity }: LayoutOptions): string {
-  const { line } = messages.value;
+  const { line } = moreMessages.value;
   switch (request.name) {
     case 'SETSERVO': {
       const slot = slotLabel(known(identity), request.function);
@@ -88,7 +90,7 @@ function requestText(request: Request, { identity }: LayoutOptions): string {
 }
 
 function replyText(reply: Reply, { identity }: LayoutOptions): string {
-  const { line } = messages.value;
+  const { line } = moreMessages.value;
   switch (reply.name) {
     case 'GETTIMERS':
       return timesText(known(identity), reply.times);
@@ -108,7 +110,8 @@ function replyText(reply: Reply, { identity }: LayoutOptions): string {
 }
 
 function timesText(identity: Identity, times: readonly number[]): string {
-  const { line, edits } = messages.value;
+  const { edits } = messages.value;
+  const { line } = moreMessages.value;
   const shown = times.map(formatTime);
   const figure = (slot: number): string => figureText(identity, { kind: 'time', slot }, times[slot] as number);
   const functions = shown.filter((_, slot) => slotKind(identity, slot) === 'function');

@@ -1,8 +1,9 @@
 import type { Identity } from '../../protocol/index.js';
 import type { KnownPort } from '../../serial/index.js';
 import { whole } from './dotted.js';
+import { moreMessages } from './more.js';
 import { messages } from './page.js';
-import type { PageSentences } from './sentences.js';
+import type { MoreSentences, PageSentences } from './sentences.js';
 
 /** “M1”. @param memory counted from 0. */
 export function memoryName(memory: number): string {
@@ -15,8 +16,8 @@ export function servoName(servo: number): string {
 }
 
 /** What a servo moves: the pilot's name for it, or the name of its duty. */
-export function dutyName({ duty, name }: { duty: keyof PageSentences['preview']['duties']; name: string }): string {
-  return name || messages.value.preview.duties[duty];
+export function dutyName({ duty, name }: { duty: keyof MoreSentences['preview']['duties']; name: string }): string {
+  return name || moreMessages.value.preview.duties[duty];
 }
 
 /** A servo, with what it moves if the pilot has said that: “S1 Tailplane”. */

@@ -299,111 +299,6 @@ export interface PageSentences {
       readonly once: string;
     };
   };
-  readonly line: {
-    readonly empty: string;
-    readonly unused: string;
-    readonly all: string;
-    readonly out: string;
-    readonly in: string;
-    readonly damaged: string;
-    readonly request: (params: { readonly name: Text; readonly letters: Text }) => string;
-    readonly reply: (params: { readonly name: Text; readonly letters: Text }) => string;
-    readonly echo: (params: { readonly name: Text; readonly letters: Text }) => string;
-    readonly unknown: (params: { readonly letter: Text }) => string;
-    readonly names: {
-      readonly GETTIMERS: string;
-      readonly SETTIMERS: string;
-      readonly GETSERVOPOS: string;
-      readonly SETSERVO: string;
-      readonly MOVETOFUNC: string;
-      readonly GETSWVER: string;
-      readonly UNLOCK: string;
-      readonly JUMP2: string;
-      readonly GETMEMORY: string;
-      readonly SETMEMORY: string;
-      readonly GETLOWRPM: string;
-      readonly SETLOWRPM: string;
-    };
-    readonly rejected: {
-      readonly noise: string;
-      readonly length: string;
-      readonly terminator: string;
-      readonly checksum: string;
-      readonly silence: string;
-    };
-    readonly error: {
-      readonly framing: string;
-      readonly parity: string;
-      readonly break: string;
-      readonly overrun: string;
-      readonly other: string;
-    };
-    readonly position: (params: { readonly slot: Text; readonly servo: Text; readonly steps: Text }) => string;
-    readonly motorStop: (params: { readonly time: Text }) => string;
-    readonly reserved: (params: { readonly time: Text }) => string;
-    readonly functions: (params: { readonly times: Text }) => string;
-    readonly identity: (params: { readonly name: Text; readonly firmware: Text; readonly functions: Text; readonly memories: Text; readonly servos: Text }) => string;
-    readonly memories: (params: { readonly count: number }) => string;
-    readonly memoryUnsaid: string;
-    readonly idleThrottle: (params: { readonly value: Text }) => string;
-    readonly idleThrottleUnsaid: string;
-    readonly acknowledged: string;
-    readonly unreadable: {
-      readonly 'wrong-length': string;
-      readonly 'unknown-command': string;
-      readonly 'unexpected-reply': string;
-      readonly 'bad-identity': string;
-      readonly 'identity-needed': string;
-      readonly 'out-of-range': string;
-      readonly 'not-an-integer': string;
-      readonly 'wrong-count': string;
-      readonly 'wrong-type': string;
-      readonly 'unknown-word': string;
-      readonly 'bad-capture': string;
-      readonly 'bad-file': string;
-      readonly 'bad-link': string;
-      readonly 'newer-version': string;
-      readonly 'too-large': string;
-      readonly duplicate: string;
-    };
-    readonly goOn: string;
-    readonly came: (params: { readonly number: number }) => string;
-    readonly clear: string;
-    readonly unidentified: string;
-    readonly load: string;
-    readonly filter: string;
-    readonly searchHint: string;
-    readonly counts: {
-      readonly out: (params: { readonly count: number }) => string;
-      readonly in: (params: { readonly count: number }) => string;
-      readonly damaged: (params: { readonly count: number }) => string;
-      readonly errors: (params: { readonly count: number }) => string;
-    };
-    readonly recording: (params: { readonly entries: number; readonly name: Text }) => string;
-    readonly replay: string;
-    readonly cannotReplay: string;
-    readonly back: string;
-    readonly noRecordingAt: (params: { readonly line: Text }) => string;
-    readonly noRecording: string;
-    readonly send: {
-      readonly title: string;
-      readonly lead: string;
-      readonly bytes: string;
-      readonly faults: {
-        readonly hex: string;
-        readonly 'too-long': string;
-      };
-      readonly preview: string;
-      readonly send: string;
-      readonly confirmTitle: string;
-      readonly danger: string;
-      readonly confirm: string;
-      readonly sending: string;
-      readonly answered: string;
-      readonly unanswered: string;
-    };
-    readonly copyReport: string;
-  };
   readonly link: {
     readonly portNames: {
       readonly ftdi: string;
@@ -678,49 +573,6 @@ export interface PageSentences {
     readonly unexpected: {
       readonly title: string;
       readonly advice: string;
-    };
-  };
-  readonly preview: {
-    readonly title: string;
-    readonly guessed: string;
-    readonly nameServos: string;
-    readonly play: string;
-    readonly speed: string;
-    readonly time: string;
-    readonly launch: string;
-    readonly at: (params: { readonly time: Text }) => string;
-    readonly sketch: string;
-    readonly motor: {
-      readonly true: string;
-      readonly false: string;
-    };
-    readonly flies: string;
-    readonly comesDown: string;
-    readonly duties: {
-      readonly rudder: string;
-      readonly tailplane: string;
-      readonly wing: string;
-      readonly release: string;
-      readonly other: string;
-      readonly none: string;
-    };
-    readonly naming: {
-      readonly lead: string;
-      readonly duty: (params: { readonly servo: Text }) => string;
-      readonly name: (params: { readonly servo: Text }) => string;
-      readonly low: (params: { readonly servo: Text }) => string;
-      readonly high: (params: { readonly servo: Text }) => string;
-      readonly from: string;
-      readonly to: string;
-      readonly sense: (params: { readonly servo: Text }) => string;
-      readonly otherSense: {
-        readonly false: string;
-        readonly true: string;
-      };
-      readonly rudderSense: {
-        readonly false: string;
-        readonly true: string;
-      };
     };
   };
   readonly recognition: {
@@ -1523,6 +1375,111 @@ export interface MoreSentences {
     };
     readonly nameNeeded: string;
   };
+  readonly line: {
+    readonly empty: string;
+    readonly unused: string;
+    readonly all: string;
+    readonly out: string;
+    readonly in: string;
+    readonly damaged: string;
+    readonly request: (params: { readonly name: Text; readonly letters: Text }) => string;
+    readonly reply: (params: { readonly name: Text; readonly letters: Text }) => string;
+    readonly echo: (params: { readonly name: Text; readonly letters: Text }) => string;
+    readonly unknown: (params: { readonly letter: Text }) => string;
+    readonly names: {
+      readonly GETTIMERS: string;
+      readonly SETTIMERS: string;
+      readonly GETSERVOPOS: string;
+      readonly SETSERVO: string;
+      readonly MOVETOFUNC: string;
+      readonly GETSWVER: string;
+      readonly UNLOCK: string;
+      readonly JUMP2: string;
+      readonly GETMEMORY: string;
+      readonly SETMEMORY: string;
+      readonly GETLOWRPM: string;
+      readonly SETLOWRPM: string;
+    };
+    readonly rejected: {
+      readonly noise: string;
+      readonly length: string;
+      readonly terminator: string;
+      readonly checksum: string;
+      readonly silence: string;
+    };
+    readonly error: {
+      readonly framing: string;
+      readonly parity: string;
+      readonly break: string;
+      readonly overrun: string;
+      readonly other: string;
+    };
+    readonly position: (params: { readonly slot: Text; readonly servo: Text; readonly steps: Text }) => string;
+    readonly motorStop: (params: { readonly time: Text }) => string;
+    readonly reserved: (params: { readonly time: Text }) => string;
+    readonly functions: (params: { readonly times: Text }) => string;
+    readonly identity: (params: { readonly name: Text; readonly firmware: Text; readonly functions: Text; readonly memories: Text; readonly servos: Text }) => string;
+    readonly memories: (params: { readonly count: number }) => string;
+    readonly memoryUnsaid: string;
+    readonly idleThrottle: (params: { readonly value: Text }) => string;
+    readonly idleThrottleUnsaid: string;
+    readonly acknowledged: string;
+    readonly unreadable: {
+      readonly 'wrong-length': string;
+      readonly 'unknown-command': string;
+      readonly 'unexpected-reply': string;
+      readonly 'bad-identity': string;
+      readonly 'identity-needed': string;
+      readonly 'out-of-range': string;
+      readonly 'not-an-integer': string;
+      readonly 'wrong-count': string;
+      readonly 'wrong-type': string;
+      readonly 'unknown-word': string;
+      readonly 'bad-capture': string;
+      readonly 'bad-file': string;
+      readonly 'bad-link': string;
+      readonly 'newer-version': string;
+      readonly 'too-large': string;
+      readonly duplicate: string;
+    };
+    readonly goOn: string;
+    readonly came: (params: { readonly number: number }) => string;
+    readonly clear: string;
+    readonly unidentified: string;
+    readonly load: string;
+    readonly filter: string;
+    readonly searchHint: string;
+    readonly counts: {
+      readonly out: (params: { readonly count: number }) => string;
+      readonly in: (params: { readonly count: number }) => string;
+      readonly damaged: (params: { readonly count: number }) => string;
+      readonly errors: (params: { readonly count: number }) => string;
+    };
+    readonly recording: (params: { readonly entries: number; readonly name: Text }) => string;
+    readonly replay: string;
+    readonly cannotReplay: string;
+    readonly back: string;
+    readonly noRecordingAt: (params: { readonly line: Text }) => string;
+    readonly noRecording: string;
+    readonly send: {
+      readonly title: string;
+      readonly lead: string;
+      readonly bytes: string;
+      readonly faults: {
+        readonly hex: string;
+        readonly 'too-long': string;
+      };
+      readonly preview: string;
+      readonly send: string;
+      readonly confirmTitle: string;
+      readonly danger: string;
+      readonly confirm: string;
+      readonly sending: string;
+      readonly answered: string;
+      readonly unanswered: string;
+    };
+    readonly copyReport: string;
+  };
   readonly ports: {
     readonly title: string;
     readonly forget: string;
@@ -1591,6 +1548,49 @@ export interface MoreSentences {
     readonly edited: string;
     readonly same: string;
     readonly differs: (params: { readonly count: number }) => string;
+  };
+  readonly preview: {
+    readonly title: string;
+    readonly guessed: string;
+    readonly nameServos: string;
+    readonly play: string;
+    readonly speed: string;
+    readonly time: string;
+    readonly launch: string;
+    readonly at: (params: { readonly time: Text }) => string;
+    readonly sketch: string;
+    readonly motor: {
+      readonly true: string;
+      readonly false: string;
+    };
+    readonly flies: string;
+    readonly comesDown: string;
+    readonly duties: {
+      readonly rudder: string;
+      readonly tailplane: string;
+      readonly wing: string;
+      readonly release: string;
+      readonly other: string;
+      readonly none: string;
+    };
+    readonly naming: {
+      readonly lead: string;
+      readonly duty: (params: { readonly servo: Text }) => string;
+      readonly name: (params: { readonly servo: Text }) => string;
+      readonly low: (params: { readonly servo: Text }) => string;
+      readonly high: (params: { readonly servo: Text }) => string;
+      readonly from: string;
+      readonly to: string;
+      readonly sense: (params: { readonly servo: Text }) => string;
+      readonly otherSense: {
+        readonly false: string;
+        readonly true: string;
+      };
+      readonly rudderSense: {
+        readonly false: string;
+        readonly true: string;
+      };
+    };
   };
   readonly print: {
     readonly paper: string;

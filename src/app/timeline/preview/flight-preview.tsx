@@ -2,6 +2,7 @@ import { computed, useSignal } from '@preact/signals';
 import { useEffect, useId, useLayoutEffect, useMemo } from 'preact/hooks';
 import type { ServoUse, TimerProgram } from '../../../program/index.js';
 import { messages, momentText, slotLabel } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
 import { dutyName, servoName } from '../../messages/names.js';
 import { eventsBetween, flightEnd, motorStopOf, reachedAt } from '../flight.js';
 import { servoColour } from '../servo-colour.js';
@@ -28,7 +29,7 @@ const MANY = 4;
  * something happens, not at each frame.
  */
 export function FlightPreview({ program, player, named, onName }: FlightPreviewProps) {
-  const { preview } = messages.value;
+  const { preview } = moreMessages.value;
   const { identity } = program;
   const id = useId();
   const naming = useSignal(false);
@@ -94,7 +95,8 @@ export function FlightPreview({ program, player, named, onName }: FlightPreviewP
 
 /** A DT at which no servo moves brings no model down. */
 function AtDt({ comesDown }: { readonly comesDown: boolean }) {
-  const { preview, findings } = messages.value;
+  const { findings } = messages.value;
+  const { preview } = moreMessages.value;
   if (!comesDown) return <p class="bad-text">{findings['dt-moves-nothing']}</p>;
   return (
     <p>
@@ -117,7 +119,8 @@ function Happening({ program, player }: ShownProps) {
 }
 
 function happened(program: TimerProgram, time: number): string {
-  const { preview, timeline, program: words } = messages.value;
+  const { timeline, program: words } = messages.value;
+  const { preview } = moreMessages.value;
   if (!reachedAt(program, time).certain) return timeline.notKnown;
   const last = eventsBetween(program, -1, time).at(-1)?.time;
   if (last === undefined) return preview.launch;

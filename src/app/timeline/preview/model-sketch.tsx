@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
 import { servoColour } from '../servo-colour.js';
 import type { Surface, Turn, turnsAt } from './surfaces.js';
 import './model-sketch.css';
@@ -26,7 +26,7 @@ export function ModelSketch(props: ModelSketchProps) {
       class={`sketch ${props.turning ? 'plays' : ''}`}
       viewBox="28 30 276 102"
       role="img"
-      aria-label={messages.value.preview.sketch}
+      aria-label={moreMessages.value.preview.sketch}
     >
       <g class={props.comesDown ? 'down' : ''}>
         <FromTheSide {...props} />

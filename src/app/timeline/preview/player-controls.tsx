@@ -1,6 +1,7 @@
 import { useMemo } from 'preact/hooks';
 import type { TimerProgram } from '../../../program/index.js';
 import { messages, momentText } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
 import { Select } from '../../ui/choice.js';
 import { Icon } from '../../ui/icon.js';
 import { eventsBetween, flightEnd, marksOf } from '../flight.js';
@@ -15,7 +16,8 @@ interface PlayerControlsProps {
 
 /** The controls: play and pause, previous and next event, place, speed. */
 export function PlayerControls({ program, player }: PlayerControlsProps) {
-  const { preview, previous, next, pause } = messages.value;
+  const { previous, next, pause } = messages.value;
+  const { preview } = moreMessages.value;
   const back = (): void => {
     player.pause();
     player.seek(eventsBetween(program, 0, player.shown.peek() - 1).at(-1)?.time ?? 0);
@@ -52,7 +54,7 @@ const PLACES = 500;
 const MIN_GAP = 0.05;
 
 function Scrubber({ program, player }: PlayerControlsProps) {
-  const { preview } = messages.value;
+  const { preview } = moreMessages.value;
   const scale = useMemo(() => stretchedScale(marksOf(program), { minGap: MIN_GAP, runOut: MIN_GAP }), [program]);
   const time = player.shown.value;
   return (

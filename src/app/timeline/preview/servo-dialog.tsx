@@ -3,6 +3,7 @@ import { Fragment } from 'preact';
 import { DUTIES, LIMITS, type ServoUse } from '../../../program/index.js';
 import { MAX_POSITION } from '../../../protocol/index.js';
 import { messages } from '../../messages/index.js';
+import { moreMessages } from '../../messages/more.js';
 import { servoName } from '../../messages/names.js';
 import { Select } from '../../ui/choice.js';
 import { FormButtons } from '../../ui/form-buttons.js';
@@ -23,14 +24,15 @@ interface ServoDialogProps {
 /** The pilot, with the model in front of him, says what each servo moves, over which steps, and in which direction. */
 export function ServoDialog({ open, onCancel, ...form }: ServoDialogProps) {
   return (
-    <Modal open={open} title={messages.value.preview.nameServos} onEscape={onCancel}>
+    <Modal open={open} title={moreMessages.value.preview.nameServos} onEscape={onCancel}>
       <ServoForm onCancel={onCancel} {...form} />
     </Modal>
   );
 }
 
 function ServoForm({ uses, onSave, onCancel }: Omit<ServoDialogProps, 'open'>) {
-  const { preview, save } = messages.value;
+  const { save } = messages.value;
+  const { preview } = moreMessages.value;
   const draft = useSignal(uses);
   return (
     <form
@@ -80,7 +82,8 @@ interface ServoRowProps {
 }
 
 function ServoRow({ servo, use, onChange }: ServoRowProps) {
-  const { preview, timeline } = messages.value;
+  const { timeline } = messages.value;
+  const { preview } = moreMessages.value;
   const { naming: words, duties } = preview;
   const name = servoName(servo);
   const isSurface = SURFACES.some((surface) => surface === use.duty);
