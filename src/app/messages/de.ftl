@@ -5,7 +5,7 @@
 ## Moving servos and motor from the page.
 
 bench_slots = Stellen auf
-bench_elsewhere = Servos und Motor arbeiten mit { $memory }, der als Nächstes fliegt. Zeigen Sie { $memory }, um sie zu bewegen.
+bench_elsewhere = Servos und Motor arbeiten mit { $memory }, dem Speicher für den nächsten Flug. Zeigen Sie { $memory }, um sie zu bewegen.
 bench_trim = Trimmen bei { $slot }
 bench_at = Servos stehen bei { $slot }
 bench_atNone = Es ist nicht bekannt, wo die Servos stehen.
@@ -17,16 +17,16 @@ bench_here = Servos hier
 bench_waits = Wartet auf „Schreiben“.
 bench_bring = Servos auf { $slot } stellen
 bench_follow = Servos folgen den Stellungen
-bench_followHint = Zuerst liest die Seite den Timer und bewahrt eine Sicherung auf. Danach kommt jede Stellung, die Sie dort ändern, wo die Servos stehen, sofort in den Timer, und ihr Servo bewegt sich.
-bench_followingNow = Servos folgen: Eine Stellung, die Sie dort ändern, wo die Servos stehen, kommt sofort in den Timer.
+bench_followHint = Zuerst liest die Seite den Timer und legt eine Sicherung an. Danach wird jede Stellung, die Sie in der Zeile ändern, bei der die Servos stehen, sofort in den Timer geschrieben, und ihr Servo bewegt sich.
+bench_followingNow = Servos folgen: Eine Stellung, die Sie in der Zeile ändern, bei der die Servos stehen, wird sofort in den Timer geschrieben.
 bench_stopFollowing = Folgen beenden
 bench_followPending = Frühere Änderungen warten auf „Schreiben“.
 bench_ended_over = Die Servos folgen nicht mehr.
-bench_ended_memory = Die Servos folgen nicht mehr: Ein anderer Speicher ist aktuell oder kann es sein.
+bench_ended_memory = Die Servos folgen nicht mehr: Ein anderer Speicher ist aktuell oder könnte es sein.
 bench_ended_strayed = Während die Servos folgten, wurde ein anderer Speicher aktuell. Er kann einige der Stellungen übernommen haben: Sehen Sie ihn ganz durch, bevor Sie damit fliegen.
 bench_ended_unlike = Die Servos folgen nicht mehr: Der Timer hat nicht getan, was er bestätigt hat.
 bench_ended_failed = Die Servos folgen nicht mehr: Der Timer hat nicht geantwortet.
-bench_notTaken = { $field } enthält { $held }, nicht { $wanted }.
+bench_notTaken = { $field }: Im Timer steht { $held }, nicht { $wanted }.
 bench_beside =
     { $more ->
         [0] Außerdem geändert: { $named }.
@@ -52,7 +52,7 @@ bench_keep = Behalten
 bench_putBack = Zurücksetzen…
 bench_unlock = Halten für UNLOCK
 bench_unlockHold = Weiter halten
-bench_unlockHint = Der Propeller kann anlaufen. Halten Sie das Modell fest und die Hände weg vom Propeller. Dann drücken und halten.
+bench_unlockHint = Der Propeller kann anlaufen. Halten Sie das Modell fest und die Hände weg vom Propeller. Drücken Sie dann die Taste und halten Sie sie gedrückt.
 bench_experimental = Experimentell
 bench_jumpHint = Springt zur Funktion, die auf ein vorzeitiges Auslösen von DT folgt. Die genaue Wirkung ist nicht dokumentiert: Servos können sich bewegen.
 bench_jump = Sprung…
@@ -152,10 +152,10 @@ findings_position-out-of-range = Möglich ist { $min } bis { $max }.
 findings_throttle-not-whole = { unreadable_not-a-whole-number }
 findings_throttle-out-of-range = Möglich ist { $min } bis { $max }.
 findings_position-as-read = Gelesen als { $value }, über dem letzten Schritt { $max }. Der Wert bleibt, solange Sie ihn nicht ändern.
-findings_time-falls = Das kommt vor der Funktion darüber ({ $previous }).
+findings_time-falls = Das kommt früher als die Funktion darüber ({ $previous }).
 findings_time-repeats = Dieselbe Zeit wie die Funktion darüber, { $previous }.
 findings_position-never-reached = Dieselbe Zeit wie die Funktion darüber, { $previous }. Die Stellungen der Funktion darüber werden nie erreicht.
-findings_motor-stop-after-dt = Der Motor stoppt nach DT ({ $dt }): Das Modell kommt mit laufendem Motor herunter.
+findings_motor-stop-after-dt = Der Motor stoppt erst nach DT ({ $dt }): Das Modell kommt mit laufendem Motor herunter.
 findings_motor-run-long = Der Motor läuft länger als { $limit }, die Grenze für F1Q.
 findings_time-outside-manual = Die Anleitung erlaubt { $min } bis { $max }.
 findings_time-too-fine = Die Anleitung nennt Stufen von { $step }: Der Timer kann runden.
@@ -170,7 +170,7 @@ unreadable_empty = Leer: Geben Sie einen Wert ein.
 unreadable_not-a-time = Keine Zeit: Geben Sie Sekunden wie 12,5 oder Minuten wie 2:05 ein.
 unreadable_too-fine = Feiner als eine Hundertstelsekunde.
 unreadable_not-a-whole-number = Es muss eine ganze Zahl sein.
-unreadable_ambiguous = Das kann man verschieden lesen: Wählen Sie.
+unreadable_ambiguous = Das kann man verschieden lesen: Wählen Sie eine Lesart.
 
 ## For a page that cannot reach a timer here.
 
@@ -448,9 +448,9 @@ manifest_libraryWhat = Modelle und ihre Programme
 manifest_simulated = Simulierter Timer
 manifest_simulatedWhat = Die Startseite, mit den simulierten Timern zur Hand
 manifest_pictures_program = Das Programm eines Timers, zwei Änderungen markiert
-manifest_pictures_write = Was ein Schreiben ändern wird, bevor es geschieht
+manifest_pictures_write = Was das Schreiben ändern wird, bevor es geschieht
 manifest_pictures_programPhone = Das ganze Programm auf einem Telefon
-manifest_pictures_writePhone = Was ein Schreiben ändern wird, auf einem Telefon
+manifest_pictures_writePhone = Was das Schreiben ändern wird, auf einem Telefon
 
 ## The help inside the page.
 
@@ -464,7 +464,7 @@ guide_nav = Hilfeseiten
 
 firstSteps_1 = Lesen: „Verbinden“ drücken, den Timer wecken, den Infrarotkopf nahe halten. Lesen ändert nichts und bewegt nichts.
 firstSteps_2 = Schreiben: neue Werte eingeben, „Schreiben“ drücken, jeden Unterschied ansehen. „Verifiziert“ heißt: Der Timer wurde noch einmal gelesen und enthält, was Sie wollen.
-firstSteps_3 = Fliegen: Oben steht, welcher Speicher als Nächstes fliegt, und seine DT-Zeit. Die Seite braucht kein Netz, und nichts verlässt dieses Gerät.
+firstSteps_3 = Fliegen: Oben auf der Seite steht, welcher Speicher für den nächsten Flug gilt, und seine DT-Zeit. Die Seite braucht kein Netz, und nichts verlässt dieses Gerät.
 
 ## The values of a program, with unit and range.
 
@@ -482,25 +482,25 @@ values_dt_text = Die Thermikbremse: wann sie das Modell herunterholt, gezählt a
 values_dt_range = Nach der Anleitung 1 bis 720 s. Mehr als 10:55 min lässt sich nicht senden.
 values_idleThrottle_text = F1Q: wahrscheinlich, wie schnell der Motor dreht, solange der Startschalter gedrückt ist.
 values_idleThrottle_range = Die Seite nimmt 0 bis 100 an. Die Einheit ist nicht bekannt.
-values_memory_text = Ein Timer hat mehrere Speicher mit je einem Programm. Der gewählte fliegt als Nächstes. Um einen anderen anzusehen, wählt die Seite ihn und kehrt zurück. Wird das unterbrochen, sagt sie, welcher als Nächstes fliegen kann.
+values_memory_text = Ein Timer hat mehrere Speicher mit je einem Programm. Der gewählte gilt für den nächsten Flug. Um einen anderen anzusehen, wählt die Seite ihn und kehrt zurück. Wird das unterbrochen, sagt sie, welcher vielleicht für den nächsten Flug gilt.
 values_memory_range = Meist vier, M1 bis M4. Ältere Timer haben fünf.
 
 ## What a pilot checks before a flight.
 
 checklist_lead = Haken Sie jeden Punkt ab. Die Haken gelten für einen Flug und werden nicht aufbewahrt.
-checklist_items_memory = Der richtige Speicher fliegt als Nächstes.
+checklist_items_memory = Der richtige Speicher ist für den nächsten Flug gewählt.
 checklist_items_dtTime = Ich habe die DT-Zeit laut gesagt.
 checklist_items_surfaces = Flügel, Höhenleitwerk und Seitenruder sitzen fest und stehen, wie sie sollen.
 checklist_items_battery = Der Akku ist geladen, sein Stecker sitzt ganz drin.
-checklist_items_dtSeen = Ich habe gesehen, wie das Servo auf DT geht.
-checklist_items_radioDt = Ich habe die Fernauslösung von DT probiert, falls es eine gibt.
+checklist_items_dtSeen = Ich habe gesehen, wie das Servo in die DT-Stellung geht.
+checklist_items_radioDt = Ich habe die Funkauslösung von DT probiert, falls es eine gibt.
 checklist_items_switch = Ich habe den Startschalter fünfmal gedrückt, und er ist jedes Mal zurückgesprungen.
 checklist_items_propeller = Der Propeller sitzt fest und dreht sich frei. Niemand steht vor ihm.
-checklist_known_now = { $memory } fliegt als Nächstes, DT{"\u00a0"}{ $dt }, gelesen { $time }.
+checklist_known_now = Nächster Flug: { $memory }, DT{"\u00a0"}{ $dt }, gelesen { $time }.
 checklist_known_onceAt = Wie zuletzt gelesen, { $time }: { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_once = Wie zuletzt gelesen: { $memory }, DT{"\u00a0"}{ $dt }.
-checklist_known_not = Es ist nicht bekannt, was { $memory } enthält. Lesen Sie ihn, bevor Sie fliegen.
-checklist_known_nothing = Kein Timer wurde gelesen. Verbinden Sie ihn, um hier seinen Speicher und seine DT-Zeit zu sehen.
+checklist_known_not = Es ist nicht bekannt, was { $memory } enthält. Lesen Sie diesen Speicher, bevor Sie fliegen.
+checklist_known_nothing = Kein Timer wurde gelesen. Verbinden Sie einen, um hier den Speicher für den nächsten Flug und dessen DT-Zeit zu sehen.
 checklist_known_unwritten =
     { $count ->
         [one] { $count } Änderung noch nicht im Timer.
@@ -520,25 +520,25 @@ troubles_symptoms_noAnswer_title = Der Timer antwortet nicht
 troubles_symptoms_noAdapter_title = Die Seite findet den Adapter nicht
 troubles_symptoms_refused_title = Der Adapter lässt sich nicht öffnen
 troubles_symptoms_wrongValues_title = Die Werte sehen falsch aus
-troubles_symptoms_wrongValues_steps_1 = Sehen Sie oben nach: Welcher Speicher ist zu sehen, und welcher fliegt als Nächstes?
+troubles_symptoms_wrongValues_steps_1 = Sehen Sie oben auf der Seite nach: Welcher Speicher ist zu sehen, und welcher gilt für den nächsten Flug?
 troubles_symptoms_wrongValues_steps_2 = Drücken Sie „{ program_read }“.
 troubles_symptoms_wrongValues_steps_3 = Nehmen die Zeiten von Zeile zu Zeile ab? Dann fragt die Seite, wie sie zu lesen sind.
 troubles_symptoms_wrongValues_steps_4 = Vergleichen Sie bei F1B und F1E die Zeiten mit dem Programmiergerät.
 troubles_symptoms_cutOff_title = Das Schreiben wurde unterbrochen
-troubles_symptoms_cutOff_steps_1 = Fliegen Sie dieses Modell noch nicht. Verbinden Sie: Die Seite liest den Timer und bietet dann an, zu Ende zu schreiben oder die alten Werte zurückzuschreiben.
+troubles_symptoms_cutOff_steps_1 = Fliegen Sie dieses Modell noch nicht. Verbinden Sie den Timer: Die Seite liest ihn und bietet dann an, zu Ende zu schreiben oder die alten Werte zurückzuschreiben.
 troubles_symptoms_cutOff_steps_2 = Was der Timer vorher enthielt, steht unter „Speicher“, „Sicherungen“.
 troubles_symptoms_noDt_title = DT löst nicht aus oder zur falschen Zeit
-troubles_symptoms_noDt_steps_1 = Sehen Sie oben nach: Dort steht, welcher Speicher als Nächstes fliegt, und seine DT-Zeit. Ein anderer Speicher hat eine andere DT-Zeit.
+troubles_symptoms_noDt_steps_1 = Sehen Sie oben auf der Seite nach: Dort steht, welcher Speicher für den nächsten Flug gilt, und seine DT-Zeit. Ein anderer Speicher hat eine andere DT-Zeit.
 troubles_symptoms_noDt_steps_2 = Springt der Startschalter jedes Mal zurück? Solange er gedrückt ist, beginnt der Ablauf nicht, und DT löst nicht aus.
 troubles_symptoms_noDt_steps_3 = Ist der Akku geladen, und sitzt sein Stecker ganz drin? Wenn der Timer nicht läuft, löst DT nicht aus.
-troubles_symptoms_noDt_steps_4 = Halten Sie das Modell sicher fest und drücken Sie auf dem Prüfstand die Zeile DT. Geht das Servo dorthin, und gibt es frei, was es hält?
-troubles_symptoms_noDt_steps_5 = Nehmen Sie den Propeller ab und lassen Sie den Timer bis zum Ende laufen. Fliegen Sie erst, wenn Sie gesehen haben, dass sich das Servo zur DT-Zeit bewegt.
+troubles_symptoms_noDt_steps_4 = Halten Sie das Modell sicher fest und drücken Sie in der Ansicht „{ views_names_bench }“ auf die Zeile DT. Geht das Servo in die DT-Stellung, und gibt es frei, was es hält?
+troubles_symptoms_noDt_steps_5 = Nehmen Sie den Propeller ab und lassen Sie den Timer bis zum Ende laufen. Fliegen Sie nicht, bevor Sie gesehen haben, dass sich das Servo zur DT-Zeit bewegt.
 troubles_symptoms_noMove_title = Ein Servo bewegt sich nicht
-troubles_symptoms_noMove_steps_1 = Halten Sie das Modell fest und drücken Sie seine Zeile auf dem Prüfstand. Nichts bewegt sich? Prüfen Sie Stecker und Akku. Dort bewegt es sich, im Flug nicht? Dann hat es dieselbe Stellung wie in der Funktion davor.
-troubles_symptoms_noMove_steps_2 = Geht es woandershin, als die Tabelle sagt? Ein Timer nimmt eine Stellung vielleicht nur für die Funktion an, bei der die Servos stehen. Die Seite bietet dann an, die Servos beim Schreiben zu bewegen.
-troubles_symptoms_noMove_steps_3 = Brummt es, oder bleibt es zu früh stehen? Vielleicht klemmt die Anlenkung: Versuchen Sie einen kleineren Weg.
+troubles_symptoms_noMove_steps_1 = Halten Sie das Modell fest und drücken Sie in der Ansicht „{ views_names_bench }“ auf die Zeile der Funktion, bei der sich das Servo bewegen soll. Nichts bewegt sich? Prüfen Sie Stecker und Akku. Dort bewegt es sich, aber nicht im Flug? Dann hat es dieselbe Stellung wie in der Funktion davor.
+troubles_symptoms_noMove_steps_2 = Geht es woandershin, als die Tabelle sagt? Manche Timer behalten eine Stellung vielleicht nur für die Funktion, bei der die Servos stehen. Die Seite bietet dann an, die Servos beim Schreiben zu bewegen.
+troubles_symptoms_noMove_steps_3 = Brummt es, oder bleibt es zu früh stehen? Vielleicht blockiert die Anlenkung: Versuchen Sie einen kleineren Weg.
 troubles_symptoms_noMotor_title = Der Motor läuft nicht an
-troubles_symptoms_noMotor_steps_1 = Nach einem Flug sperrt der Timer den Motor. Um ihn zu entsperren, halten Sie das Modell fest und die Hände weg vom Propeller: Er kann anlaufen. Halten Sie dann auf dem Prüfstand die Taste „{ bench_unlock }“ gedrückt.
+troubles_symptoms_noMotor_steps_1 = Nach einem Flug sperrt der Timer den Motor. Um ihn zu entsperren, halten Sie das Modell fest und die Hände weg vom Propeller: Er kann anlaufen. Halten Sie dann in der Ansicht „{ views_names_bench }“ die Taste „{ bench_unlock }“ gedrückt.
 troubles_symptoms_noMotor_steps_2 = Ist der Startschalter zurückgesprungen? Solange er gedrückt ist, läuft der Motor nur im Leerlauf.
 troubles_symptoms_noMotor_steps_3 = Ist der Motorstopp spät genug? Bei 0,1 s stoppt der Motor, sobald er angelaufen ist.
 troubles_symptoms_noLibrary_title = Meine Modelle und Programme sind nicht da
@@ -572,7 +572,7 @@ help_page = Alle Anleitungen, für jedes System
 ## For when the browser does not store, or give back, what it should.
 
 keeping_title = Dieser Browser bewahrt nicht alles auf.
-keeping_notKept = Was Sie eingeben, Sicherungen und der Vermerk eines unterbrochenen Schreibens bleiben nur, solange diese Seite offen ist. Exportieren Sie die Bibliothek. Schließen Sie dann andere Tabs dieser Seite, oder schaffen Sie Platz auf diesem Gerät.
+keeping_notKept = Was Sie eingeben, Sicherungen und der Vermerk über einen unterbrochenen Schreibvorgang bleiben nur, solange diese Seite offen ist. Exportieren Sie die Bibliothek. Schließen Sie dann andere Tabs dieser Seite, oder schaffen Sie Platz auf diesem Gerät.
 keeping_notKnown = Der Browser sagt nicht, ob er aufbewahrt, was Sie tun. Rechnen Sie damit, dass er es nicht tut, und exportieren Sie die Bibliothek.
 keeping_oneTab = Benutzen Sie nur einen Tab dieser Seite.
 keeping_emptied = Der Browser hat gelöscht, was er für diese Seite aufbewahrt hat. Exportieren Sie, was Sie noch sehen.
@@ -585,7 +585,7 @@ aside_title =
         [one] 1 Datensatz war nicht lesbar. Er ist beiseitegelegt, nicht gelöscht.
        *[other] { $count } Datensätze waren nicht lesbar. Sie sind beiseitegelegt, nicht gelöscht.
     }
-aside_write = Darunter ist der Vermerk eines unterbrochenen Schreibens: Lesen Sie den Timer, bevor Sie fliegen.
+aside_write = Darunter ist der Vermerk über einen unterbrochenen Schreibvorgang: Lesen Sie den Timer, bevor Sie fliegen.
 aside_save = In eine Datei speichern
 
 ## “2 models, 1 program”: only kinds that there are.
@@ -619,7 +619,7 @@ removed = Gelöscht: { $what }.
 
 erase_open = Alles auf diesem Gerät löschen…
 erase_lead = Das löscht alle Modelle, Programme, Flüge, Sicherungen, ungeschriebenen Änderungen und Optionen dieser Seite aus diesem Browser. Es lässt sich nicht rückgängig machen. Timer behalten, was sie enthalten.
-erase_uncertain = Ein Schreibvorgang wurde unterbrochen, und es ist nicht bekannt, was jener Timer enthält. Ohne den Vermerk dieses Schreibens kann die Seite Sie nicht warnen: Lesen Sie jenen Timer, bevor Sie fliegen.
+erase_uncertain = Ein Schreibvorgang wurde unterbrochen, und es ist nicht bekannt, was jener Timer enthält. Ohne den Vermerk darüber kann diese Seite Sie nicht warnen: Lesen Sie jenen Timer, bevor Sie fliegen.
 erase_start = Alles löschen
 erase_running = Löscht
 erase_failed = Nicht alles konnte gelöscht werden. Schließen Sie andere Tabs dieser Seite und versuchen Sie es noch einmal, oder löschen Sie ihre Daten in den Einstellungen des Browsers.
@@ -633,8 +633,8 @@ framed_open = Sidus Timer in einem eigenen Tab öffnen
 
 knowledge_title = Ungewiss
 knowledge_uncertain = Es ist nicht bekannt, was { $memory } enthält: { $values }.
-knowledge_noFly = Fliegen Sie erst, wenn er gelesen ist.
-knowledge_since = Ein Schreibvorgang wurde unterbrochen: { $time }.
+knowledge_noFly = Fliegen Sie nicht, bevor er gelesen ist.
+knowledge_since = Unterbrochener Schreibvorgang, begonnen { $time }.
 knowledge_thisMemory = der aktuelle Speicher
 knowledge_memoryOf = { $memory } ({ $timer })
 knowledge_timer_here = { $name } { $firmware }
@@ -652,7 +652,7 @@ knowledge_list =
 knowledge_and = { $first } und { $next }
 knowledge_connect = Verbinden und lesen
 knowledge_forget = Das vergessen…
-knowledge_forgetSure = Vergessen Sie es nur, wenn Sie jenen Timer anderswo gelesen haben oder ihn nicht mehr besitzen.
+knowledge_forgetSure = Vergessen Sie es nur, wenn Sie jenen Timer anderswo gelesen haben oder ihn nicht mehr haben.
 knowledge_forgetNow = Jetzt vergessen
 knowledge_verified = Wie im Timer, verifiziert { $time }
 knowledge_readAt = Wie im Timer, gelesen { $time }
@@ -742,7 +742,7 @@ library_setting_gone = Es ist nicht mehr in der Bibliothek.
 library_save_open = Speichern…
 library_save_over = { $program } überschreiben
 library_save_undo = Speichern von { $name } zurücknehmen
-library_save_crossing = Das sind Werte von { $from }. Trotzdem unter { $to } speichern.
+library_save_crossing = Das sind Werte von { $from }. Unter { $to } speichern.
 library_save_asNew = Als neu speichern…
 library_save_taken = Es gibt schon ein Programm { $program }. Geben Sie einen anderen Namen ein, oder:
 library_save_replace = Überschreiben. Seine Werte bleiben als frühere Fassung.
@@ -954,18 +954,18 @@ aboutTimer_assumptions_bigEndianTimes = Die zwei Bytes jeder Zeit sind vertausch
 aboutTimer_assumptions_servoFirst = { aboutTimer_quirkNames_servo-first }
 aboutTimer_assumptions_memoriesFromOne = { aboutTimer_quirkNames_memories-from-one }
 aboutTimer_assumptions_bareChecksumRequests = „{ line_names_SETMEMORY }“ und „{ line_names_SETLOWRPM }“ werden ohne korrekte Prüfsumme gesendet
-aboutTimer_assumptions_positionsNeedMove = Stellungen bleiben nur dort, wo die Servos stehen
+aboutTimer_assumptions_positionsNeedMove = Stellungen bleiben nur bei der Funktion, bei der die Servos stehen
 
 ## Which memory flies next, and what is known about the others.
 
 nextFlight_badge = nächster Flug
 nextFlight_onScreen = Das ist { $memory }.
 nextFlight_named = { $memory }, nächster Flug
-nextFlight_other = { $memory } fliegt als Nächstes.
-nextFlight_last = { $memory } war aktuell, als der Timer zuletzt geantwortet hat. Er fliegt als Nächstes, sofern nichts anderes das geändert hat.
+nextFlight_other = Nächster Flug: { $memory }.
+nextFlight_last = { $memory } war aktuell, als der Timer zuletzt geantwortet hat. Dieser Speicher gilt für den nächsten Flug, sofern nichts anderes das geändert hat.
 nextFlight_original = Beim Verbinden war es { $original }.
 nextFlight_originalUnknown = Es ist nicht bekannt, welcher es beim Verbinden war.
-nextFlight_unknown = Es ist nicht bekannt, welcher Speicher als Nächstes fliegt.
+nextFlight_unknown = Es ist nicht bekannt, welcher Speicher für den nächsten Flug gilt.
 nextFlight_asked = { $memory } wurde zuletzt gewählt.
 nextFlight_back = Zurück zu { $original }
 nextFlight_leaving_title = Bevor Sie trennen
@@ -978,11 +978,11 @@ look_read = { $memory }, gelesen { $time }
 look_notRead = { $memory } wurde nicht gelesen
 look_either = Entweder
 look_or = oder
-look_lead = Nur zum Ansehen. { $current } fliegt als Nächstes.
+look_lead = Nur zum Ansehen. Nächster Flug: { $current }.
 look_edit = { $memory } bearbeiten
 look_look = { $memory } ansehen
 look_hint = Das wählt { $memory }, liest ihn und kehrt zu { $current } zurück.
-look_fly = { $memory } als Nächstes fliegen
+look_fly = { $memory } für den nächsten Flug wählen
 look_show = { $memory } zeigen
 
 ## Jobs over several memories, and the backups.
@@ -996,9 +996,9 @@ memories_plans_screen =
        *[false] { $to } wird die Zeiten und Stellungen auf dem Bildschirm enthalten. Was { $to } jetzt enthält, wird zuerst gesichert.
     }
 memories_plans_copy = { $to } wird die Zeiten und Stellungen von { $from } enthalten, wie eben gelesen. Was { $to } jetzt enthält, wird zuerst gesichert.
-memories_plans_restore = Das schreibt die Sicherung, { $time }, in: { $names }. Was jetzt dort ist, wird zuerst gesichert.
-memories_atEnd = Am Ende fliegt wieder { $current } als Nächstes.
-memories_refused = { $memory }: Hier lässt sich nichts schreiben. Kein Programm kann diese Werte senden.
+memories_plans_restore = Das schreibt die Sicherung ({ $time }) in: { $names }. Was jetzt dort ist, wird zuerst gesichert.
+memories_atEnd = Am Ende gilt für den nächsten Flug wieder { $current }.
+memories_refused = { $memory }: Hier lässt sich nichts schreiben. Keine Software kann diese Werte senden.
 memories_untouched = { $memory }: Nichts wurde geschrieben.
 memories_stopped = Was noch nicht geschrieben war, ist, wie es war.
 
@@ -1008,8 +1008,8 @@ overview_readAll = Alle lesen und sichern
 overview_copyTo = Kopieren nach…
 overview_compareWith = Mit { $memory } vergleichen
 overview_readAt = gelesen { $time }
-overview_notCertain = Ungewiss: Hier wurde ein Schreibvorgang unterbrochen. Gezeigt wie vor diesem Schreiben.
-overview_edited = Gezeigt und kopiert, wie der Timer es enthält, ohne Ihre Änderungen.
+overview_notCertain = Ungewiss: Hier wurde ein Schreibvorgang unterbrochen. Gezeigt wie vor diesem Schreibvorgang.
+overview_edited = Gezeigt und kopiert wird, was der Timer enthält, ohne Ihre Änderungen.
 overview_same = Sie enthalten dasselbe.
 overview_differs =
     { $count ->
@@ -1050,7 +1050,7 @@ connection_lost_advice = { connection_unplugged_advice }
 ## Why a job with the timer has ended.
 
 timer_no-answer_title = Der Timer hat nicht geantwortet.
-timer_no-answer_advice = Drücken Sie kurz den Schalter des Timers, halten Sie den Infrarotkopf näher als 20 cm und versuchen Sie es noch einmal. Was Sie eingegeben haben, bleibt.
+timer_no-answer_advice = Drücken Sie kurz den Schalter des Timers, halten Sie den Infrarotkopf näher als 20 cm an den Timer und versuchen Sie es noch einmal. Was Sie eingegeben haben, bleibt.
 timer_bad-reply_title = Die Antwort des Timers kann nicht stimmen.
 timer_bad-reply_advice = Versuchen Sie es noch einmal. Wenn es wieder vorkommt: „Optionen“, „Experte“, „Leitung“, „{ line_copyReport }“.
 timer_unstable_title = Die Leitung ist zu gestört, um ihr zu trauen.
@@ -1060,19 +1060,19 @@ timer_crowded_advice = Halten Sie andere Timer und Programmiergeräte fern und l
 timer_other-memory_title = Der aktuelle Speicher ist nicht der auf dem Bildschirm.
 timer_other-memory_advice = Lesen Sie neu, bevor Sie schreiben.
 timer_memory-unknown_title = Dieser Timer sagt nicht, welcher Speicher aktuell ist.
-timer_memory-unknown_advice = Darum kann die Seite keinen anderen Speicher ansehen und zurückkehren. Den aktuellen können Sie lesen und schreiben.
-timer_memory-left_title = Vielleicht fliegt jetzt ein anderer Speicher als Nächstes.
-timer_memory-left_advice = Die Seite konnte nicht zu dem zurückkehren, der aktuell war. Verbinden Sie wieder und lassen Sie den richtigen Speicher als Nächstes fliegen, bevor Sie starten.
+timer_memory-unknown_advice = Darum kann die Seite keinen anderen Speicher ansehen und dann zurückkehren. Den aktuellen können Sie lesen und schreiben.
+timer_memory-left_title = Vielleicht gilt jetzt ein anderer Speicher für den nächsten Flug.
+timer_memory-left_advice = Die Seite konnte nicht zu dem Speicher zurückkehren, der aktuell war. Verbinden Sie wieder und wählen Sie den richtigen Speicher für den nächsten Flug, bevor Sie fliegen.
 timer_other-timer_title = Das ist nicht der Timer, der vorher geantwortet hat.
 timer_other-timer_advice = Die Seite liest ihn. Sehen Sie an, was er enthält, bevor Sie schreiben.
 timer_stale_title = Der Timer enthält nicht, was gezeigt wurde.
-timer_stale_advice = Nichts wurde geschrieben. Sehen Sie an, was ein Schreiben jetzt ändern würde.
+timer_stale_advice = Nichts wurde geschrieben. Sehen Sie an, was das Schreiben jetzt ändern würde.
 timer_changed_title = Der Timer enthält andere Werte als vorher.
 timer_changed_advice = Etwas anderes hat ihn geändert, oder es ist ein anderer Timer. Ihre Änderungen sind noch da: Sehen Sie den Unterschied an, bevor Sie schreiben.
 timer_stood-still_title = Die Seite stand während der Arbeit still.
-timer_stood-still_advice = Es wurde nichts mehr gesendet: Inzwischen kann ein anderer Timer da sein. Lesen Sie neu.
+timer_stood-still_advice = Danach wurde nichts mehr gesendet: Inzwischen kann ein anderer Timer da sein. Lesen Sie neu.
 timer_too-slow_title = Dieser Timer antwortet zu langsam.
-timer_too-slow_advice = Seine Antworten brauchen mehr als 3 Sekunden, darum kann die Seite nicht sagen, welche zu welcher Frage gehört. Es wurde nichts mehr gesendet. Versuchen Sie einen anderen Adapter oder ein Kabel statt Bluetooth.
+timer_too-slow_advice = Seine Antworten brauchen mehr als 3 Sekunden, darum kann die Seite nicht erkennen, welche zu welcher Frage gehört. Danach wurde nichts mehr gesendet. Versuchen Sie einen anderen Adapter oder ein Kabel statt Bluetooth.
 timer_undecided_title = { byteOrder_title }
 timer_undecided_advice = { byteOrder_advice }
 timer_serious_title = Die Prüfung hat etwas Ernstes gefunden.
@@ -1090,6 +1090,7 @@ timer_closed_advice = Drücken Sie „Verbinden“, um weiterzumachen. Was Sie e
 
 alike_title = Jede Antwort auf { $request } ist auf dieselbe Art beschädigt.
 alike_advice = Das ist kein Rauschen: Der Timer oder sein Adapter bildet diese Antworten auf eine Art, die nicht bekannt ist. Schalten Sie in den Optionen „Experte“ ein, öffnen Sie „Leitung“ und drücken Sie „{ line_copyReport }“. Senden Sie den Bericht an die Betreuer (github.com/sidus-timer/sidus-timer/issues).
+alike_part = Nur zum Ansehen: { $values }. Alles Übrige ist nicht bekannt.
 
 ## Messages that are not about errors.
 
@@ -1101,25 +1102,26 @@ notes_moved_title = { timer_changed_title }
 notes_moved_advice = { timer_changed_advice }
 notes_timer-moved_title = { timer_changed_title }
 notes_timer-moved_advice = { timer_changed_advice }
-notes_kept_title = Ihre Änderungen bleiben auf diesem Gerät.
-notes_kept_advice = Sie passen nicht zu dem, was jetzt gelesen wurde. Sie kommen wieder, wenn Sie jenen Speicher neu lesen; auch die Startseite führt sie auf.
+notes_kept_title = Ihre Änderungen sind auf diesem Gerät aufbewahrt.
+notes_kept_advice = Sie passen nicht zu dem, was jetzt gelesen wurde. Sie kommen wieder, wenn Sie jenen Speicher wieder lesen; auch die Startseite führt sie auf.
 notes_other-kind_title = Jetzt ist eine andere Art von Timer da.
 notes_other-kind_advice = { timer_other-timer_advice }
-notes_write-completed_title = Das unterbrochene Schreiben ist vollständig.
+notes_write-completed_title = Der unterbrochene Schreibvorgang ist vollständig.
 notes_write-completed_advice = Der Timer wurde noch einmal gelesen und enthält alles, was zu schreiben war.
 notes_nothing-written_title = { write_refused }
 notes_nothing-written_advice = {""}
 notes_not-backed-up_title = { write_unkept_title }
 notes_not-backed-up_advice = { keeping_notKept }
 notes_select-unanswered_title = Der Timer hat nicht geantwortet, als ein Speicher gewählt wurde.
-notes_select-unanswered_advice = Auf andere Anfragen antwortet er. Versuchen Sie es noch einmal, oder ohne korrekte Prüfsumme.
-notes_backed-up_title = Alle Speicher wurden gelesen, von jedem ist eine Sicherung da.
+notes_select-unanswered_advice = Auf andere Anfragen antwortet er. Versuchen Sie es noch einmal, oder senden Sie die Anfrage ohne korrekte Prüfsumme.
+notes_backed-up_title = Alle Speicher wurden gelesen, und von jedem ist eine Sicherung aufbewahrt.
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
+notes_made-laid_title = Die Tabelle zeigt Ihr Programm, nicht das, was der Timer enthält.
 notes_made-laid_advice = Nichts wurde geschrieben. Was abweicht, ist markiert. „Rückgängig“ zeigt, was der Timer enthält.
 notes_unexpected_title = Auf dieser Seite ist etwas schiefgegangen.
-notes_unexpected_advice = Es wurde nichts mehr gesendet. Laden Sie die Seite neu. Was Sie eingegeben haben, bleibt.
+notes_unexpected_advice = Danach wurde nichts mehr gesendet. Laden Sie die Seite neu. Was Sie eingegeben haben, bleibt.
 
 ## The flight of the program, and what the servos of the model move.
 
@@ -1187,8 +1189,8 @@ memoryNames_named = { $memory } „{ $name }“
 
 ## What an earlier job left behind on a timer.
 
-recovery_title = Ein früheres Schreiben wurde unterbrochen.
-recovery_when = { $memory }: Ein Schreibvorgang begann, { $time }.
+recovery_title = Ein früherer Schreibvorgang wurde unterbrochen.
+recovery_when = { $memory }: Ein Schreibvorgang begann { $time }.
 recovery_nothing =
     { $missing ->
         [one] Der Timer enthält, was er vorher enthielt: Nichts wurde geschrieben, { $missing } Änderung fehlt.
@@ -1196,15 +1198,15 @@ recovery_nothing =
     }
 recovery_part =
     { $missing ->
-        [one] Der Timer enthält { $values } jenes Schreibens; { $missing } Wert ist noch wie vorher.
-       *[other] Der Timer enthält { $values } jenes Schreibens; { $missing } Werte sind noch wie vorher.
+        [one] Der Timer enthält { $values } aus jenem Schreibvorgang; { $missing } Wert ist noch wie vorher.
+       *[other] Der Timer enthält { $values } aus jenem Schreibvorgang; { $missing } Werte sind noch wie vorher.
     }
 recovery_foreign =
     { $count ->
-        [one] { $count } Wert im Timer ist weder der alte noch aus jenem Schreiben. Ist es ein anderer Timer, oder hat etwas anderes ihn geändert?
-       *[other] { $count } Werte im Timer sind weder die alten noch aus jenem Schreiben. Ist es ein anderer Timer, oder hat etwas anderes sie geändert?
+        [one] { $count } Wert im Timer ist weder der alte noch aus jenem Schreibvorgang. Ist es ein anderer Timer, oder hat etwas anderes den Wert geändert?
+       *[other] { $count } Werte im Timer sind weder die alten noch aus jenem Schreibvorgang. Ist es ein anderer Timer, oder hat etwas anderes die Werte geändert?
     }
-recovery_sure = Diese Seite kann Timer einer Art nicht unterscheiden. Machen Sie nur weiter, wenn das der Timer jenes Schreibens ist.
+recovery_sure = Diese Seite kann Timer derselben Art nicht unterscheiden. Machen Sie nur weiter, wenn das der Timer jenes Schreibvorgangs ist.
 recovery_finish = Zu Ende schreiben…
 recovery_goBack = Alte Werte zurückschreiben…
 recovery_leave = So lassen
@@ -1212,17 +1214,17 @@ recovery_otherTimer = Es ist ein anderer Timer
 recovery_sameTimer = Es ist derselbe Timer: zeigen, was zu schreiben war
 recovery_compare = Vergleichen
 recovery_before = Vorher
-recovery_elsewhere = Ein Schreiben in { $memory } eines Timers dieser Art wurde unterbrochen. Lesen Sie { $memory }, um zu sehen, was er enthält.
-recovery_left = Eine Arbeit an den Speichern wurde unterbrochen. Jetzt fliegt { $current } als Nächstes. Vorher war es { $original }.
-recovery_mayFly = Vielleicht fliegt { $memory } als Nächstes: Die Wahl wurde unterbrochen.
-recovery_mayNotFly = Eine Arbeit an den Speichern wurde unterbrochen. Vielleicht fliegt nicht { $original } als Nächstes, sondern ein anderer Speicher.
+recovery_elsewhere = Ein Schreibvorgang in { $memory } eines Timers dieser Art wurde unterbrochen. Lesen Sie { $memory }, um zu sehen, was dieser Speicher enthält.
+recovery_left = Die Arbeit an mehreren Speichern wurde unterbrochen. Jetzt gilt { $current } für den nächsten Flug. Vorher war es { $original }.
+recovery_mayFly = Vielleicht gilt { $memory } für den nächsten Flug: Das Wählen wurde unterbrochen.
+recovery_mayNotFly = Die Arbeit an mehreren Speichern wurde unterbrochen. Vielleicht gilt für den nächsten Flug nicht { $original }, sondern ein anderer Speicher.
 recovery_unknownMemory = ein unbekannter Speicher
 
 ## The backups.
 
 backups_title = Sicherungen
 backups_empty = Vor jedem Schreiben bewahrt die Seite hier auf, was der Timer enthält.
-backups_reasons_write = vor einem Schreiben
+backups_reasons_write = vor dem Schreiben
 backups_reasons_memories = alle Speicher
 
 ## How the page looks.
@@ -1278,11 +1280,11 @@ shortDt_putBack =
         [true] DT auf { $back } zurücksetzen…
        *[false] DT auf { $back } setzen…
     }
-shortDt_disconnect = Trennen mit { $memory }, DT{"\u00a0"}{ $dt }
-shortDt_disconnectHere = Trennen mit DT{"\u00a0"}{ $dt }
+shortDt_disconnect = So trennen: { $memory }, DT{"\u00a0"}{ $dt }
+shortDt_disconnectHere = So trennen: DT{"\u00a0"}{ $dt }
 shortDt_blocked = Etwas, was Sie eingegeben haben, lässt sich noch nicht schreiben. Berichtigen Sie es, bevor Sie DT zurücksetzen.
-shortDt_settings_limit = Eine DT-Zeit ist kurz unter
-shortDt_settings_hint = Eine kürzere DT-Zeit ist rot, und die Seite fragt, bevor Sie trennen. Bei 0 s fragt sie nie.
+shortDt_settings_limit = DT gilt als kurz unter
+shortDt_settings_hint = Eine kürzere DT-Zeit ist rot, und die Seite fragt nach, bevor Sie trennen. Ist die Grenze 0 s, fragt sie nie.
 
 ## The start, before anything was read.
 
@@ -1312,8 +1314,8 @@ start_simulatedLead = Ein simulierter antwortet wie ein echter, Byte für Byte.
 start_simulated = Simulierten { $name }-Timer probieren
 start_backups =
     { $count ->
-        [one] { $count } Sicherung, angelegt vor einem Schreiben. Die letzte: { $last }.
-       *[other] { $count } Sicherungen, angelegt vor einem Schreiben. Die letzte: { $last }.
+        [one] { $count } Sicherung, angelegt vor dem Schreiben. Die letzte: { $last }.
+       *[other] { $count } Sicherungen, angelegt vor dem Schreiben. Die letzte: { $last }.
     }
 
 ## The dialog that makes a program without a timer.
@@ -1360,7 +1362,7 @@ timeline_zoomIn = Vergrößern
 timeline_zoomOut = Verkleinern
 timeline_fit = Alles zeigen
 timeline_passedOver = { $slot } wird übersprungen: { $next } kommt zur selben Zeit.
-timeline_goesBack = { $next } kommt vor { $slot }. Es ist nicht bekannt, was der Timer im schattierten Teil tut.
+timeline_goesBack = { $next } kommt früher als { $slot }. Es ist nicht bekannt, was der Timer im schattierten Teil tut.
 
 ## A new version of the page.
 
@@ -1421,7 +1423,7 @@ parts_again = Noch einmal
 
 ## Which model it is.
 
-whichModel_recognition_same = Das ist { $model }, wie zuletzt gesehen, { $when }.
+whichModel_recognition_same = Das ist { $model }, Stand { $when }.
 whichModel_recognition_like =
     { $count ->
         [one] Das ist wie { $model }, { $count } Wert ist anders. Ist es { $model }?
@@ -1452,13 +1454,13 @@ whichModel_crossing_memoryOf = { $memory } von { $model }
 ## A write, from the difference to the verdict.
 
 write_title = In den Timer schreiben
-write_lead = Ziel: { $memory }. Das ändert sich dort, alles andere bleibt, wie es ist.
+write_lead = So ändert sich { $memory }. Alles andere bleibt, wie es ist.
 write_target = Schreiben in
 write_nothing = Nichts ist anders. Der Timer wird zurückgelesen und verglichen.
 write_field = Wert
 write_from = Timer enthält
 write_to = Wird enthalten
-write_wasRead = Gelesen war
+write_wasRead = Zuvor gelesen
 write_moved_model_title = Dieser Timer scheint jetzt zu einem anderen Modell zu gehören.
 write_moved_model_advice = Nichts wurde geschrieben. Sehen Sie die Namen der Modelle an.
 write_moved_edits_title = Das Programm hat sich geändert, seit das gezeigt wurde.
@@ -1472,11 +1474,11 @@ write_stillToTick = Noch anzuhaken: { $ticks }.
 write_ticks_model = anderes Modell
 write_ticks_warnings = Warnungen
 write_ticks_safety = Propeller
-write_move_why = Dieser Timer scheint Stellungen nur dort zu behalten, wo seine Servos stehen. Bewegen sich die Servos nicht, wird er diese wahrscheinlich nicht behalten.
+write_move_why = Dieser Timer scheint Stellungen nur bei der Funktion zu behalten, bei der seine Servos stehen. Bewegen sich die Servos nicht, wird er diese Stellungen wahrscheinlich nicht behalten.
 write_move_label = Servos auf jede Funktion stellen, bevor deren Stellungen geschrieben werden.
 write_move_hint = Halten Sie das Modell sicher fest; nichts darf den Servos im Weg sein.
 write_move_notHeld_title = Der Timer hat die Stellungen bestätigt, aber nicht behalten.
-write_move_notHeld_advice = Wahrscheinlich behält dieser Timer sie nur dort, wo seine Servos stehen. Schreiben Sie noch einmal, und lassen Sie dabei die Servos zu jeder Funktion gehen.
+write_move_notHeld_advice = Wahrscheinlich behält dieser Timer sie nur bei der Funktion, bei der seine Servos stehen. Schreiben Sie noch einmal, und lassen Sie dabei die Servos auf jede Funktion stellen.
 write_move_again = Nochmals schreiben…
 write_start =
     { $count ->
@@ -1503,11 +1505,11 @@ write_unknown_title = Es ist ungewiss, was der Timer enthält.
 write_unknown_advice = Der Timer konnte nicht vollständig zurückgelesen werden. Lesen Sie neu, dann schreiben Sie, was noch abweicht. Ihre Änderungen sind noch da.
 write_cut = { $memory }: Das Schreiben wurde unterbrochen.
 write_strayed_title = { $memory } wurde während des Schreibens aktuell.
-write_strayed_advice = Einige der Werte können jetzt in { $memory } sein. Lesen Sie ihn und sehen Sie ihn ganz durch, bevor Sie damit fliegen.
+write_strayed_advice = Einige der Werte sind jetzt vielleicht in { $memory }. Lesen Sie diesen Speicher und sehen Sie ihn ganz durch, bevor Sie damit fliegen.
 write_refused = Nichts wurde geschrieben.
 write_status_differs = anders
 write_status_unknown = nicht bekannt
-write_putBack = von selbst geändert, zurückgesetzt
+write_putBack = vom Timer selbst geändert, zurückgesetzt
 
 ## What the parts of the page that are loaded first say.
 
@@ -1550,7 +1552,7 @@ times_units_s = s
 times_units_min = min
 times_figure = { $text } { $unit }
 times_asSeconds = { $seconds }{" "}s, { $clock }
-times_meaning = Was { $field } bedeutet
+times_meaning = { $field }: was gemeint ist
 header_firmware = Firmware { $firmware }
 header_simulated = simuliert
 header_connect = Verbinden
@@ -1562,8 +1564,8 @@ program_tableCaption = Zeit und Servostellungen jeder Funktion
 program_slot = Funktion
 program_time = Zeit
 program_memory = Speicher
-program_memoryUnknown = Dieser Timer sagt nicht, welcher Speicher aktuell ist. Darum ist nicht bekannt, welcher als Nächstes fliegt.
-program_memoryOpen = Es ist nicht bekannt, welcher Speicher als Nächstes fliegt. Lassen Sie einen als Nächstes fliegen, oder lesen Sie neu.
+program_memoryUnknown = Dieser Timer sagt nicht, welcher Speicher aktuell ist. Darum ist nicht bekannt, welcher für den nächsten Flug gilt.
+program_memoryOpen = Es ist nicht bekannt, welcher Speicher für den nächsten Flug gilt. Wählen Sie einen dafür, oder lesen Sie neu.
 program_dt = DT
 program_motorStop = Motorstopp
 program_motor = Motor
@@ -1636,12 +1638,12 @@ settle_title = Mit Ihrem Timer klären
 settle_lead = Nicht alles ist bekannt darüber, wie diese Timer sprechen. In fünfzehn Minuten klärt Ihrer, was offen ist. Jeder probierte Wert wird zurückgesetzt. Halten Sie das Programmiergerät bereit.
 settle_safe = Der Propeller ist abgenommen oder der Motor ist abgesteckt, und der Timer ist nicht scharf.
 settle_danger = Jetzt kann sich etwas bewegen. Ist der Propeller abgenommen oder der Motor abgesteckt? Sehen Sie noch einmal nach.
-settle_blocked = Klären Sie zuerst, was das Band oben sagt, und behalten Sie das Probierte oder setzen Sie es zurück.
+settle_blocked = Kümmern Sie sich zuerst um die Meldung im farbigen Band oben, und behalten Sie das Probierte oder setzen Sie es zurück.
 settle_readIt = Timer lesen
 settle_which = Welche zeigt das Programmiergerät?
-settle_tryHint = Bewegen Sie die Servos und warten Sie, bis sie stillstehen. Dann probieren Sie eine Stellung: Sie wird geändert und binnen Sekunden zurückgesetzt. Beobachten Sie die Servos.
+settle_tryHint = Bewegen Sie die Servos mit den Tasten der Seite und warten Sie, bis sie stillstehen. Dann probieren Sie eine Stellung: Sie wird geändert und binnen Sekunden zurückgesetzt. Beobachten Sie die Servos.
 settle_tryIt = Eine Stellung probieren
-settle_moved = Die alte Stellung ist zurück: Sie wurde gelesen. Hat sich ein Servo bewegt, als die neue probiert wurde?
+settle_moved = Die alte Stellung ist zurück: Die Seite hat sie zurückgelesen. Hat sich ein Servo bewegt, als die neue probiert wurde?
 settle_ask = Mit vier Nullen fragen
 settle_unknown = Ich weiß es nicht
 settle_send = Senden Sie die Datei mit diesem Formular
