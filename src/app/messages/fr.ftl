@@ -11,26 +11,26 @@ bench_atNone = On ne sait pas où sont les servos.
 bench_moveMaybe = Aucune réponse. Les servos ont peut-être bougé malgré tout. Regardez le modèle.
 bench_unlocked = Le moteur est déverrouillé. L’hélice peut démarrer.
 bench_unlockMaybe = Aucune réponse. Le moteur est peut-être déverrouillé malgré tout. Restez loin de l’hélice.
-bench_jumped = La minuterie a accepté le saut.
+bench_jumped = La minuterie a confirmé le saut.
 bench_here = servos ici
 bench_waits = Attend l’écriture.
 bench_bring = Amener les servos en position { $slot }
 bench_follow = Les servos suivent les positions
-bench_followHint = D’abord, la page lit la minuterie et conserve une sauvegarde. Ensuite, chaque position que vous changez à la fonction où sont les servos est mémorisée aussitôt, et son servo bouge.
-bench_followingNow = Suivi en cours{"\u00a0"}: une position que vous changez à la fonction où sont les servos est mémorisée aussitôt.
+bench_followHint = D’abord, la page lit la minuterie et conserve une sauvegarde. Ensuite, chaque position que vous changez à la fonction où sont les servos est écrite aussitôt dans la minuterie, et son servo bouge.
+bench_followingNow = Les servos suivent{"\u00a0"}: une position que vous changez à la fonction où ils sont est écrite aussitôt dans la minuterie.
 bench_stopFollowing = Arrêter le suivi
 bench_followPending = Des changements antérieurs attendent l’écriture.
 bench_ended_over = Les servos ne suivent plus.
 bench_ended_memory = Les servos ne suivent plus{"\u00a0"}: une autre mémoire est sélectionnée, ou l’est peut-être.
-bench_ended_strayed = Une autre mémoire a été sélectionnée pendant le suivi des servos. Elle a peut-être pris certaines positions{"\u00a0"}: regardez-la en entier avant de voler avec elle.
-bench_ended_unlike = Les servos ne suivent plus{"\u00a0"}: la minuterie n’a pas fait ce qu’elle avait accepté.
+bench_ended_strayed = Pendant que les servos suivaient, une autre mémoire est devenue la mémoire sélectionnée. Elle a peut-être pris certaines des positions{"\u00a0"}: regardez-la en entier avant de voler avec elle.
+bench_ended_unlike = Les servos ne suivent plus{"\u00a0"}: la minuterie n’a pas fait ce qu’elle avait confirmé.
 bench_ended_failed = Les servos ne suivent plus{"\u00a0"}: la minuterie n’a pas répondu.
-bench_notTaken = { $field }{"\u00a0"}: { $held }, et non { $wanted }.
+bench_notTaken = { $field }{"\u00a0"}: la minuterie contient { $held }, pas { $wanted }.
 bench_beside =
     { $more ->
-        [0] A changé aussi{"\u00a0"}: { $named }.
-        [one] A changé aussi{"\u00a0"}: { $named }{"\u00a0"}; et { $more } autre valeur.
-       *[other] A changé aussi{"\u00a0"}: { $named }{"\u00a0"}; et { $more } autres valeurs.
+        [0] Autres changements{"\u00a0"}: { $named }.
+        [one] Autres changements{"\u00a0"}: { $named }{"\u00a0"}; et { $more } autre valeur.
+       *[other] Autres changements{"\u00a0"}: { $named }{"\u00a0"}; et { $more } autres valeurs.
     }
 bench_endUnread = La minuterie n’a pas été lue depuis.
 bench_triedHere =
@@ -50,8 +50,8 @@ bench_decide = Conserver ce qui a été essayé, ou rétablir ce que la minuteri
 bench_keep = Conserver
 bench_putBack = Rétablir…
 bench_unlock = Maintenir pour UNLOCK
-bench_unlockHold = Maintenez
-bench_unlockHint = L’hélice peut démarrer. Tenez le modèle, gardez les mains loin de l’hélice, puis appuyez et maintenez.
+bench_unlockHold = Continuez d’appuyer
+bench_unlockHint = L’hélice peut démarrer. Tenez le modèle, gardez les mains loin de l’hélice, puis appuyez sur le bouton et maintenez-le enfoncé.
 bench_experimental = Expérimental
 bench_jumpHint = Saute à la fonction qui suit un DT anticipé. L’effet exact n’est pas documenté{"\u00a0"}: des servos peuvent bouger.
 bench_jump = Saut…
@@ -154,7 +154,7 @@ findings_position-as-read = Valeur lue { $value }, au-dessus du dernier pas, { $
 findings_time-falls = Ce temps vient avant celui de la fonction au-dessus ({ $previous }).
 findings_time-repeats = Le même temps que la fonction au-dessus, { $previous }.
 findings_position-never-reached = Le même temps que la fonction au-dessus, { $previous }. Les positions de la fonction au-dessus ne sont jamais atteintes.
-findings_motor-stop-after-dt = Le moteur s’arrête après DT ({ $dt }){"\u00a0"}: le modèle descend moteur en marche.
+findings_motor-stop-after-dt = Le moteur ne s’arrête qu’après DT ({ $dt }){"\u00a0"}: le modèle descend moteur en marche.
 findings_motor-run-long = Le moteur tourne plus de { $limit }, la limite pour F1Q.
 findings_time-outside-manual = La notice admet de { $min } à { $max }.
 findings_time-too-fine = La notice indique des paliers de { $step }{"\u00a0"}: la minuterie arrondira peut-être.
@@ -465,7 +465,7 @@ guide_nav = Pages d’aide
 
 firstSteps_1 = Lire{"\u00a0"}: appuyez sur «{"\u00a0"}{ header_connect }{"\u00a0"}», réveillez la minuterie, tenez la tête infrarouge tout près. Lire ne change rien et ne bouge rien.
 firstSteps_2 = Écrire{"\u00a0"}: tapez les nouvelles valeurs, appuyez sur «{"\u00a0"}Écrire{"\u00a0"}», regardez chaque différence. «{"\u00a0"}Vérifié{"\u00a0"}» signifie{"\u00a0"}: la minuterie a été relue et contient ce que vous voulez.
-firstSteps_3 = Voler{"\u00a0"}: en haut se trouvent la mémoire du prochain vol et son DT. La page n’a pas besoin de réseau, et rien ne quitte cet appareil.
+firstSteps_3 = Voler{"\u00a0"}: en haut de la page se trouvent la mémoire du prochain vol et son DT. La page n’a pas besoin de réseau, et rien ne quitte cet appareil.
 
 ## The values of a program, with unit and range.
 
@@ -475,13 +475,13 @@ values_time_text = Quand une fonction commence, compté à partir du départ. Ta
 values_time_range = Selon les notices. F1Q{"\u00a0"}: 0,1 à 99,9 s. F1B{"\u00a0"}: 0,01 à 9,99 s pour les fonctions 1 et 2, puis 0,1 à 99,9 s. F1E{"\u00a0"}: pas connu.
 values_after_text = Le temps depuis la fonction précédente. Toutes les fonctions suivantes se décalent avec lui, DT non.
 values_position_name = Position
-values_position_text = Où se tient un servo. L’angle d’un pas dépend du servo et de la tringlerie{"\u00a0"}: essayez-le au banc.
+values_position_text = Où se tient un servo. L’angle d’un pas dépend du servo et de la tringlerie{"\u00a0"}: essayez-le dans la vue «{"\u00a0"}{ views_names_bench }{"\u00a0"}».
 values_position_range = 0 à 130 pas.
 values_motorStop_text = F1Q{"\u00a0"}: quand le moteur s’arrête, compté à partir du départ. Aucun servo ne bouge avec lui.
 values_motorStop_range = Selon la notice, 0,1 à 99,9 s, par paliers de 0,1 s.
 values_dt_text = Le déthermaliseur{"\u00a0"}: quand il fait descendre le modèle, compté à partir du départ. En rouge s’il est plus court que votre limite.
 values_dt_range = 1 à 720 s selon la notice. Plus de 10:55 min ne peut pas être envoyé.
-values_idleThrottle_text = F1Q{"\u00a0"}: probablement la vitesse du moteur tant que l’interrupteur de départ est tenu.
+values_idleThrottle_text = F1Q{"\u00a0"}: probablement la vitesse du moteur tant que l’interrupteur de départ est enfoncé.
 values_idleThrottle_range = La page suppose 0 à 100. L’unité n’est pas connue.
 values_memory_text = Une minuterie a plusieurs mémoires, chacune avec un programme. Celle qui est sélectionnée sert au prochain vol. Consulter une autre mémoire la sélectionne puis revient{"\u00a0"}; si cela est interrompu, la page dit laquelle servira peut-être au prochain vol.
 values_memory_range = En général quatre, M1 à M4. Les minuteries plus anciennes en ont cinq.
@@ -493,15 +493,15 @@ checklist_items_memory = La bonne mémoire servira au prochain vol.
 checklist_items_dtTime = J’ai dit le temps du DT à voix haute.
 checklist_items_surfaces = L’aile, le stabilisateur et la dérive tiennent bien et sont dans la bonne position.
 checklist_items_battery = La batterie est chargée, et sa prise est enfoncée à fond.
-checklist_items_dtSeen = J’ai vu le servo aller à DT.
+checklist_items_dtSeen = J’ai vu le servo aller à la position DT.
 checklist_items_radioDt = J’ai essayé le DT radio, s’il y en a un.
-checklist_items_switch = J’ai appuyé cinq fois sur l’interrupteur de départ, et il est revenu chaque fois.
+checklist_items_switch = J’ai appuyé cinq fois sur l’interrupteur de départ, et il est revenu à chaque fois.
 checklist_items_propeller = L’hélice est bien fixée et tourne librement. Personne n’est devant elle.
 checklist_known_now = Prochain vol{"\u00a0"}: { $memory }, DT{"\u00a0"}{ $dt } (lecture{"\u00a0"}: { $time }).
 checklist_known_onceAt = À la dernière lecture ({ $time }){"\u00a0"}: { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_once = À la dernière lecture{"\u00a0"}: { $memory }, DT{"\u00a0"}{ $dt }.
-checklist_known_not = On ne sait pas ce que contient { $memory }. Lisez-la avant de voler.
-checklist_known_nothing = Aucune minuterie n’a été lue. Connectez-en une pour voir ici sa mémoire et son DT.
+checklist_known_not = On ne sait pas ce que contient { $memory }. Lisez cette mémoire avant de voler.
+checklist_known_nothing = Aucune minuterie n’a été lue. Connectez-en une pour voir ici la mémoire du prochain vol et son DT.
 checklist_known_unwritten =
     { $count ->
         [one] { $count } changement n’est pas encore dans la minuterie.
@@ -521,27 +521,27 @@ troubles_symptoms_noAnswer_title = La minuterie ne répond pas
 troubles_symptoms_noAdapter_title = La page ne trouve pas l’adaptateur
 troubles_symptoms_refused_title = L’adaptateur ne s’ouvre pas
 troubles_symptoms_wrongValues_title = Les valeurs semblent fausses
-troubles_symptoms_wrongValues_steps_1 = Regardez en haut{"\u00a0"}: quelle mémoire est affichée, et laquelle servira au prochain vol{"\u00a0"}?
+troubles_symptoms_wrongValues_steps_1 = Regardez en haut de la page{"\u00a0"}: quelle mémoire est affichée, et laquelle servira au prochain vol{"\u00a0"}?
 troubles_symptoms_wrongValues_steps_2 = Appuyez sur «{"\u00a0"}{ program_read }{"\u00a0"}».
 troubles_symptoms_wrongValues_steps_3 = Les temps diminuent-ils d’une ligne à l’autre{"\u00a0"}? La page demande alors comment les lire.
 troubles_symptoms_wrongValues_steps_4 = Sur F1B et F1E, comparez les temps avec le programmateur.
 troubles_symptoms_cutOff_title = L’écriture a été interrompue
-troubles_symptoms_cutOff_steps_1 = Ne volez pas encore avec ce modèle. Connectez la minuterie{"\u00a0"}: la page la lit, puis propose de terminer l’écriture ou de revenir en arrière.
-troubles_symptoms_cutOff_steps_2 = Ce que la minuterie contenait avant se trouve sous { views_names_memories }, { backups_title }.
-troubles_symptoms_noDt_title = DT ne vient pas, ou vient au mauvais moment
-troubles_symptoms_noDt_steps_1 = Regardez en haut{"\u00a0"}: là se trouvent la mémoire du prochain vol et son DT. Une autre mémoire a un autre DT.
-troubles_symptoms_noDt_steps_2 = L’interrupteur de départ revient-il chaque fois{"\u00a0"}? Tant qu’il est tenu, la séquence ne commence pas, et aucun DT ne vient.
-troubles_symptoms_noDt_steps_3 = La batterie est-elle chargée, sa prise enfoncée à fond{"\u00a0"}? Quand la minuterie ne tourne pas, aucun DT ne vient.
-troubles_symptoms_noDt_steps_4 = Tenez bien le modèle et appuyez sur la ligne DT dans la vue { views_names_bench }. Le servo y va-t-il, et libère-t-il ce qu’il retient{"\u00a0"}?
+troubles_symptoms_cutOff_steps_1 = Ne volez pas encore avec ce modèle. Connectez la minuterie{"\u00a0"}: la page la lit, puis propose de terminer l’écriture ou de réécrire les anciennes valeurs.
+troubles_symptoms_cutOff_steps_2 = Ce que la minuterie contenait avant se trouve sous «{"\u00a0"}{ views_names_memories }{"\u00a0"}», «{"\u00a0"}{ backups_title }{"\u00a0"}».
+troubles_symptoms_noDt_title = Le DT ne se déclenche pas, ou se déclenche au mauvais moment
+troubles_symptoms_noDt_steps_1 = Regardez en haut de la page{"\u00a0"}: là se trouvent la mémoire du prochain vol et son DT. Une autre mémoire a un autre DT.
+troubles_symptoms_noDt_steps_2 = L’interrupteur de départ revient-il à chaque fois{"\u00a0"}? Tant qu’il est enfoncé, la séquence ne commence pas, et le DT ne se déclenche pas.
+troubles_symptoms_noDt_steps_3 = La batterie est-elle chargée, sa prise enfoncée à fond{"\u00a0"}? Quand la minuterie ne tourne pas, le DT ne se déclenche pas.
+troubles_symptoms_noDt_steps_4 = Tenez bien le modèle et appuyez sur la ligne DT dans la vue «{"\u00a0"}{ views_names_bench }{"\u00a0"}». Le servo va-t-il à la position DT, et libère-t-il ce qu’il retient{"\u00a0"}?
 troubles_symptoms_noDt_steps_5 = Démontez l’hélice et laissez tourner la minuterie jusqu’à la fin. Ne volez pas avant d’avoir vu le servo bouger au temps du DT.
 troubles_symptoms_noMove_title = Un servo ne bouge pas
-troubles_symptoms_noMove_steps_1 = Tenez le modèle et appuyez sur sa ligne au banc. Rien ne bouge{"\u00a0"}? Regardez la prise et la batterie. Il bouge là, mais pas en vol{"\u00a0"}? Il a la même position qu’à la fonction précédente.
-troubles_symptoms_noMove_steps_2 = Va-t-il ailleurs que le dit le tableau{"\u00a0"}? Une minuterie ne mémorise parfois une position que pour la fonction où sont les servos. La page propose alors de déplacer les servos pendant l’écriture.
+troubles_symptoms_noMove_steps_1 = Tenez le modèle et appuyez, dans la vue «{"\u00a0"}{ views_names_bench }{"\u00a0"}», sur la ligne de la fonction où le servo doit bouger. Rien ne bouge{"\u00a0"}? Regardez la prise et la batterie. Il bouge là, mais pas en vol{"\u00a0"}? Il a la même position qu’à la fonction précédente.
+troubles_symptoms_noMove_steps_2 = Va-t-il ailleurs que ne le dit le tableau{"\u00a0"}? Il se peut que certaines minuteries ne gardent une position que pour la fonction où sont les servos. La page propose alors de déplacer les servos pendant l’écriture.
 troubles_symptoms_noMove_steps_3 = Bourdonne-t-il, ou s’arrête-t-il trop tôt{"\u00a0"}? La tringlerie le bloque peut-être{"\u00a0"}: essayez un mouvement plus petit.
 troubles_symptoms_noMotor_title = Le moteur ne démarre pas
-troubles_symptoms_noMotor_steps_1 = Après un vol, la minuterie verrouille le moteur. Pour le libérer, tenez le modèle et gardez les mains loin de l’hélice{"\u00a0"}: elle peut démarrer. Tenez ensuite le bouton «{"\u00a0"}{ bench_unlock }{"\u00a0"}» dans la vue { views_names_bench }.
-troubles_symptoms_noMotor_steps_2 = L’interrupteur de départ est-il revenu{"\u00a0"}? Tant qu’il est tenu, le moteur ne tourne qu’au ralenti.
-troubles_symptoms_noMotor_steps_3 = L’arrêt moteur est-il assez long{"\u00a0"}? À 0,1 s, le moteur s’arrête dès qu’il a démarré.
+troubles_symptoms_noMotor_steps_1 = Après un vol, la minuterie verrouille le moteur. Pour le déverrouiller, tenez le modèle et gardez les mains loin de l’hélice{"\u00a0"}: elle peut démarrer. Maintenez ensuite enfoncé le bouton «{"\u00a0"}{ bench_unlock }{"\u00a0"}» dans la vue «{"\u00a0"}{ views_names_bench }{"\u00a0"}».
+troubles_symptoms_noMotor_steps_2 = L’interrupteur de départ est-il revenu{"\u00a0"}? Tant qu’il est enfoncé, le moteur ne tourne qu’au ralenti.
+troubles_symptoms_noMotor_steps_3 = L’arrêt moteur vient-il assez tard{"\u00a0"}? À 0,1 s, le moteur s’arrête dès qu’il a démarré.
 troubles_symptoms_noLibrary_title = Mes modèles et programmes ne sont pas là
 troubles_symptoms_noLibrary_steps_1 = Videz le champ de recherche, appuyez sur Archives.
 troubles_symptoms_noLibrary_steps_2 = Chaque navigateur, profil et adresse a sa propre bibliothèque{"\u00a0"}; une fenêtre privée l’efface.
@@ -620,7 +620,7 @@ removed = Supprimé{"\u00a0"}: { $what }.
 
 erase_open = Tout supprimer sur cet appareil…
 erase_lead = Ceci supprime de ce navigateur tous les modèles, programmes, vols, sauvegardes, changements non écrits et choix de cette page. C’est irréversible. Les minuteries gardent ce qu’elles contiennent.
-erase_uncertain = Une écriture a été interrompue, et on ne sait pas ce que contient cette minuterie. Sans la trace de cette écriture, cette page ne peut pas vous prévenir{"\u00a0"}: lisez cette minuterie avant de voler.
+erase_uncertain = Une écriture a été interrompue, et on ne sait pas ce que contient la minuterie concernée. Sans la trace de cette écriture, cette page ne peut pas vous prévenir{"\u00a0"}: lisez la minuterie concernée avant de voler.
 erase_start = Tout supprimer
 erase_running = Suppression
 erase_failed = Tout n’a pas pu être supprimé. Fermez les autres onglets de cette page et réessayez, ou supprimez ses données dans les paramètres du navigateur.
@@ -635,13 +635,13 @@ framed_open = Ouvrir Sidus Timer dans son propre onglet
 knowledge_title = Incertain
 knowledge_uncertain = On ne sait pas ce que contient { $memory }{"\u00a0"}: { $values }.
 knowledge_noFly = Ne volez pas avant de l’avoir lue.
-knowledge_since = Une écriture a été interrompue le { $time }.
+knowledge_since = Écriture interrompue (début{"\u00a0"}: { $time }).
 knowledge_thisMemory = la mémoire sélectionnée
-knowledge_memoryOf = { $memory } { $timer }
-knowledge_timer_here = de la { $name } { $firmware }
-knowledge_timer_simulated = de la { $name } { $firmware } simulée
-knowledge_otherTimer_here = d’une autre { $name } { $firmware }
-knowledge_otherTimer_simulated = d’une autre { $name } { $firmware } simulée
+knowledge_memoryOf = { $memory } ({ $timer })
+knowledge_timer_here = { $name } { $firmware }
+knowledge_timer_simulated = { $name } { $firmware } simulée
+knowledge_otherTimer_here = autre { $name } { $firmware }
+knowledge_otherTimer_simulated = autre { $name } { $firmware } simulée
 knowledge_dt = DT
 knowledge_motorStop = arrêt moteur
 knowledge_either = { $name } = { $before } ou { $goal }
@@ -653,7 +653,7 @@ knowledge_list =
 knowledge_and = { $first }, et { $next }
 knowledge_connect = Connecter et lire
 knowledge_forget = Oublier ceci…
-knowledge_forgetSure = N’oubliez ceci que si vous avez lu cette minuterie ailleurs, ou ne l’avez plus.
+knowledge_forgetSure = N’oubliez ceci que si vous avez lu la minuterie concernée ailleurs, ou si vous ne l’avez plus.
 knowledge_forgetNow = L’oublier maintenant
 knowledge_verified = Comme dans la minuterie (vérifié{"\u00a0"}: { $time })
 knowledge_readAt = Comme dans la minuterie (lu{"\u00a0"}: { $time })
@@ -810,7 +810,7 @@ line_memories =
 line_memoryUnsaid = Elle ne dit pas laquelle.
 line_idleThrottle = { $value }, unité inconnue
 line_idleThrottleUnsaid = Elle ne donne pas de valeur.
-line_acknowledged = Accepté.
+line_acknowledged = Confirmé.
 line_unreadable_wrong-length = Son contenu est plus long ou plus court qu’il ne faut.
 line_unreadable_unknown-command = On ne sait pas ce que cela signifie.
 line_unreadable_unexpected-reply = Elle répond à une autre demande.
@@ -895,7 +895,7 @@ link_stages_steps_near = Tenez la tête infrarouge à moins de 20 cm, à l’abr
 link_stages_steps_other = La minuterie est-elle sur un autre adaptateur{"\u00a0"}?
 link_refused = La page réessaie pendant 15 secondes. Un autre programme occupe peut-être l’adaptateur.
 link_heard_title = On entend quelque chose, mais aucune minuterie ne répond.
-link_heard_advice = Réveillez la minuterie et rapprochez la tête, à l’abri du soleil, ou choisissez un autre adaptateur.
+link_heard_advice = Réveillez la minuterie et rapprochez la tête infrarouge, à l’abri du soleil, ou choisissez un autre adaptateur.
 link_slow_title = Une minuterie répond, mais trop lentement.
 link_slow_advice = Ses octets arrivent un par un à { $rate } bauds, avec des pauses si longues qu’aucune réponse n’est complète à temps. Cette page ne peut pas la lire. Essayez un autre adaptateur, ou un câble au lieu du Bluetooth.
 link_itSaid = Reçu{"\u00a0"}: { $bytes } («{"\u00a0"}{ $text }{"\u00a0"}»).
@@ -946,7 +946,7 @@ aboutTimer_quirkNames_servo-first = À l’écriture d’une position, elle pren
 aboutTimer_quirkNames_servo-unanswered = Elle n’a pas répondu à l’écriture d’une position.
 aboutTimer_quirkNames_times-rounded = Elle arrondit les temps.
 aboutTimer_quirkNames_memories-from-one = Elle compte ses mémoires à partir de 1.
-aboutTimer_quirkNames_positions-unchanged = Elle a accepté des positions mais ne les a pas gardées.
+aboutTimer_quirkNames_positions-unchanged = Elle a confirmé des positions mais ne les a pas gardées.
 aboutTimer_quirkNames_echo = L’adaptateur renvoie ce qu’on lui envoie.
 aboutTimer_quirkNames_idle-throttle-unanswered = { aboutTimer_quirkNames_bare-checksum }
 aboutTimer_quirkNames_identity-unusual = Ce qu’elle dit d’elle-même contient des octets inconnus.
@@ -987,7 +987,7 @@ look_lead = Pour consultation seulement. Prochain vol{"\u00a0"}: { $current }.
 look_edit = Modifier { $memory }
 look_look = Consulter { $memory }
 look_hint = Ceci sélectionne { $memory }, la lit et revient à { $current }.
-look_fly = Prochain vol avec { $memory }
+look_fly = Choisir { $memory } pour le prochain vol
 look_show = Afficher { $memory }
 
 ## Jobs over several memories, and the backups.
@@ -1001,9 +1001,9 @@ memories_plans_screen =
        *[false] { $to } contiendra les temps et positions à l’écran. Ce que { $to } contient maintenant est d’abord sauvegardé.
     }
 memories_plans_copy = { $to } contiendra les temps et positions de { $from }, lus à l’instant. Ce que { $to } contient maintenant est d’abord sauvegardé.
-memories_plans_restore = Ceci écrit dans { $names } ce qui a été sauvegardé le { $time }. Ce qui s’y trouve maintenant est d’abord sauvegardé.
+memories_plans_restore = Ceci écrit dans { $names } ce qui a été sauvegardé ({ $time }). Ce qui s’y trouve maintenant est d’abord sauvegardé.
 memories_atEnd = À la fin, { $current } redevient la mémoire du prochain vol.
-memories_refused = Rien ne peut être écrit dans { $memory }{"\u00a0"}: aucun programme ne peut envoyer ces valeurs.
+memories_refused = Rien ne peut être écrit dans { $memory }{"\u00a0"}: aucun logiciel ne peut envoyer ces valeurs.
 memories_untouched = Rien n’a été écrit dans { $memory }.
 memories_stopped = Ce qui n’a pas encore été écrit est resté comme avant.
 
@@ -1055,7 +1055,7 @@ connection_lost_advice = { connection_unplugged_advice }
 ## Why a job with the timer has ended.
 
 timer_no-answer_title = La minuterie n’a pas répondu.
-timer_no-answer_advice = Appuyez brièvement sur l’interrupteur de la minuterie, tenez la tête à moins de 20 cm et réessayez. Ce que vous avez tapé est conservé.
+timer_no-answer_advice = Appuyez brièvement sur l’interrupteur de la minuterie, tenez la tête infrarouge à moins de 20 cm de la minuterie et réessayez. Ce que vous avez tapé est conservé.
 timer_bad-reply_title = La réponse de la minuterie ne peut pas être juste.
 timer_bad-reply_advice = Réessayez. Si cela se reproduit{"\u00a0"}: { views_names_settings }, Expert, { views_names_line }, «{"\u00a0"}{ line_copyReport }{"\u00a0"}».
 timer_unstable_title = La liaison est trop bruitée pour qu’on s’y fie.
@@ -1066,18 +1066,18 @@ timer_other-memory_title = La mémoire sélectionnée n’est pas celle de l’�
 timer_other-memory_advice = Relisez avant d’écrire.
 timer_memory-unknown_title = Cette minuterie ne dit pas quelle mémoire est sélectionnée.
 timer_memory-unknown_advice = Cette page ne peut donc pas consulter une autre mémoire et revenir. Vous pouvez lire et écrire celle qui est sélectionnée.
-timer_memory-left_title = La mémoire du prochain vol a peut-être changé.
-timer_memory-left_advice = Cette page n’a pas pu revenir à celle qui était sélectionnée. Connectez à nouveau la minuterie et choisissez la bonne mémoire pour le prochain vol avant de voler.
-timer_other-timer_title = Ce n’est pas la minuterie qui répondait avant.
+timer_memory-left_title = Le prochain vol se fera peut-être avec une autre mémoire.
+timer_memory-left_advice = Cette page n’a pas pu revenir à la mémoire qui était sélectionnée. Connectez à nouveau la minuterie et choisissez la bonne mémoire pour le prochain vol avant de voler.
+timer_other-timer_title = Ce n’est pas la minuterie qui a répondu avant.
 timer_other-timer_advice = La page la lit. Regardez ce qu’elle contient avant d’écrire.
 timer_stale_title = La minuterie ne contient pas ce qui était affiché.
 timer_stale_advice = Rien n’a été écrit. Regardez ce qu’une écriture changerait maintenant.
 timer_changed_title = La minuterie contient d’autres valeurs qu’avant.
 timer_changed_advice = Autre chose l’a changée, ou c’est une autre minuterie. Vos changements sont conservés{"\u00a0"}: regardez la différence avant d’écrire.
 timer_stood-still_title = Cette page s’est figée pendant l’opération.
-timer_stood-still_advice = Rien de plus n’a été envoyé{"\u00a0"}: une autre minuterie est peut-être là maintenant. Relisez.
+timer_stood-still_advice = Plus rien n’a été envoyé ensuite{"\u00a0"}: une autre minuterie est peut-être là maintenant. Relisez.
 timer_too-slow_title = Cette minuterie répond trop lentement.
-timer_too-slow_advice = Ses réponses prennent plus de 3 secondes, cette page ne peut donc pas dire laquelle va avec quelle demande. Rien de plus n’a été envoyé. Essayez un autre adaptateur, ou un câble au lieu du Bluetooth.
+timer_too-slow_advice = Ses réponses prennent plus de 3 secondes, cette page ne peut donc pas savoir à quelle demande chacune répond. Plus rien n’a été envoyé ensuite. Essayez un autre adaptateur, ou un câble au lieu du Bluetooth.
 timer_undecided_title = { byteOrder_title }
 timer_undecided_advice = { byteOrder_advice }
 timer_serious_title = Les contrôles ont trouvé quelque chose de grave.
@@ -1095,6 +1095,7 @@ timer_closed_advice = Appuyez sur «{"\u00a0"}{ header_connect }{"\u00a0"}» pou
 
 alike_title = Chaque réponse à { $request } est endommagée de la même façon.
 alike_advice = Ce n’est pas du bruit{"\u00a0"}: la minuterie ou son adaptateur forme ces réponses d’une façon inconnue. Activez Expert dans les paramètres, ouvrez { views_names_line } et appuyez sur «{"\u00a0"}{ line_copyReport }{"\u00a0"}». Envoyez le rapport aux responsables du projet (github.com/sidus-timer/sidus-timer/issues).
+alike_part = Pour consultation seulement{"\u00a0"}: { $values }. Tout le reste est inconnu.
 
 ## Messages that are not about errors.
 
@@ -1107,8 +1108,8 @@ notes_moved_advice = { timer_changed_advice }
 notes_timer-moved_title = { timer_changed_title }
 notes_timer-moved_advice = { timer_changed_advice }
 notes_kept_title = Vos changements sont conservés sur cet appareil.
-notes_kept_advice = Ils ne correspondent pas à ce qui vient d’être lu. Ils reviennent quand vous relisez cette mémoire{"\u00a0"}; l’accueil les liste aussi.
-notes_other-kind_title = Il y a maintenant un autre type de minuterie.
+notes_kept_advice = Ils ne correspondent pas à ce qui vient d’être lu. Ils reviennent quand vous relisez la mémoire d’où ils viennent{"\u00a0"}; l’accueil les liste aussi.
+notes_other-kind_title = Une minuterie d’un autre type est là maintenant.
 notes_other-kind_advice = { timer_other-timer_advice }
 notes_write-completed_title = L’écriture interrompue est complète.
 notes_write-completed_advice = La minuterie a été relue et contient tout ce qui devait être écrit.
@@ -1117,14 +1118,15 @@ notes_nothing-written_advice = {""}
 notes_not-backed-up_title = { write_unkept_title }
 notes_not-backed-up_advice = { keeping_notKept }
 notes_select-unanswered_title = La minuterie n’a pas répondu à la sélection d’une mémoire.
-notes_select-unanswered_advice = Elle répond à d’autres demandes. Réessayez, ou essayez sans somme de contrôle correcte.
+notes_select-unanswered_advice = Elle répond à d’autres demandes. Réessayez, ou envoyez la demande sans somme de contrôle correcte.
 notes_backed-up_title = Toutes les mémoires ont été lues, et une sauvegarde de chacune est conservée.
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
+notes_made-laid_title = Le tableau montre votre programme, pas ce que contient la minuterie.
 notes_made-laid_advice = Rien n’a été écrit. Ce qui diffère est marqué. «{"\u00a0"}{ undo }{"\u00a0"}» montre ce que contient la minuterie.
 notes_unexpected_title = Un problème est survenu dans cette page.
-notes_unexpected_advice = Rien de plus n’a été envoyé. Rechargez la page. Ce que vous avez tapé est conservé.
+notes_unexpected_advice = Plus rien n’a été envoyé ensuite. Rechargez la page. Ce que vous avez tapé est conservé.
 
 ## The flight of the program, and what the servos of the model move.
 
@@ -1193,7 +1195,7 @@ memoryNames_named = { $memory } «{"\u00a0"}{ $name }{"\u00a0"}»
 ## What an earlier job left behind on a timer.
 
 recovery_title = Une écriture antérieure a été interrompue.
-recovery_when = Une écriture dans { $memory } a commencé le { $time }.
+recovery_when = Début d’une écriture dans { $memory }{"\u00a0"}: { $time }.
 recovery_nothing =
     { $missing ->
         [one] La minuterie contient ce qu’elle contenait avant{"\u00a0"}: rien n’a été écrit, { $missing } changement manque.
@@ -1206,8 +1208,8 @@ recovery_part =
     }
 recovery_foreign =
     { $count ->
-        [one] { $count } valeur dans la minuterie n’est ni ancienne ni de cette écriture. Est-ce une autre minuterie, ou quelque chose d’autre l’a-t-il changée{"\u00a0"}?
-       *[other] { $count } valeurs dans la minuterie ne sont ni anciennes ni de cette écriture. Est-ce une autre minuterie, ou quelque chose d’autre les a-t-il changées{"\u00a0"}?
+        [one] { $count } valeur dans la minuterie n’est ni l’ancienne ni celle de cette écriture. Est-ce une autre minuterie, ou quelque chose d’autre l’a-t-il changée{"\u00a0"}?
+       *[other] { $count } valeurs dans la minuterie ne sont ni les anciennes ni celles de cette écriture. Est-ce une autre minuterie, ou quelque chose d’autre les a-t-il changées{"\u00a0"}?
     }
 recovery_sure = Cette page ne peut pas distinguer des minuteries du même type. Ne continuez que si c’est la minuterie de cette écriture.
 recovery_finish = Terminer l’écriture…
@@ -1218,9 +1220,9 @@ recovery_sameTimer = C’est la même minuterie{"\u00a0"}: montrer ce qui devait
 recovery_compare = Comparer
 recovery_before = Avant
 recovery_elsewhere = Une écriture dans { $memory } d’une minuterie de ce type a été interrompue. Lisez { $memory } pour voir ce qu’elle contient.
-recovery_left = Le travail sur les mémoires a été interrompu. Prochain vol maintenant{"\u00a0"}: { $current }. Avant, c’était { $original }.
-recovery_mayFly = Prochain vol peut-être avec { $memory }{"\u00a0"}: sa sélection a été interrompue.
-recovery_mayNotFly = Le travail sur les mémoires a été interrompu. La mémoire du prochain vol n’est peut-être pas { $original }.
+recovery_left = Le travail sur plusieurs mémoires a été interrompu. La mémoire du prochain vol est maintenant { $current }. Avant, c’était { $original }.
+recovery_mayFly = Le prochain vol se fera peut-être avec { $memory }{"\u00a0"}: sa sélection a été interrompue.
+recovery_mayNotFly = Le travail sur plusieurs mémoires a été interrompu. Le prochain vol se fera peut-être avec une autre mémoire que { $original }.
 recovery_unknownMemory = une mémoire inconnue
 
 ## The backups.
@@ -1283,11 +1285,11 @@ shortDt_putBack =
         [true] Rétablir DT à { $back }…
        *[false] Mettre DT à { $back }…
     }
-shortDt_disconnect = Déconnecter avec { $memory }, DT{"\u00a0"}{ $dt }
-shortDt_disconnectHere = Déconnecter avec DT{"\u00a0"}{ $dt }
+shortDt_disconnect = Déconnecter ainsi{"\u00a0"}: { $memory }, DT{"\u00a0"}{ $dt }
+shortDt_disconnectHere = Déconnecter ainsi{"\u00a0"}: DT{"\u00a0"}{ $dt }
 shortDt_blocked = Quelque chose que vous avez tapé ne peut pas encore être écrit. Corrigez-le avant de rétablir DT.
 shortDt_settings_limit = Un DT est court en dessous de
-shortDt_settings_hint = Un DT plus court est en rouge, et la page demande avant de déconnecter. Avec 0 s, elle ne demande jamais.
+shortDt_settings_hint = Un DT plus court est en rouge, et la page pose la question avant que vous déconnectiez. Si la limite est de 0 s, elle ne la pose jamais.
 
 ## The start, before anything was read.
 
@@ -1430,7 +1432,7 @@ parts_again = Réessayer
 
 ## Which model it is.
 
-whichModel_recognition_same = C’est { $model }, tel que vu la dernière fois ({ $when }).
+whichModel_recognition_same = C’est { $model }, tel que vu ({ $when }).
 whichModel_recognition_like =
     { $count ->
         [one] Cela ressemble à { $model }, { $count } valeur diffère. Est-ce { $model }{"\u00a0"}?
@@ -1480,15 +1482,15 @@ write_unkept_advice = Cette mémoire est encore comme avant. Continuer sans sauv
 write_sideBySide = Valeurs{"\u00a0"}: { $names }
 write_withoutCopy = Continuer sans sauvegarde
 write_safety = L’hélice est démontée ou le modèle est tenu, et la minuterie n’est pas armée.
-write_acknowledge = J’ai lu ceci et je veux l’écrire quand même.
+write_acknowledge = J’ai lu ceci et je veux écrire quand même.
 write_stillToTick = Encore à cocher{"\u00a0"}: { $ticks }.
 write_ticks_model = autre modèle
 write_ticks_warnings = avertissements
 write_ticks_safety = hélice
 write_move_why = Cette minuterie semble ne garder les positions qu’à la fonction où sont ses servos. Si les servos ne bougent pas, elle ne gardera probablement pas celles-ci.
-write_move_label = Amener les servos à chaque fonction avant que ses positions soient mémorisées.
+write_move_label = Amener les servos à chaque fonction avant que ses positions soient écrites.
 write_move_hint = Tenez bien le modèle, et que rien ne gêne les servos.
-write_move_notHeld_title = La minuterie a accepté les positions mais ne les a pas gardées.
+write_move_notHeld_title = La minuterie a confirmé les positions mais ne les a pas gardées.
 write_move_notHeld_advice = Cette minuterie ne les garde probablement qu’à la fonction où sont ses servos. Écrivez à nouveau, et laissez les servos aller à chaque fonction.
 write_move_again = Écrire à nouveau…
 write_start =
@@ -1515,12 +1517,12 @@ write_differs_advice = La minuterie a été relue. Elle contient ici d’autres 
 write_unknown_title = On ne sait pas avec certitude ce que contient la minuterie.
 write_unknown_advice = La minuterie n’a pas pu être relue complètement. Relisez, puis écrivez ce qui diffère encore. Vos changements sont conservés.
 write_cut = L’écriture dans { $memory } a été interrompue.
-write_strayed_title = { $memory } a été sélectionnée pendant l’écriture.
+write_strayed_title = { $memory } est devenue la mémoire sélectionnée pendant l’écriture.
 write_strayed_advice = Certaines des valeurs sont peut-être maintenant dans { $memory }. Lisez-la, et regardez-la en entier avant de voler avec elle.
 write_refused = Rien n’a été écrit.
 write_status_differs = diffère
-write_status_unknown = pas connu
-write_putBack = changé tout seul, rétabli
+write_status_unknown = inconnu
+write_putBack = changé par la minuterie elle-même, rétabli
 
 ## What the parts of the page that are loaded first say.
 
@@ -1563,7 +1565,7 @@ times_units_s = s
 times_units_min = min
 times_figure = { $text } { $unit }
 times_asSeconds = { $seconds }{" "}s, { $clock }
-times_meaning = { $field }{"\u00a0"}: ce que cela signifie
+times_meaning = { $field }{"\u00a0"}: ce que signifie ce texte
 header_firmware = firmware { $firmware }
 header_simulated = simulée
 header_connect = Connecter
@@ -1649,12 +1651,12 @@ settle_title = Lever les doutes avec votre minuterie
 settle_lead = On ne sait pas tout de la façon dont ces minuteries communiquent. En un quart d’heure, la vôtre répond aux questions ouvertes. Chaque valeur essayée est rétablie. Ayez le programmateur sous la main.
 settle_safe = L’hélice est démontée ou le moteur est débranché, et la minuterie n’est pas armée.
 settle_danger = Quelque chose peut bouger maintenant. L’hélice est-elle démontée, ou le moteur débranché{"\u00a0"}? Regardez encore une fois.
-settle_blocked = Réglez d’abord ce que dit le bandeau ci-dessus, et conservez ou rétablissez ce qui a été essayé.
+settle_blocked = Traitez d’abord le message du bandeau coloré en haut de la page, et conservez ce qui a été essayé ou rétablissez les valeurs d’avant.
 settle_readIt = Lire la minuterie
 settle_which = Que montre le programmateur{"\u00a0"}?
-settle_tryHint = Déplacez les servos et attendez qu’ils soient immobiles. Essayez ensuite une position{"\u00a0"}: elle est changée puis rétablie en quelques secondes. Observez les servos.
+settle_tryHint = Déplacez les servos avec les boutons de la page et attendez qu’ils soient immobiles. Essayez ensuite une position{"\u00a0"}: elle est changée puis rétablie en quelques secondes. Observez les servos.
 settle_tryIt = Essayer une position
-settle_moved = L’ancienne position est revenue{"\u00a0"}: elle a été lue. Un servo a-t-il bougé pendant l’essai de la nouvelle{"\u00a0"}?
+settle_moved = L’ancienne position est revenue{"\u00a0"}: la page l’a relue. Un servo a-t-il bougé pendant l’essai de la nouvelle{"\u00a0"}?
 settle_ask = Demander avec quatre zéros
 settle_unknown = Je ne sais pas
 settle_send = Envoyez le fichier avec ce formulaire
