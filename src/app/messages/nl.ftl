@@ -5,7 +5,7 @@
 ## Moving servos and motor from the page.
 
 bench_slots = Zetten op
-bench_elsewhere = Servo’s en motor werken met { $memory }, dat als volgende vliegt. Toon { $memory } om ze te bewegen.
+bench_elsewhere = Servo’s en motor werken met { $memory }, het geheugen voor de volgende vlucht. Toon { $memory } om ze te bewegen.
 bench_trim = Trimmen bij { $slot }
 bench_at = Servo’s staan bij { $slot }
 bench_atNone = Het is niet bekend waar de servo’s staan.
@@ -17,16 +17,16 @@ bench_here = servo’s hier
 bench_waits = Wacht op “Schrijven”.
 bench_bring = Servo’s op { $slot } zetten
 bench_follow = Servo’s volgen de posities
-bench_followHint = Eerst leest de pagina de timer en bewaart een back-up. Daarna gaat elke positie die je wijzigt waar de servo’s staan meteen de timer in, en de servo ervan beweegt.
-bench_followingNow = Servo’s volgen: een positie die je wijzigt waar de servo’s staan, gaat meteen de timer in.
+bench_followHint = Eerst leest de pagina de timer en bewaart een back-up. Daarna wordt elke positie die je wijzigt in de rij waar de servo’s staan, meteen in de timer geschreven, en beweegt de servo ervan.
+bench_followingNow = Servo’s volgen: een positie die je wijzigt in de rij waar de servo’s staan, wordt meteen in de timer geschreven.
 bench_stopFollowing = Volgen stoppen
 bench_followPending = Eerdere wijzigingen wachten op “Schrijven”.
 bench_ended_over = De servo’s volgen niet meer.
-bench_ended_memory = De servo’s volgen niet meer: een ander geheugen is het huidige, of kan dat zijn.
-bench_ended_strayed = Terwijl de servo’s volgden, werd een ander geheugen het huidige. Het kan enkele posities overgenomen hebben: kijk het helemaal na voordat je ermee vliegt.
+bench_ended_memory = De servo’s volgen niet meer: een ander geheugen is het huidige, of is dat misschien.
+bench_ended_strayed = Terwijl de servo’s volgden, werd een ander geheugen het huidige. Het heeft misschien enkele van de posities overgenomen: kijk het helemaal na voordat je ermee vliegt.
 bench_ended_unlike = De servo’s volgen niet meer: de timer deed niet wat hij bevestigde.
 bench_ended_failed = De servo’s volgen niet meer: de timer antwoordde niet.
-bench_notTaken = { $field } bevat { $held }, niet { $wanted }.
+bench_notTaken = { $field }: in de timer staat { $held }, niet { $wanted }.
 bench_beside =
     { $more ->
         [0] Daarnaast gewijzigd: { $named }.
@@ -47,12 +47,12 @@ bench_triedAndWaiting =
        *[other] { $tried } geprobeerd in de timer, { $waiting } wachten op “Schrijven”
     }
 bench_triedIn = Er zijn posities geprobeerd in { $memory }.
-bench_decide = Houden wat geprobeerd is, of terugzetten wat de timer daarvoor bevatte?
-bench_keep = Houden
+bench_decide = Behouden wat geprobeerd is, of terugzetten wat de timer daarvoor bevatte?
+bench_keep = Behouden
 bench_putBack = Terugzetten…
-bench_unlock = Vasthouden: UNLOCK
-bench_unlockHold = Blijf vasthouden
-bench_unlockHint = De propeller kan gaan draaien. Houd het model vast en je handen weg van de propeller. Druk dan en houd vast.
+bench_unlock = Ingedrukt houden: UNLOCK
+bench_unlockHold = Blijf drukken
+bench_unlockHint = De propeller kan gaan draaien. Houd het model vast en je handen weg van de propeller. Druk dan op de knop en houd die ingedrukt.
 bench_experimental = Experimenteel
 bench_jumpHint = Springt naar de functie na een vroege DT. Wat er precies gebeurt, is niet gedocumenteerd: servo’s kunnen bewegen.
 bench_jump = Sprong…
@@ -152,10 +152,10 @@ findings_position-out-of-range = Het moet { $min } tot { $max } zijn.
 findings_throttle-not-whole = { unreadable_not-a-whole-number }
 findings_throttle-out-of-range = Het moet { $min } tot { $max } zijn.
 findings_position-as-read = Gelezen als { $value }, boven de laatste stap, { $max }. Het blijft zo zolang je het niet wijzigt.
-findings_time-falls = Dit komt voor de functie erboven ({ $previous }).
+findings_time-falls = Dit komt eerder dan de functie erboven ({ $previous }).
 findings_time-repeats = Dezelfde tijd als de functie erboven, { $previous }.
 findings_position-never-reached = Dezelfde tijd als de functie erboven, { $previous }. De posities van de functie erboven worden nooit bereikt.
-findings_motor-stop-after-dt = De motor stopt na DT ({ $dt }): het model komt met draaiende motor naar beneden.
+findings_motor-stop-after-dt = De motor stopt pas na DT ({ $dt }): het model komt met draaiende motor naar beneden.
 findings_motor-run-long = De motor draait langer dan { $limit }, de grens voor F1Q.
 findings_time-outside-manual = De handleiding staat { $min } tot { $max } toe.
 findings_time-too-fine = De handleiding gaat per { $step }: de timer kan afronden.
@@ -252,7 +252,7 @@ edits_steps_paste = { $count } geplakt
 edits_steps_fill = { $count } omlaag gevuld
 edits_steps_revert-all = alles teruggezet
 edits_steps_open = { $what } geopend
-edits_steps_keep-tried = gehouden wat geprobeerd is
+edits_steps_keep-tried = behouden wat geprobeerd is
 edits_opened = “{ $name }”
 edits_openedUnnamed = ander programma
 edits_refused_start = De start heeft geen tijd om te wijzigen.
@@ -382,7 +382,7 @@ files_import_ignored =
 files_import_nothing = Dit alles heb je al.
 files_import_differs = Wat verschilt
 files_import_ways_newer = Het nieuwere nemen
-files_import_ways_both = Beide houden
+files_import_ways_both = Beide behouden
 files_import_itself = het model zelf
 files_import_flightOf = vlucht van { $day }
 files_import_wayText_newer = Wat hier nieuwer is, of dezelfde datum heeft, blijft.
@@ -464,7 +464,7 @@ guide_nav = Helppagina’s
 
 firstSteps_1 = Lezen: druk op “Verbinden”, wek de timer, houd de infraroodkop dichtbij. Lezen wijzigt niets en beweegt niets.
 firstSteps_2 = Schrijven: typ nieuwe waarden, druk op “Schrijven”, bekijk elk verschil. “Geverifieerd” betekent: de timer is opnieuw gelezen en bevat wat je wilt.
-firstSteps_3 = Vliegen: bovenaan staat welk geheugen als volgende vliegt, en de DT ervan. De pagina heeft geen netwerk nodig, en niets verlaat dit apparaat.
+firstSteps_3 = Vliegen: bovenaan de pagina staat welk geheugen voor de volgende vlucht geldt, en de DT ervan. De pagina heeft geen netwerk nodig, en niets verlaat dit apparaat.
 
 ## The values of a program, with unit and range.
 
@@ -482,25 +482,25 @@ values_dt_text = De thermiekrem: wanneer die het model naar beneden brengt, gete
 values_dt_range = Volgens de handleiding 1 tot 720 s. Meer dan 10:55 min kan niet gestuurd worden.
 values_idleThrottle_text = F1Q: waarschijnlijk hoe snel de motor draait terwijl de startschakelaar ingedrukt is.
 values_idleThrottle_range = De pagina gaat uit van 0 tot 100. De eenheid is niet bekend.
-values_memory_text = Een timer heeft meerdere geheugens, elk met een programma. Het gekozen geheugen vliegt als volgende. Om een ander te bekijken, kiest de pagina het en gaat weer terug. Wordt dat onderbroken, dan zegt de pagina welk geheugen als volgende kan vliegen.
+values_memory_text = Een timer heeft meerdere geheugens, elk met een programma. Het gekozen geheugen geldt voor de volgende vlucht. Om een ander te bekijken, kiest de pagina het en gaat weer terug. Wordt dat onderbroken, dan zegt de pagina welk geheugen misschien voor de volgende vlucht geldt.
 values_memory_range = Meestal vier, M1 tot M4. Oudere timers hebben er vijf.
 
 ## What a pilot checks before a flight.
 
 checklist_lead = Vink elk punt af. De vinkjes gelden voor één vlucht en worden niet bewaard.
-checklist_items_memory = Het juiste geheugen vliegt als volgende.
+checklist_items_memory = Het juiste geheugen is gekozen voor de volgende vlucht.
 checklist_items_dtTime = Ik heb de DT-tijd hardop gezegd.
-checklist_items_surfaces = Vleugel, stabilo en richtingroer zitten vast en staan zoals het moet.
+checklist_items_surfaces = Vleugel, stabilo en richtingroer zitten stevig vast en staan zoals het moet.
 checklist_items_battery = De accu is geladen en de stekker zit er helemaal in.
-checklist_items_dtSeen = Ik heb de servo naar DT zien gaan.
+checklist_items_dtSeen = Ik heb de servo naar de DT-positie zien gaan.
 checklist_items_radioDt = Ik heb de radio-DT geprobeerd, als die er is.
 checklist_items_switch = Ik heb vijf keer op de startschakelaar gedrukt en hij sprong elke keer terug.
 checklist_items_propeller = De propeller zit goed vast en draait vrij. Er staat niemand voor.
-checklist_known_now = { $memory } vliegt als volgende, DT{"\u00a0"}{ $dt }, gelezen { $time }.
+checklist_known_now = Volgende vlucht: { $memory }, DT{"\u00a0"}{ $dt }, gelezen { $time }.
 checklist_known_onceAt = Zoals laatst gelezen, { $time }: { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_once = Zoals laatst gelezen: { $memory }, DT{"\u00a0"}{ $dt }.
-checklist_known_not = Het is niet bekend wat { $memory } bevat. Lees het voordat je vliegt.
-checklist_known_nothing = Er is geen timer gelezen. Verbind er een om hier het geheugen en de DT ervan te zien.
+checklist_known_not = Het is niet bekend wat { $memory } bevat. Lees dit geheugen voordat je vliegt.
+checklist_known_nothing = Er is geen timer gelezen. Verbind er een om hier het geheugen voor de volgende vlucht en de DT ervan te zien.
 checklist_known_unwritten =
     { $count ->
         [one] { $count } wijziging nog niet in de timer.
@@ -520,25 +520,25 @@ troubles_symptoms_noAnswer_title = De timer antwoordt niet
 troubles_symptoms_noAdapter_title = De pagina vindt de adapter niet
 troubles_symptoms_refused_title = De adapter gaat niet open
 troubles_symptoms_wrongValues_title = De waarden zien er verkeerd uit
-troubles_symptoms_wrongValues_steps_1 = Kijk bovenaan: welk geheugen zie je, en welk vliegt als volgende?
+troubles_symptoms_wrongValues_steps_1 = Kijk bovenaan de pagina: welk geheugen zie je, en welk geldt voor de volgende vlucht?
 troubles_symptoms_wrongValues_steps_2 = Druk op “{ program_read }”.
 troubles_symptoms_wrongValues_steps_3 = Dalen de tijden van rij tot rij? Dan vraagt de pagina hoe ze te lezen zijn.
 troubles_symptoms_wrongValues_steps_4 = Vergelijk bij F1B en F1E de tijden met het programmeerapparaat.
 troubles_symptoms_cutOff_title = Het schrijven is onderbroken
-troubles_symptoms_cutOff_steps_1 = Vlieg nog niet met dit model. Maak verbinding: de pagina leest de timer en biedt dan aan het schrijven af te maken of terug te gaan.
+troubles_symptoms_cutOff_steps_1 = Vlieg nog niet met dit model. Maak verbinding: de pagina leest de timer en biedt dan aan het schrijven af te maken of de oude waarden terug te schrijven.
 troubles_symptoms_cutOff_steps_2 = Wat de timer daarvoor bevatte, staat bij “Geheugens”, “Back-ups”.
 troubles_symptoms_noDt_title = DT gaat niet af, of op de verkeerde tijd
-troubles_symptoms_noDt_steps_1 = Kijk bovenaan: daar staat welk geheugen als volgende vliegt, en de DT ervan. Een ander geheugen heeft een andere DT.
-troubles_symptoms_noDt_steps_2 = Springt de startschakelaar elke keer terug? Zolang hij ingedrukt is, begint het verloop niet en gaat DT niet af.
+troubles_symptoms_noDt_steps_1 = Kijk bovenaan de pagina: daar staat welk geheugen voor de volgende vlucht geldt, en de DT ervan. Een ander geheugen heeft een andere DT.
+troubles_symptoms_noDt_steps_2 = Springt de startschakelaar elke keer terug? Zolang hij ingedrukt is, beginnen de functies niet en gaat DT niet af.
 troubles_symptoms_noDt_steps_3 = Is de accu geladen, en zit de stekker er helemaal in? Als de timer niet loopt, gaat DT niet af.
-troubles_symptoms_noDt_steps_4 = Houd het model goed vast en druk op de testbank op de rij DT. Gaat de servo daarheen, en laat hij los wat hij vasthoudt?
-troubles_symptoms_noDt_steps_5 = Haal de propeller eraf en laat de timer tot het einde lopen. Vlieg pas als je de servo op de tijd van DT hebt zien bewegen.
+troubles_symptoms_noDt_steps_4 = Houd het model goed vast en druk in de weergave “{ views_names_bench }” op de rij DT. Gaat de servo naar de DT-positie, en laat hij los wat hij vasthoudt?
+troubles_symptoms_noDt_steps_5 = Haal de propeller eraf en laat de timer tot het einde lopen. Vlieg niet voordat je de servo op de tijd van DT hebt zien bewegen.
 troubles_symptoms_noMove_title = Een servo beweegt niet
-troubles_symptoms_noMove_steps_1 = Houd het model vast en druk op zijn rij op de testbank. Beweegt er niets? Kijk naar stekker en accu. Beweegt hij daar wel, maar niet in de vlucht? Dan heeft hij dezelfde positie als in de functie ervoor.
-troubles_symptoms_noMove_steps_2 = Gaat hij ergens anders heen dan de tabel zegt? Een timer slaat een positie misschien alleen op voor de functie waarbij de servo’s staan. De pagina biedt dan aan de servo’s tijdens het schrijven te bewegen.
+troubles_symptoms_noMove_steps_1 = Houd het model vast en druk in de weergave “{ views_names_bench }” op de rij van de functie waarbij de servo moet bewegen. Beweegt er niets? Kijk naar stekker en accu. Beweegt hij daar wel, maar niet in de vlucht? Dan heeft hij dezelfde positie als in de functie ervoor.
+troubles_symptoms_noMove_steps_2 = Gaat hij ergens anders heen dan de tabel zegt? Sommige timers bewaren een positie misschien alleen voor de functie waarbij de servo’s staan. De pagina biedt dan aan de servo’s tijdens het schrijven te bewegen.
 troubles_symptoms_noMove_steps_3 = Bromt hij, of stopt hij te vroeg? Misschien blokkeert de stuurstang hem: probeer een kleinere beweging.
 troubles_symptoms_noMotor_title = De motor start niet
-troubles_symptoms_noMotor_steps_1 = Na een vlucht vergrendelt de timer de motor. Om hem te ontgrendelen, houd je het model vast en je handen weg van de propeller: die kan gaan draaien. Houd dan op de testbank de knop “{ bench_unlock }” ingedrukt.
+troubles_symptoms_noMotor_steps_1 = Na een vlucht vergrendelt de timer de motor. Om hem te ontgrendelen, houd je het model vast en je handen weg van de propeller: die kan gaan draaien. Houd dan in de weergave “{ views_names_bench }” de knop “{ bench_unlock }” ingedrukt.
 troubles_symptoms_noMotor_steps_2 = Is de startschakelaar teruggesprongen? Zolang hij ingedrukt is, draait de motor alleen stationair.
 troubles_symptoms_noMotor_steps_3 = Is de motorstop laat genoeg? Bij 0,1 s stopt de motor zodra hij is gestart.
 troubles_symptoms_noLibrary_title = Mijn modellen en programma’s zijn er niet
@@ -572,8 +572,8 @@ help_page = Alle aanwijzingen, voor elk systeem
 ## For when the browser does not store, or give back, what it should.
 
 keeping_title = Deze browser bewaart niet alles.
-keeping_notKept = Wat je typt, back-ups en de aantekening dat het schrijven is onderbroken, blijven alleen zolang deze pagina open is. Exporteer de bibliotheek. Sluit dan andere tabbladen van deze pagina, of maak ruimte op dit apparaat.
-keeping_notKnown = De browser zegt niet of hij bewaart wat je doet. Ga ervan uit dat het niet bewaard is, en exporteer de bibliotheek.
+keeping_notKept = Wat je typt, back-ups en de aantekening van een onderbroken schrijfactie blijven alleen zolang deze pagina open is. Exporteer de bibliotheek. Sluit dan andere tabbladen van deze pagina, of maak ruimte op dit apparaat.
+keeping_notKnown = De browser zegt niet of hij bewaart wat je doet. Ga ervan uit dat hij het niet bewaart, en exporteer de bibliotheek.
 keeping_oneTab = Gebruik maar één tabblad van deze pagina.
 keeping_emptied = De browser heeft gewist wat hij voor deze pagina bewaarde. Exporteer wat je nog ziet.
 keeping_export = Bibliotheek exporteren…
@@ -585,7 +585,7 @@ aside_title =
         [one] 1 record kon niet gelezen worden. Het is opzijgezet, niet gewist.
        *[other] { $count } records konden niet gelezen worden. Ze zijn opzijgezet, niet gewist.
     }
-aside_write = Daarbij is de aantekening dat het schrijven is onderbroken: lees de timer voordat je vliegt.
+aside_write = Daarbij is de aantekening van een onderbroken schrijfactie: lees de timer voordat je vliegt.
 aside_save = In een bestand opslaan
 
 ## “2 models, 1 program”: only kinds that there are.
@@ -618,8 +618,8 @@ removed = Gewist: { $what }.
 ## Deletes everything that this device keeps.
 
 erase_open = Alles op dit apparaat wissen…
-erase_lead = Dit wist alle modellen, programma’s, vluchten, back-ups, ongeschreven wijzigingen en opties van deze pagina uit deze browser. Het kan niet ongedaan gemaakt worden. Timers houden wat ze bevatten.
-erase_uncertain = Het schrijven is onderbroken, en het is niet bekend wat die timer bevat. Zonder de aantekening daarvan kan deze pagina je niet waarschuwen: lees die timer voordat je vliegt.
+erase_lead = Dit wist alle modellen, programma’s, vluchten, back-ups, ongeschreven wijzigingen en opties van deze pagina uit deze browser. Het kan niet ongedaan gemaakt worden. Timers behouden wat ze bevatten.
+erase_uncertain = Een schrijfactie is onderbroken, en het is niet bekend wat de betrokken timer bevat. Zonder de aantekening daarvan kan deze pagina je niet waarschuwen: lees de betrokken timer voordat je vliegt.
 erase_start = Alles wissen
 erase_running = Bezig met wissen
 erase_failed = Niet alles kon gewist worden. Sluit andere tabbladen van deze pagina en probeer het opnieuw, of wis de gegevens ervan in de instellingen van de browser.
@@ -633,8 +633,8 @@ framed_open = Sidus Timer in een eigen tabblad openen
 
 knowledge_title = Onzeker
 knowledge_uncertain = Het is niet bekend wat { $memory } bevat: { $values }.
-knowledge_noFly = Vlieg er niet mee voordat het gelezen is.
-knowledge_since = Het schrijven is onderbroken op { $time }.
+knowledge_noFly = Vlieg niet voordat dit gelezen is.
+knowledge_since = Onderbroken schrijfactie, begonnen { $time }.
 knowledge_thisMemory = het huidige geheugen
 knowledge_memoryOf = { $memory } van { $timer }
 knowledge_timer_here = de { $name } { $firmware }
@@ -742,7 +742,7 @@ library_setting_gone = Het is niet meer in de bibliotheek.
 library_save_open = Opslaan…
 library_save_over = { $program } overschrijven
 library_save_undo = Opslaan van { $name } terugnemen
-library_save_crossing = Dit zijn waarden van { $from }. Toch onder { $to } opslaan.
+library_save_crossing = Dit zijn waarden van { $from }. Onder { $to } opslaan.
 library_save_asNew = Als nieuw opslaan…
 library_save_taken = Er is al een programma { $program }. Typ een andere naam, of:
 library_save_replace = Overschrijf het. De waarden ervan blijven als eerdere versie.
@@ -886,17 +886,17 @@ link_stages_asking = Vraagt met { $rate } baud.
 link_stages_noAnswer = Al { $seconds } s geen antwoord. Deze pagina blijft vragen en gaat vanzelf verder.
 link_stages_open = De adapter is open
 link_stages_steps_switch = Wek de timer: druk kort op zijn schakelaar
-link_stages_steps_near = Houd de infraroodkop dichterbij dan 20 cm, uit de zon
+link_stages_steps_near = Houd de infraroodkop op minder dan 20 cm, uit de zon
 link_stages_steps_other = Zit de timer aan een andere adapter?
 link_refused = De pagina blijft het 15 seconden proberen. Misschien heeft een ander programma de adapter.
 link_heard_title = Er is iets te horen, maar geen timer antwoordt.
 link_heard_advice = Wek de timer en houd de infraroodkop dichterbij, uit de zon, of kies een andere adapter.
 link_slow_title = Een timer antwoordt, maar te langzaam.
-link_slow_advice = Zijn bytes komen een voor een met { $rate } baud, met zulke lange gaten dat geen antwoord op tijd heel is. Deze pagina kan hem niet lezen. Probeer een andere adapter, of een kabel in plaats van Bluetooth.
+link_slow_advice = Zijn bytes komen een voor een met { $rate } baud, met zulke lange pauzes dat geen antwoord op tijd compleet is. Deze pagina kan hem niet lezen. Probeer een andere adapter, of een kabel in plaats van Bluetooth.
 link_itSaid = Wat er kwam: { $bytes } (“{ $text }”).
 link_trySelectBare = Zonder juiste controlesom proberen
 link_lost_title = De verbinding met de adapter is verloren.
-link_lost_advice = Steek hem erin, of breng hem dichtbij: de pagina gaat vanzelf verder. Wat je hebt getypt, blijft bewaard.
+link_lost_advice = Sluit hem aan, of breng hem dichterbij: de pagina gaat vanzelf verder. Wat je hebt getypt, blijft bewaard.
 link_status_off = Niet verbonden
 link_status_opening = Verbinden
 link_status_searching = Timer zoeken
@@ -941,7 +941,7 @@ aboutTimer_quirkNames_servo-first = Bij het schrijven van een positie neemt hij 
 aboutTimer_quirkNames_servo-unanswered = Hij antwoordde niet toen een positie werd geschreven.
 aboutTimer_quirkNames_times-rounded = Hij rondt tijden af.
 aboutTimer_quirkNames_memories-from-one = Hij telt zijn geheugens vanaf 1.
-aboutTimer_quirkNames_positions-unchanged = Hij bevestigde posities maar hield ze niet vast.
+aboutTimer_quirkNames_positions-unchanged = Hij bevestigde posities maar bewaarde ze niet.
 aboutTimer_quirkNames_echo = De adapter stuurt terug wat hij krijgt.
 aboutTimer_quirkNames_idle-throttle-unanswered = { aboutTimer_quirkNames_bare-checksum }
 aboutTimer_quirkNames_identity-unusual = Wat hij over zichzelf zegt, bevat bytes die niet bekend zijn.
@@ -954,18 +954,18 @@ aboutTimer_assumptions_bigEndianTimes = De twee bytes van elke tijd zijn verwiss
 aboutTimer_assumptions_servoFirst = { aboutTimer_quirkNames_servo-first }
 aboutTimer_assumptions_memoriesFromOne = { aboutTimer_quirkNames_memories-from-one }
 aboutTimer_assumptions_bareChecksumRequests = “{ line_names_SETMEMORY }” en “{ line_names_SETLOWRPM }” worden zonder juiste controlesom gestuurd
-aboutTimer_assumptions_positionsNeedMove = Posities blijven alleen waar de servo’s staan
+aboutTimer_assumptions_positionsNeedMove = Posities blijven alleen bewaard bij de functie waarbij de servo’s staan
 
 ## Which memory flies next, and what is known about the others.
 
 nextFlight_badge = volgende vlucht
 nextFlight_onScreen = Dit is { $memory }.
 nextFlight_named = { $memory }, volgende vlucht
-nextFlight_other = { $memory } vliegt als volgende.
-nextFlight_last = { $memory } was het huidige geheugen toen de timer voor het laatst antwoordde. Het vliegt als volgende, tenzij iets anders dat heeft gewijzigd.
+nextFlight_other = Volgende vlucht: { $memory }.
+nextFlight_last = { $memory } was het huidige geheugen toen de timer voor het laatst antwoordde. Het geldt voor de volgende vlucht, tenzij iets anders dat heeft gewijzigd.
 nextFlight_original = Toen je verbinding maakte, was het { $original }.
 nextFlight_originalUnknown = Het is niet bekend welk het was toen je verbinding maakte.
-nextFlight_unknown = Het is niet bekend welk geheugen als volgende vliegt.
+nextFlight_unknown = Het is niet bekend welk geheugen voor de volgende vlucht geldt.
 nextFlight_asked = { $memory } is het laatst gekozen.
 nextFlight_back = Terug naar { $original }
 nextFlight_leaving_title = Voordat je de verbinding verbreekt
@@ -978,11 +978,11 @@ look_read = { $memory }, gelezen { $time }
 look_notRead = { $memory } is niet gelezen
 look_either = Ofwel
 look_or = of
-look_lead = Alleen om te bekijken. { $current } vliegt als volgende.
+look_lead = Alleen om te bekijken. Volgende vlucht: { $current }.
 look_edit = { $memory } bewerken
 look_look = { $memory } bekijken
 look_hint = Dit kiest { $memory }, leest het en gaat terug naar { $current }.
-look_fly = { $memory } als volgende vliegen
+look_fly = { $memory } voor de volgende vlucht kiezen
 look_show = { $memory } tonen
 
 ## Jobs over several memories, and the backups.
@@ -997,8 +997,8 @@ memories_plans_screen =
     }
 memories_plans_copy = { $to } zal de tijden en posities van { $from } bevatten, zoals net gelezen. Van wat { $to } nu bevat, wordt eerst een back-up bewaard.
 memories_plans_restore = Dit schrijft in { $names } de back-up van { $time }. Van wat er nu staat, wordt eerst een back-up bewaard.
-memories_atEnd = Aan het einde vliegt { $current } weer als volgende.
-memories_refused = In { $memory } kan niets geschreven worden: geen programma kan deze waarden sturen.
+memories_atEnd = Aan het einde geldt { $current } weer voor de volgende vlucht.
+memories_refused = In { $memory } kan niets geschreven worden: geen software kan deze waarden sturen.
 memories_untouched = In { $memory } is niets geschreven.
 memories_stopped = Wat nog niet geschreven was, is zoals het was.
 
@@ -1008,7 +1008,7 @@ overview_readAll = Alles lezen en bewaren
 overview_copyTo = Kopiëren naar…
 overview_compareWith = Met { $memory } vergelijken
 overview_readAt = gelezen { $time }
-overview_notCertain = Onzeker: het schrijven hierin is onderbroken. Getoond zoals voor dat schrijven.
+overview_notCertain = Onzeker: een schrijfactie hierin is onderbroken. Getoond zoals voor die schrijfactie.
 overview_edited = Getoond en gekopieerd zoals de timer het bevat, zonder je wijzigingen.
 overview_same = Ze bevatten hetzelfde.
 overview_differs =
@@ -1050,19 +1050,19 @@ connection_lost_advice = { connection_unplugged_advice }
 ## Why a job with the timer has ended.
 
 timer_no-answer_title = De timer antwoordde niet.
-timer_no-answer_advice = Druk kort op de schakelaar van de timer, houd de infraroodkop dichterbij dan 20 cm en probeer het opnieuw. Wat je hebt getypt, blijft bewaard.
+timer_no-answer_advice = Druk kort op de schakelaar van de timer, houd de infraroodkop op minder dan 20 cm van de timer en probeer het opnieuw. Wat je hebt getypt, blijft bewaard.
 timer_bad-reply_title = Het antwoord van de timer kan niet kloppen.
 timer_bad-reply_advice = Probeer het opnieuw. Als het weer gebeurt: “Opties”, “Expert”, “Lijn”, “{ line_copyReport }”.
-timer_unstable_title = De lijn is te gestoord om te vertrouwen.
+timer_unstable_title = Er is te veel storing op de lijn om die te vertrouwen.
 timer_unstable_advice = Houd de infraroodkop dichterbij, uit de zon, en probeer het opnieuw.
 timer_crowded_title = Misschien is er meer dan één timer in de straal.
-timer_crowded_advice = Houd andere timers en programmeerapparaten weg en lees opnieuw.
+timer_crowded_advice = Houd andere timers en programmeerapparaten uit de buurt en lees opnieuw.
 timer_other-memory_title = Het huidige geheugen is niet dat op het scherm.
 timer_other-memory_advice = Lees opnieuw voordat je schrijft.
 timer_memory-unknown_title = Deze timer zegt niet welk geheugen het huidige is.
-timer_memory-unknown_advice = Daarom kan deze pagina geen ander geheugen bekijken en teruggaan. Het huidige kun je lezen en schrijven.
-timer_memory-left_title = Misschien vliegt nu een ander geheugen als volgende.
-timer_memory-left_advice = Deze pagina kon niet teruggaan naar het geheugen dat het huidige was. Maak opnieuw verbinding en laat het juiste geheugen als volgende vliegen voordat je vliegt.
+timer_memory-unknown_advice = Daarom kan deze pagina niet een ander geheugen bekijken en weer teruggaan. Het huidige kun je lezen en schrijven.
+timer_memory-left_title = Misschien geldt nu een ander geheugen voor de volgende vlucht.
+timer_memory-left_advice = Deze pagina kon niet teruggaan naar het geheugen dat het huidige was. Maak opnieuw verbinding en kies het juiste geheugen voor de volgende vlucht voordat je vliegt.
 timer_other-timer_title = Dit is niet de timer die eerder antwoordde.
 timer_other-timer_advice = De pagina leest hem. Bekijk wat hij bevat voordat je schrijft.
 timer_stale_title = De timer bevat niet wat werd getoond.
@@ -1070,9 +1070,9 @@ timer_stale_advice = Er is niets geschreven. Bekijk wat schrijven nu zou wijzige
 timer_changed_title = De timer bevat andere waarden dan eerder.
 timer_changed_advice = Iets anders heeft hem gewijzigd, of dit is een andere timer. Je wijzigingen zijn bewaard: bekijk het verschil voordat je schrijft.
 timer_stood-still_title = Deze pagina stond tijdens het werk stil.
-timer_stood-still_advice = Er is niets meer gestuurd: er kan nu een andere timer zijn. Lees opnieuw.
+timer_stood-still_advice = Daarna is er niets meer gestuurd: misschien is er inmiddels een andere timer. Lees opnieuw.
 timer_too-slow_title = Deze timer antwoordt te langzaam.
-timer_too-slow_advice = Zijn antwoorden duren meer dan 3 seconden, dus deze pagina kan niet zeggen welk bij welke vraag hoort. Er is niets meer gestuurd. Probeer een andere adapter, of een kabel in plaats van Bluetooth.
+timer_too-slow_advice = Zijn antwoorden duren meer dan 3 seconden, dus deze pagina kan niet zien welk antwoord bij welke vraag hoort. Daarna is er niets meer gestuurd. Probeer een andere adapter, of een kabel in plaats van Bluetooth.
 timer_undecided_title = { byteOrder_title }
 timer_undecided_advice = { byteOrder_advice }
 timer_serious_title = De controle heeft iets ernstigs gevonden.
@@ -1090,6 +1090,7 @@ timer_closed_advice = Druk op “Verbinden” om verder te gaan. Wat je hebt get
 
 alike_title = Elk antwoord op { $request } is op dezelfde manier beschadigd.
 alike_advice = Dat is geen ruis: de timer of zijn adapter vormt deze antwoorden op een manier die niet bekend is. Zet “Expert” aan in de opties, open “Lijn” en druk op “{ line_copyReport }”. Stuur het rapport naar de beheerders (github.com/sidus-timer/sidus-timer/issues).
+alike_part = Alleen om te bekijken: { $values }. Al het andere is niet bekend.
 
 ## Messages that are not about errors.
 
@@ -1105,21 +1106,22 @@ notes_kept_title = Je wijzigingen zijn op dit apparaat bewaard.
 notes_kept_advice = Ze passen niet bij wat nu is gelezen. Ze komen terug als je dat geheugen opnieuw leest; ook de startpagina noemt ze.
 notes_other-kind_title = Er is nu een ander soort timer.
 notes_other-kind_advice = { timer_other-timer_advice }
-notes_write-completed_title = Het onderbroken schrijven is volledig.
-notes_write-completed_advice = De timer is opnieuw gelezen en bevat alles wat te schrijven was.
+notes_write-completed_title = De onderbroken schrijfactie is volledig.
+notes_write-completed_advice = De timer is opnieuw gelezen en bevat alles wat geschreven moest worden.
 notes_nothing-written_title = { write_refused }
 notes_nothing-written_advice = {""}
 notes_not-backed-up_title = { write_unkept_title }
 notes_not-backed-up_advice = { keeping_notKept }
 notes_select-unanswered_title = De timer antwoordde niet toen een geheugen werd gekozen.
-notes_select-unanswered_advice = Op andere verzoeken antwoordt hij. Probeer het opnieuw, of zonder juiste controlesom.
+notes_select-unanswered_advice = Op andere verzoeken antwoordt hij. Probeer het opnieuw, of stuur het verzoek zonder juiste controlesom.
 notes_backed-up_title = Alle geheugens zijn gelezen, en van elk is een back-up bewaard.
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
+notes_made-laid_title = De tabel toont je programma, niet wat de timer bevat.
 notes_made-laid_advice = Er is niets geschreven. Wat verschilt, is gemarkeerd. “Ongedaan maken” toont wat de timer bevat.
 notes_unexpected_title = Er ging iets mis op deze pagina.
-notes_unexpected_advice = Er is niets meer gestuurd. Laad de pagina opnieuw. Wat je hebt getypt, blijft bewaard.
+notes_unexpected_advice = Daarna is er niets meer gestuurd. Laad de pagina opnieuw. Wat je hebt getypt, blijft bewaard.
 
 ## The flight of the program, and what the servos of the model move.
 
@@ -1187,8 +1189,8 @@ memoryNames_named = { $memory } “{ $name }”
 
 ## What an earlier job left behind on a timer.
 
-recovery_title = Eerder is het schrijven onderbroken.
-recovery_when = Het schrijven in { $memory } begon op { $time }.
+recovery_title = Een eerdere schrijfactie is onderbroken.
+recovery_when = Een schrijfactie in { $memory }, begonnen { $time }.
 recovery_nothing =
     { $missing ->
         [one] De timer bevat wat hij daarvoor bevatte: er is niets geschreven, { $missing } wijziging ontbreekt.
@@ -1196,32 +1198,32 @@ recovery_nothing =
     }
 recovery_part =
     { $missing ->
-        [one] De timer bevat { $values } van dat schrijven; { $missing } waarde is nog zoals daarvoor.
-       *[other] De timer bevat { $values } van dat schrijven; { $missing } waarden zijn nog zoals daarvoor.
+        [one] De timer bevat { $values } van die schrijfactie; { $missing } waarde is nog zoals daarvoor.
+       *[other] De timer bevat { $values } van die schrijfactie; { $missing } waarden zijn nog zoals daarvoor.
     }
 recovery_foreign =
     { $count ->
-        [one] { $count } waarde in de timer is niet de oude en ook niet van dat schrijven. Is het een andere timer, of heeft iets anders die gewijzigd?
-       *[other] { $count } waarden in de timer zijn niet de oude en ook niet van dat schrijven. Is het een andere timer, of heeft iets anders ze gewijzigd?
+        [one] { $count } waarde in de timer is niet de oude en ook niet van die schrijfactie. Is het een andere timer, of heeft iets anders de waarde gewijzigd?
+       *[other] { $count } waarden in de timer zijn niet de oude en ook niet van die schrijfactie. Is het een andere timer, of heeft iets anders de waarden gewijzigd?
     }
-recovery_sure = Deze pagina kan timers van één soort niet uit elkaar houden. Ga alleen verder als dit de timer van dat schrijven is.
+recovery_sure = Deze pagina kan timers van dezelfde soort niet uit elkaar houden. Ga alleen verder als dit de timer van die schrijfactie is.
 recovery_finish = Schrijven afmaken…
 recovery_goBack = Oude waarden terugschrijven…
 recovery_leave = Zo laten
 recovery_otherTimer = Het is een andere timer
-recovery_sameTimer = Het is dezelfde timer: tonen wat te schrijven was
+recovery_sameTimer = Het is dezelfde timer: tonen wat geschreven moest worden
 recovery_compare = Vergelijken
-recovery_before = Ervoor
-recovery_elsewhere = Het schrijven in { $memory } van een timer van deze soort is onderbroken. Lees { $memory } om te zien wat het bevat.
-recovery_left = Het werk aan de geheugens is onderbroken. Nu vliegt { $current } als volgende. Daarvoor was het { $original }.
-recovery_mayFly = Misschien vliegt { $memory } als volgende: het kiezen ervan is onderbroken.
-recovery_mayNotFly = Het werk aan de geheugens is onderbroken. Misschien vliegt een ander geheugen dan { $original } als volgende.
+recovery_before = Daarvoor
+recovery_elsewhere = Een schrijfactie in { $memory } van een timer van deze soort is onderbroken. Lees { $memory } om te zien wat het bevat.
+recovery_left = Het werk aan meerdere geheugens is onderbroken. Nu geldt { $current } voor de volgende vlucht. Daarvoor was het { $original }.
+recovery_mayFly = Misschien geldt { $memory } voor de volgende vlucht: het kiezen ervan is onderbroken.
+recovery_mayNotFly = Het werk aan meerdere geheugens is onderbroken. Misschien geldt een ander geheugen dan { $original } voor de volgende vlucht.
 recovery_unknownMemory = een onbekend geheugen
 
 ## The backups.
 
 backups_title = Back-ups
-backups_empty = Voor elk schrijven bewaart deze pagina hier wat de timer bevat.
+backups_empty = Voor elke schrijfactie bewaart deze pagina hier wat de timer bevat.
 backups_reasons_write = voor het schrijven
 backups_reasons_memories = alle geheugens
 
@@ -1278,11 +1280,11 @@ shortDt_putBack =
         [true] DT terugzetten op { $back }…
        *[false] DT op { $back } zetten…
     }
-shortDt_disconnect = Verbreken met { $memory }, DT{"\u00a0"}{ $dt }
-shortDt_disconnectHere = Verbreken met DT{"\u00a0"}{ $dt }
+shortDt_disconnect = Zo verbreken: { $memory }, DT{"\u00a0"}{ $dt }
+shortDt_disconnectHere = Zo verbreken: DT{"\u00a0"}{ $dt }
 shortDt_blocked = Iets wat je hebt getypt, kan nog niet geschreven worden. Verbeter het voordat je DT terugzet.
-shortDt_settings_limit = Een DT is kort onder
-shortDt_settings_hint = Een kortere DT is rood, en de pagina vraagt ernaar voordat je de verbinding verbreekt. Bij 0 s vraagt de pagina het nooit.
+shortDt_settings_limit = DT geldt als kort onder
+shortDt_settings_hint = Een kortere DT is rood, en de pagina vraagt ernaar voordat je de verbinding verbreekt. Is de grens 0 s, dan vraagt de pagina het nooit.
 
 ## The start, before anything was read.
 
@@ -1325,7 +1327,7 @@ newProgram_servos = Servo’s
 newProgram_from = Beginnen met
 newProgram_beginnings_usual = Gewone tijden, servo’s in het midden
 newProgram_beginnings_nothing = Alle tijden en posities 0
-newProgram_caution = De posities van je model zijn hier niet bekend. Stel elke in voordat je schrijft.
+newProgram_caution = De posities van je model zijn hier niet bekend. Stel elke positie in voordat je schrijft.
 newProgram_make = Programma maken
 
 ## The picture of a program over time.
@@ -1360,7 +1362,7 @@ timeline_zoomIn = Inzoomen
 timeline_zoomOut = Uitzoomen
 timeline_fit = Alles tonen
 timeline_passedOver = { $slot } wordt overgeslagen: { $next } komt op dezelfde tijd.
-timeline_goesBack = { $next } komt voor { $slot }. Het is niet bekend wat de timer in het gekleurde deel doet.
+timeline_goesBack = { $next } komt eerder dan { $slot }. Het is niet bekend wat de timer in het gekleurde deel doet.
 
 ## A new version of the page.
 
@@ -1424,8 +1426,8 @@ parts_again = Opnieuw proberen
 whichModel_recognition_same = Dit is { $model }, zoals gezien { $when }.
 whichModel_recognition_like =
     { $count ->
-        [one] Dit is als { $model }, { $count } waarde verschilt. Is het { $model }?
-       *[other] Dit is als { $model }, { $count } waarden verschillen. Is het { $model }?
+        [one] Dit lijkt op { $model }, { $count } waarde verschilt. Is het { $model }?
+       *[other] Dit lijkt op { $model }, { $count } waarden verschillen. Is het { $model }?
     }
 whichModel_recognition_several = Dit kan { $models } zijn. Welk model is het?
 whichModel_or = { $names } of { $last }
@@ -1452,13 +1454,13 @@ whichModel_crossing_memoryOf = { $memory } van { $model }
 ## A write, from the difference to the verdict.
 
 write_title = In de timer schrijven
-write_lead = Dit wijzigt in { $memory }. Al het andere blijft zoals het is.
+write_lead = Dit verandert er in { $memory }. Al het andere blijft zoals het is.
 write_target = Schrijven in
-write_nothing = Niets verschilt. De timer wordt teruggelezen en vergeleken.
+write_nothing = Er is geen verschil. De timer wordt teruggelezen en vergeleken.
 write_field = Waarde
 write_from = Timer bevat
 write_to = Zal bevatten
-write_wasRead = Gelezen was
+write_wasRead = Eerder gelezen
 write_moved_model_title = Deze timer lijkt nu bij een ander model te horen.
 write_moved_model_advice = Er is niets geschreven. Kijk naar de namen van de modellen.
 write_moved_edits_title = Het programma is gewijzigd sinds dit werd getoond.
@@ -1472,11 +1474,11 @@ write_stillToTick = Nog aan te vinken: { $ticks }.
 write_ticks_model = ander model
 write_ticks_warnings = waarschuwingen
 write_ticks_safety = propeller
-write_move_why = Deze timer lijkt posities alleen vast te houden waar zijn servo’s staan. Als de servo’s niet bewegen, houdt hij deze waarschijnlijk niet vast.
-write_move_label = De servo’s naar elke functie bewegen voordat de posities ervan worden opgeslagen.
+write_move_why = Deze timer lijkt posities alleen te bewaren voor de functie waarbij zijn servo’s staan. Als de servo’s niet bewegen, bewaart hij deze posities waarschijnlijk niet.
+write_move_label = De servo’s op elke functie zetten voordat de posities ervan worden geschreven.
 write_move_hint = Houd het model goed vast, zonder iets in de weg van de servo’s.
-write_move_notHeld_title = De timer bevestigde de posities maar hield ze niet vast.
-write_move_notHeld_advice = Deze timer houdt ze waarschijnlijk alleen vast waar zijn servo’s staan. Schrijf opnieuw en laat de servo’s naar elke functie bewegen.
+write_move_notHeld_title = De timer bevestigde de posities maar bewaarde ze niet.
+write_move_notHeld_advice = Deze timer bewaart ze waarschijnlijk alleen voor de functie waarbij zijn servo’s staan. Schrijf opnieuw en laat de servo’s daarbij op elke functie zetten.
 write_move_again = Opnieuw schrijven…
 write_start =
     { $count ->
@@ -1497,17 +1499,17 @@ write_asItIs = zoals het is
 write_insteadOf = in plaats van { $value }
 write_wanted = Te schrijven
 write_readBack = Teruggelezen
-write_differs_title = De timer nam niet elke waarde aan.
+write_differs_title = De timer nam niet elke waarde over.
 write_differs_advice = De timer is teruggelezen. Hij bevat hier andere waarden:
 write_unknown_title = Het is onzeker wat de timer bevat.
 write_unknown_advice = De timer kon niet volledig teruggelezen worden. Lees opnieuw en schrijf dan wat nog verschilt. Je wijzigingen zijn bewaard.
 write_cut = Het schrijven in { $memory } is onderbroken.
 write_strayed_title = { $memory } werd tijdens het schrijven het huidige geheugen.
-write_strayed_advice = Enkele waarden kunnen nu in { $memory } staan. Lees het en kijk het helemaal na voordat je ermee vliegt.
+write_strayed_advice = Enkele van de waarden staan nu misschien in { $memory }. Lees het en kijk het helemaal na voordat je ermee vliegt.
 write_refused = Er is niets geschreven.
 write_status_differs = verschilt
 write_status_unknown = niet bekend
-write_putBack = vanzelf gewijzigd, teruggezet
+write_putBack = door de timer zelf gewijzigd, teruggezet
 
 ## What the parts of the page that are loaded first say.
 
@@ -1550,7 +1552,7 @@ times_units_s = s
 times_units_min = min
 times_figure = { $text } { $unit }
 times_asSeconds = { $seconds }{" "}s, { $clock }
-times_meaning = Wat { $field } betekent
+times_meaning = { $field }: wat bedoeld is
 header_firmware = firmware { $firmware }
 header_simulated = gesimuleerd
 header_connect = Verbinden
@@ -1562,8 +1564,8 @@ program_tableCaption = Tijd en servoposities van elke functie
 program_slot = Functie
 program_time = Tijd
 program_memory = Geheugen
-program_memoryUnknown = Deze timer zegt niet welk geheugen het huidige is, dus is niet bekend welk als volgende vliegt.
-program_memoryOpen = Het is niet bekend welk geheugen als volgende vliegt. Laat er een als volgende vliegen, of lees opnieuw.
+program_memoryUnknown = Deze timer zegt niet welk geheugen het huidige is, dus het is niet bekend welk voor de volgende vlucht geldt.
+program_memoryOpen = Het is niet bekend welk geheugen voor de volgende vlucht geldt. Kies er een voor die vlucht, of lees opnieuw.
 program_dt = DT
 program_motorStop = Motorstop
 program_motor = Motor
@@ -1595,7 +1597,7 @@ program_blocked = Er kan nog niets geschreven worden. { $field }: { $why }
 program_findings = Controle
 program_noFindings = Niets ongewoons.
 program_absolute = Getoond vanaf de start. Het is niet bekend of deze timer telt vanaf de start of vanaf de functie ervoor.
-program_severity_error = Niet te schrijven
+program_severity_error = Niet schrijfbaar
 program_severity_serious = Ernstig
 program_severity_warning = Ongewoon
 program_reading = Timer lezen
@@ -1636,12 +1638,12 @@ settle_title = Met je timer uitzoeken
 settle_lead = Niet alles is bekend over hoe deze timers praten. In vijftien minuten zoekt de jouwe uit wat open is. Elke waarde die geprobeerd wordt, wordt teruggezet. Houd het programmeerapparaat bij de hand.
 settle_safe = De propeller is eraf of de motor is losgekoppeld, en de timer staat niet op scherp.
 settle_danger = Er kan nu iets bewegen. Is de propeller eraf, of de motor losgekoppeld? Kijk nog een keer.
-settle_blocked = Handel eerst af wat de band hierboven zegt, en houd wat geprobeerd is of zet het terug.
+settle_blocked = Handel eerst de melding in de gekleurde balk bovenaan de pagina af, en behoud wat geprobeerd is of zet de oude waarden terug.
 settle_readIt = Timer lezen
 settle_which = Welke toont het programmeerapparaat?
-settle_tryHint = Beweeg de servo’s en wacht tot ze stilstaan. Probeer dan een positie: die wordt gewijzigd en binnen seconden teruggezet. Let op de servo’s.
+settle_tryHint = Beweeg de servo’s met de knoppen van de pagina en wacht tot ze stilstaan. Probeer dan een positie: die wordt gewijzigd en binnen enkele seconden teruggezet. Let op de servo’s.
 settle_tryIt = Een positie proberen
-settle_moved = De oude positie is terug: dat is gelezen. Bewoog er een servo toen de nieuwe werd geprobeerd?
+settle_moved = De oude positie is terug: de pagina heeft die teruggelezen. Bewoog er een servo toen de nieuwe werd geprobeerd?
 settle_ask = Met vier nullen vragen
 settle_unknown = Ik weet het niet
 settle_send = Stuur het bestand met dit formulier
