@@ -56,8 +56,8 @@ export function ticks(
     .sort((a, b) => a - b);
 }
 
-/** A time in its shortest form: `0`, `0.5`, `12`, `3:00`. */
+/** A time in its shortest form: `0`, `0.5` or `0,5`, `12`, `3:00`. */
 export function shortTime(hundredths: number): string {
   const text = formatTime(hundredths);
-  return text.includes(':') ? text : text.replace(/\.?0+$/, '');
+  return text.includes(':') ? text : text.replace(/[.,]?0+$/, '');
 }

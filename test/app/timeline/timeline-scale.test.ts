@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { stepSize } from '../../../src/app/editing/edit.js';
+import { locale } from '../../../src/app/editing/locale.js';
 import { limitsOf, snapped, stepped } from '../../../src/app/timeline/drag.js';
 import { eventsBetween, flightEnd, reachedAt, stagesOf } from '../../../src/app/timeline/flight.js';
 import { geometryOf, measuresOf } from '../../../src/app/timeline/geometry.js';
@@ -174,6 +175,10 @@ describe('the times at the axis', () => {
     [6050, '1:00.50'],
   ])('%i is short as %s', (at, text) => {
     expect(shortTime(at)).toBe(text);
+    const english = locale.value;
+    locale.value = { ...english, decimal: ',' };
+    expect(shortTime(at)).toBe(text.replace('.', ','));
+    locale.value = english;
   });
 });
 
