@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { en } from '../tools/en.js';
+import { OVER, outOfReach } from '../tools/in-reach.js';
 import { AppPage } from './app-page.js';
-import { outOfReach } from './in-reach.js';
 import { showTheme } from './themes.js';
 
 type Size = readonly [width: number, height: number];
@@ -20,9 +20,6 @@ const BY_MOUSE: readonly Size[] = [
   [640, 400],
   [320, 256],
 ];
-
-/** What can cover the page. */
-const OVER = 'dialog[open], .top:has(.strip-panel), .row-panel, .edit-sheet:popover-open';
 
 const faults: string[] = [];
 

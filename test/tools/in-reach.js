@@ -1,49 +1,51 @@
+/** What can cover the page. */
+export const OVER = 'dialog[open], .top:has(.strip-panel), .row-panel, .edit-sheet:popover-open';
+
 /**
  * What a pilot cannot read or press in the present window: text that is cut off or lies on other text, and controls
  * that are outside the window or covered at every scroll position. Runs in the page.
- * @param scope what lies over the page, if anything: the controls below it are not checked then
+ * @param {string} scope what lies over the page, if anything: the controls below it are not checked then
  */
-export function outOfReach(scope: string): string[] {
-  const found: string[] = [];
+export function outOfReach(scope) {
+  /** @type {string[]} */
+  const found = [];
   const root = document.documentElement;
   // An element that is laid out only when it becomes visible is checked at its later place.
-  const put = [...document.querySelectorAll<HTMLElement>('main *')].filter(
-    (element) => getComputedStyle(element).contentVisibility === 'auto',
-  );
+  const every = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('main *'));
+  const put = [...every].filter((element) => getComputedStyle(element).contentVisibility === 'auto');
   for (const element of put) element.style.contentVisibility = 'visible';
-  const over = document.querySelector(scope);
-  const all = <E extends Element>(selector: string): E[] => [...(over ?? document).querySelectorAll<E>(selector)];
-  const name = (element: Element): string =>
+  // A dialog comes last and lies over all else.
+  const over = [...document.querySelectorAll(scope)].at(-1);
+  const all = (/** @type {string} */ selector) =>
+    /** @type {NodeListOf<HTMLElement>} */ ((over ?? document).querySelectorAll(selector));
+  const name = (/** @type {Element} */ element) =>
     `${element.tagName.toLowerCase()}.${element.getAttribute('class') ?? ''} “${(element.getAttribute('aria-label') ?? element.textContent ?? '').trim().slice(0, 40)}”`;
-  const isSeen = (element: Element): boolean =>
+  const isSeen = (/** @type {Element} */ element) =>
     element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
     element.getBoundingClientRect().width > 1 &&
     !element.closest('.visually-hidden, [inert]');
-  const ancestors = function* (element: Element | null): Generator<Element> {
+  const ancestors = function* (/** @type {Element | null} */ element) {
     for (let each = element; each; each = each.parentElement) yield each;
   };
-  const scrolls = (element: Element, axis: 'X' | 'Y'): boolean =>
+  const scrolls = (/** @type {Element} */ element, /** @type {'X' | 'Y'} */ axis) =>
     /auto|scroll/.test(getComputedStyle(element)[`overflow${axis}`]);
   /** Elements that are hidden only for the eye. */
-  const isForEars = (element: Element): boolean => getComputedStyle(element).clipPath !== 'none';
+  const isForEars = (/** @type {Element} */ element) => getComputedStyle(element).clipPath !== 'none';
 
   if (root.scrollWidth > root.clientWidth)
     found.push(`the page goes ${root.scrollWidth - root.clientWidth} px sideways`);
 
   /** Below the last line of a text with a limited number of lines that ends in an ellipsis. */
-  const isLeftOut = (of: Element, box: DOMRect): boolean => {
+  const isLeftOut = (/** @type {Element} */ of, /** @type {DOMRect} */ box) => {
     const clamped = [...ancestors(of)].find((each) => !/none|^$/.test(getComputedStyle(each).webkitLineClamp));
     return clamped !== undefined && box.top > clamped.getBoundingClientRect().bottom - 0.5 * box.height;
   };
 
-  interface Line {
-    readonly box: DOMRect;
-    readonly text: string;
-    readonly of: Element;
-    /** The element with which it scrolls. */
-    readonly layer: Element | undefined;
-  }
-  const lines: Line[] = [];
+  /**
+   * Lines of text. A layer is the element with which a line scrolls.
+   * @type {{ box: DOMRect, text: string, of: Element, layer: Element | undefined }[]}
+   */
+  const lines = [];
   const walker = document.createTreeWalker(over ?? document.body, NodeFilter.SHOW_TEXT);
   for (let node = walker.nextNode(); node; node = walker.nextNode()) {
     const { parentElement: of } = node;
@@ -60,8 +62,9 @@ export function outOfReach(scope: string): string[] {
       if (box.width < 1 || isLeftOut(of, box)) continue;
       lines.push({ box, text, of, layer });
       for (const each of ancestors(of)) {
-        const { overflowX, textOverflow } = getComputedStyle(each);
-        if (overflowX === 'visible' || each === root || each === document.body) continue;
+        const { overflowX, textOverflow, contain } = getComputedStyle(each);
+        const cuts = overflowX !== 'visible' || /strict|content|paint/.test(contain);
+        if (!cuts || each === root || each === document.body) continue;
         if (scrolls(each, 'X')) break;
         const edge = each.getBoundingClientRect();
         if (box.right > edge.right + 1 || box.left < edge.left - 1)
@@ -80,18 +83,19 @@ export function outOfReach(scope: string): string[] {
     }
   }
 
-  const places: (() => void)[] = [];
+  /** @type {(() => void)[]} */
+  const places = [];
   const control = 'button, a[href], input, select, textarea, summary, [role=switch], [role=option]';
-  for (const element of all<HTMLElement>(control)) {
+  for (const element of all(control)) {
     const target = element.closest('label') ?? element;
     if (!isSeen(target) || element.closest('svg') || isForEars(target)) continue;
-    if (element.scrollWidth > element.clientWidth + 1 && element.matches('button, a, input, summary'))
+    if (element.scrollWidth > element.clientWidth + 1 && element.matches('button, a, input:not([readonly]), summary'))
       found.push(`${name(element)} is too narrow for what it says`);
     const inTable = [...ancestors(target)].some((each) => each !== root && scrolls(each, 'X'));
     const { left, right } = target.getBoundingClientRect();
     if (!inTable && (left < -0.5 || right > root.clientWidth + 0.5))
       found.push(`${name(element)} stands over the edge`);
-    const isHit = (): boolean => {
+    const isHit = () => {
       const box = target.getBoundingClientRect();
       const there = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
       return there !== null && target.contains(there);
