@@ -16,16 +16,16 @@ bench_jumped = Časovač skok potvrdil.
 bench_here = zde stojí serva
 bench_waits = Čeká na „Zapsat“.
 bench_bring = Přestavit serva: { $slot }
-bench_follow = Serva následují polohy
-bench_followHint = Stránka nejprve přečte časovač a uchová zálohu. Každou polohu, kterou pak změníte tam, kde serva stojí, si časovač hned zapamatuje a její servo se pohne.
-bench_followingNow = Serva následují: polohu, kterou změníte tam, kde stojí, si časovač hned zapamatuje.
-bench_stopFollowing = Ukončit následování
+bench_follow = Serva sledují změny
+bench_followHint = Stránka nejprve přečte časovač a uchová zálohu. Každou polohu, kterou pak změníte v řádku, u kterého serva stojí, si časovač hned zapamatuje a její servo se pohne.
+bench_followingNow = Serva sledují změny: polohu, kterou změníte v řádku, u kterého stojí, si časovač hned zapamatuje.
+bench_stopFollowing = Ukončit sledování
 bench_followPending = Dřívější změny čekají na „Zapsat“.
-bench_ended_over = Serva už nenásledují.
-bench_ended_memory = Serva už nenásledují: aktuální je, nebo může být, jiná paměť.
-bench_ended_strayed = Zatímco serva následovala, stala se aktuální jiná paměť. Mohla převzít některé polohy: než s ní poletíte, celou ji prohlédněte.
-bench_ended_unlike = Serva už nenásledují: časovač neudělal to, co potvrdil.
-bench_ended_failed = Serva už nenásledují: časovač neodpověděl.
+bench_ended_over = Serva už změny nesledují.
+bench_ended_memory = Serva už změny nesledují: aktuální je, nebo může být, jiná paměť.
+bench_ended_strayed = Zatímco serva sledovala změny, stala se aktuální jiná paměť. Mohla převzít některé polohy: než s ní poletíte, celou ji prohlédněte.
+bench_ended_unlike = Serva už změny nesledují: časovač neudělal to, co potvrdil.
+bench_ended_failed = Serva už změny nesledují: časovač neodpověděl.
 bench_notTaken = { $field }: v časovači je { $held }, ne { $wanted }.
 bench_beside =
     { $more ->
@@ -54,10 +54,10 @@ bench_decide = Ponechat vyzkoušené polohy, nebo vrátit to, co časovač obsah
 bench_keep = Ponechat
 bench_putBack = Vrátit…
 bench_unlock = Podržet: UNLOCK
-bench_unlockHold = Držte dál
-bench_unlockHint = Vrtule se může roztočit. Držte model, ruce mějte dál od vrtule, potom stiskněte a podržte.
+bench_unlockHold = Stále držte
+bench_unlockHint = Vrtule se může roztočit. Držte model, ruce mějte daleko od vrtule, potom stiskněte a podržte.
 bench_experimental = Experimentální
-bench_jumpHint = Skočí na funkci po předčasném DT. Přesný účinek není popsán: serva se mohou pohnout.
+bench_jumpHint = Skok na funkci, která následuje po předčasném DT. Přesný účinek není popsán: serva se mohou pohnout.
 bench_jump = Skok…
 bench_jumpSure = Poslat skok teď
 
@@ -174,7 +174,7 @@ unreadable_empty = Prázdné: napište hodnotu.
 unreadable_not-a-time = Není to čas: napište sekundy jako 12,5, nebo minuty jako 2:05.
 unreadable_too-fine = Jemnější než setina sekundy.
 unreadable_not-a-whole-number = Musí to být celé číslo.
-unreadable_ambiguous = Dá se to číst více způsoby: vyberte jeden.
+unreadable_ambiguous = Dá se to chápat více způsoby: vyberte jeden.
 
 ## For a page that cannot reach a timer here.
 
@@ -356,7 +356,7 @@ edits_pasting_lead =
         [few] Tím se změní { $count } hodnoty.
        *[other] Tím se změní { $count } hodnot.
     }
-edits_pasting_reading = { $field }: „{ $text }“ se čte jako { $time }.
+edits_pasting_reading = { $field }: „{ $text }“ se chápe jako { $time }.
 edits_pasting_problems = Toto nelze vložit:
 edits_pasting_place = Řádek { $row }, sloupec { $column } zkopírovaného textu
 edits_pasting_problem = { $place }: { $reason }
@@ -477,7 +477,7 @@ guide_nav = Stránky nápovědy
 
 firstSteps_1 = Čtení: stiskněte „Připojit“, probuďte časovač, držte infračervenou hlavici blízko. Čtení nic nemění a ničím nepohne.
 firstSteps_2 = Zápis: napište nové hodnoty, stiskněte „Zapsat“, podívejte se na každý rozdíl. „Ověřeno“ znamená: časovač byl znovu přečten a obsahuje to, co chcete.
-firstSteps_3 = Let: nahoře je paměť pro příští let a její DT. Stránka nepotřebuje síť a nic neopustí toto zařízení.
+firstSteps_3 = Let: na horním okraji stránky je vidět, která paměť je vybrána pro příští let, a její DT. Stránka nepotřebuje síť a nic neopustí toto zařízení.
 
 ## The values of a program, with unit and range.
 
@@ -495,13 +495,13 @@ values_dt_text = Determalizátor: kdy dostane model na zem, počítáno od start
 values_dt_range = 1 až 720 s podle návodu. Více než 10:55 min nelze odeslat.
 values_idleThrottle_text = F1Q: pravděpodobně jak rychle se točí motor, dokud je startovací tlačítko stisknuté.
 values_idleThrottle_range = Stránka předpokládá 0 až 100. Jednotka není známa.
-values_memory_text = Časovač má několik pamětí, v každé jeden program. Vybraná paměť je paměť pro příští let. Nahlédnutí do jiné ji vybere a zase se vrátí; je-li to přerušeno, stránka řekne, která může být použita při příštím letu.
+values_memory_text = Časovač má několik pamětí, v každé jeden program. Při příštím letu platí vybraná paměť. Nahlédnutí do jiné ji vybere a zase se vrátí; je-li to přerušeno, stránka řekne, která je možná vybrána pro příští let.
 values_memory_range = Obvykle čtyři, M1 až M4. Starší časovače jich mají pět.
 
 ## What a pilot checks before a flight.
 
 checklist_lead = Zaškrtněte každý bod. Zaškrtnutí platí pro jeden let a neuchovávají se.
-checklist_items_memory = Pro příští let je nastavena správná paměť.
+checklist_items_memory = Pro příští let je vybrána správná paměť.
 checklist_items_dtTime = Čas DT zazněl nahlas.
 checklist_items_surfaces = Křídlo, výškovka a směrovka drží pevně a stojí, jak mají.
 checklist_items_battery = Baterie je nabitá a její konektor zasunutý až na doraz.
@@ -512,8 +512,8 @@ checklist_items_propeller = Vrtule je pevně upevněná a volně se otáčí. Ni
 checklist_known_now = Příští let: { $memory }, DT{"\u00a0"}{ $dt }, čteno { $time }.
 checklist_known_onceAt = Naposledy čteno { $time }: { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_once = Naposledy čteno: { $memory }, DT{"\u00a0"}{ $dt }.
-checklist_known_not = Není známo, co obsahuje { $memory }. Přečtěte to před letem.
-checklist_known_nothing = Žádný časovač nebyl přečten. Připojte ho a uvidíte zde jeho paměť a DT.
+checklist_known_not = Není známo, co obsahuje { $memory }. Před letem ji přečtěte.
+checklist_known_nothing = Žádný časovač nebyl přečten. Připojte časovač a uvidíte zde paměť pro příští let a její DT.
 checklist_known_unwritten =
     { $count ->
         [one] { $count } změna ještě není v časovači.
@@ -530,27 +530,27 @@ troubles_symptoms_noAnswer_title = Časovač neodpovídá
 troubles_symptoms_noAdapter_title = Stránka nenajde adaptér
 troubles_symptoms_refused_title = Adaptér se neotevře
 troubles_symptoms_wrongValues_title = Hodnoty vypadají špatně
-troubles_symptoms_wrongValues_steps_1 = Podívejte se nahoru: která paměť je zobrazena a která je pro příští let?
+troubles_symptoms_wrongValues_steps_1 = Podívejte se na horní okraj stránky: která paměť je zobrazena a která je vybrána pro příští let?
 troubles_symptoms_wrongValues_steps_2 = Stiskněte „{ program_read }“.
 troubles_symptoms_wrongValues_steps_3 = Klesají časy z řádku na řádek? Stránka se pak zeptá, jak je číst.
 troubles_symptoms_wrongValues_steps_4 = U F1B a F1E porovnejte časy s ručním programátorem.
 troubles_symptoms_cutOff_title = Zápis byl přerušen
-troubles_symptoms_cutOff_steps_1 = S tímto modelem zatím nelétejte. Připojte se: stránka přečte časovač a potom nabídne zápis dokončit, nebo se vrátit.
+troubles_symptoms_cutOff_steps_1 = S tímto modelem zatím nelétejte. Připojte se: stránka přečte časovač a potom nabídne zápis dokončit, nebo zapsat původní hodnoty.
 troubles_symptoms_cutOff_steps_2 = Co časovač obsahoval předtím, je v zobrazení „{ views_names_memories }“, „{ backups_title }“.
 troubles_symptoms_noDt_title = DT nezafunguje, nebo zafunguje ve špatný čas
-troubles_symptoms_noDt_steps_1 = Podívejte se nahoru: je tam paměť pro příští let a její DT. Jiná paměť má jiné DT.
+troubles_symptoms_noDt_steps_1 = Podívejte se na horní okraj stránky: je tam paměť vybraná pro příští let a její DT. Jiná paměť má jiné DT.
 troubles_symptoms_noDt_steps_2 = Odskočí startovací tlačítko pokaždé? Dokud je stisknuté, sekvence nezačne a DT nezafunguje.
 troubles_symptoms_noDt_steps_3 = Je baterie nabitá a její konektor zasunutý až na doraz? Když časovač neběží, DT nezafunguje.
-troubles_symptoms_noDt_steps_4 = Držte model bezpečně a stiskněte řádek DT v zobrazení „{ views_names_bench }“. Jde tam servo a uvolní to, co drží?
+troubles_symptoms_noDt_steps_4 = Držte model bezpečně a stiskněte řádek DT v zobrazení „{ views_names_bench }“. Jde servo do své polohy DT a uvolní to, co drží?
 troubles_symptoms_noDt_steps_5 = Sundejte vrtuli a nechte časovač doběhnout do konce. Nelétejte, dokud neuvidíte, že se servo v čase DT pohne.
 troubles_symptoms_noMove_title = Servo se nepohne
-troubles_symptoms_noMove_steps_1 = Držte model a stiskněte příslušný řádek v zobrazení „{ views_names_bench }“. Nic se nehýbe? Prohlédněte konektor a baterii. Tam se pohne, ale v letu ne? Má stejnou polohu jako ve funkci předtím.
-troubles_symptoms_noMove_steps_2 = Jde jinam, než říká tabulka? Časovač si může polohu pamatovat jen pro funkci, u které serva stojí. Stránka pak nabídne, že serva při zápisu přestaví.
+troubles_symptoms_noMove_steps_1 = Držte model a stiskněte v zobrazení „{ views_names_bench }“ řádek funkce, ve které se má servo pohnout. Nic se nehýbe? Prohlédněte konektor a baterii. Tam se pohne, ale v letu ne? Má stejnou polohu jako ve funkci předtím.
+troubles_symptoms_noMove_steps_2 = Jde jinam, než říká tabulka? Některé časovače si možná pamatují polohu jen pro funkci, u které serva stojí. Stránka pak nabídne, že serva při zápisu přestaví.
 troubles_symptoms_noMove_steps_3 = Bzučí, nebo se zastaví moc brzy? Možná ho blokuje táhlo: zkuste menší pohyb.
 troubles_symptoms_noMotor_title = Motor se nerozběhne
-troubles_symptoms_noMotor_steps_1 = Po letu časovač motor zablokuje. Než ho odblokujete, držte model a ruce mějte dál od vrtule: může se roztočit. Potom podržte tlačítko „{ bench_unlock }“ v zobrazení „{ views_names_bench }“.
+troubles_symptoms_noMotor_steps_1 = Po letu časovač motor zablokuje. Držte model a ruce mějte daleko od vrtule: při odblokování se může roztočit. Potom podržte tlačítko „{ bench_unlock }“ v zobrazení „{ views_names_bench }“.
 troubles_symptoms_noMotor_steps_2 = Odskočilo startovací tlačítko? Dokud je stisknuté, motor běží jen na volnoběh.
-troubles_symptoms_noMotor_steps_3 = Je stop motoru dost pozdě? Při 0,1 s se motor zastaví, jakmile se rozběhne.
+troubles_symptoms_noMotor_steps_3 = Není stop motoru příliš brzy? Při 0,1 s se motor zastaví, jakmile se rozběhne.
 troubles_symptoms_noLibrary_title = Moje modely a programy tu nejsou
 troubles_symptoms_noLibrary_steps_1 = Vyprázdněte pole hledání, stiskněte „Archiv“.
 troubles_symptoms_noLibrary_steps_2 = Každý prohlížeč, profil a adresa má vlastní knihovnu; soukromé okno ji smaže.
@@ -634,7 +634,7 @@ removed = Smazáno: { $what }.
 
 erase_open = Smazat vše na tomto zařízení…
 erase_lead = Tím se z tohoto prohlížeče smažou všechny modely, programy, lety, zálohy, nezapsané změny a volby této stránky. Nelze to vrátit zpět. Časovačům jejich obsah zůstane.
-erase_uncertain = Zápis byl přerušen a není známo, co onen časovač obsahuje. Bez záznamu o tomto zápisu vás stránka nemůže varovat: před letem onen časovač přečtěte.
+erase_uncertain = Zápis byl přerušen a není známo, co ten časovač obsahuje. Bez záznamu o tomto zápisu vás stránka nemůže varovat: před letem ten časovač přečtěte.
 erase_start = Smazat vše
 erase_running = Maže se
 erase_failed = Nepodařilo se smazat vše. Zavřete ostatní karty této stránky a zkuste to znovu, nebo smažte její data v nastavení prohlížeče.
@@ -649,7 +649,7 @@ framed_open = Otevřít Sidus Timer ve vlastní kartě
 knowledge_title = Nejisté
 knowledge_uncertain = Není známo, co obsahuje { $memory }: { $values }.
 knowledge_noFly = Nelétejte, dokud to není přečteno.
-knowledge_since = Zápis byl přerušen: { $time }.
+knowledge_since = Přerušený zápis, začátek: { $time }.
 knowledge_thisMemory = aktuální paměť
 knowledge_memoryOf = { $memory } ({ $timer })
 knowledge_timer_here = časovač { $name } { $firmware }
@@ -668,11 +668,11 @@ knowledge_list =
 knowledge_and = { $first } a { $next }
 knowledge_connect = Připojit a přečíst
 knowledge_forget = Zapomenout…
-knowledge_forgetSure = Zapomeňte to, jen pokud jste onen časovač přečetli jinde nebo ho už nemáte.
+knowledge_forgetSure = Zapomeňte to, jen pokud jste ten časovač přečetli jinde nebo ho už nemáte.
 knowledge_forgetNow = Zapomenout teď
 knowledge_verified = Jako v časovači, ověřeno { $time }
 knowledge_readAt = Jako v časovači, čteno { $time }
-knowledge_lastReadAt = Naposledy čteno { $time }
+knowledge_lastReadAt = Podle posledního čtení, { $time }
 knowledge_lastRead = Podle posledního čtení
 knowledge_ofSetting =
     { $changes ->
@@ -703,7 +703,7 @@ knowledge_held_once = Poslední čtení
 ## Why a program of the library or from a link cannot be opened now.
 
 obstacles_busy = Stránka čte, zapisuje nebo hledá časovač. Počkejte, až skončí.
-obstacles_following = Serva následují. Nejprve to ukončete.
+obstacles_following = Serva sledují změny. Nejprve to ukončete.
 obstacles_not-fitting = { notFitting }
 
 ## Models and their saved programs.
@@ -918,7 +918,7 @@ link_refused = Stránka to zkouší dalších 15 sekund. Adaptér možná použ�
 link_heard_title = Něco je slyšet, ale žádný časovač neodpovídá.
 link_heard_advice = Probuďte časovač a držte hlavici blíž, mimo slunce, nebo vyberte jiný adaptér.
 link_slow_title = Časovač odpovídá, ale příliš pomalu.
-link_slow_advice = Jeho bajty přicházejí při { $rate } baudech po jednom, s tak dlouhými mezerami, že žádná odpověď není celá včas. Tato stránka ho nemůže přečíst. Zkuste jiný adaptér, nebo kabel místo Bluetooth.
+link_slow_advice = Jeho bajty přicházejí při { $rate } baudech po jednom, s tak dlouhými mezerami, že žádná odpověď nedorazí včas celá. Tato stránka ho nemůže přečíst. Zkuste jiný adaptér, nebo kabel místo Bluetooth.
 link_itSaid = Přišlo: { $bytes } („{ $text }“).
 link_trySelectBare = Zkusit to bez správného kontrolního součtu
 link_lost_title = Spojení s adaptérem je ztraceno.
@@ -988,10 +988,10 @@ nextFlight_badge = příští let
 nextFlight_onScreen = Toto je { $memory }.
 nextFlight_named = { $memory }, příští let
 nextFlight_other = Příští let: { $memory }.
-nextFlight_last = Když časovač naposledy odpověděl, byla aktuální { $memory }. Je to paměť pro příští let, pokud to něco jiného nezměnilo.
-nextFlight_original = Při připojení to byla { $original }.
-nextFlight_originalUnknown = Není známo, která to byla při připojení.
-nextFlight_unknown = Není známo, která paměť je pro příští let.
+nextFlight_last = Když časovač naposledy odpověděl, byla aktuální { $memory }. Je vybrána pro příští let, pokud to něco jiného nezměnilo.
+nextFlight_original = Při připojení byla aktuální { $original }.
+nextFlight_originalUnknown = Není známo, která byla aktuální při připojení.
+nextFlight_unknown = Není známo, která paměť je vybrána pro příští let.
 nextFlight_asked = Naposledy byla vybrána { $memory }.
 nextFlight_back = Zpět na { $original }
 nextFlight_leaving_title = Než se odpojíte
@@ -1008,7 +1008,7 @@ look_lead = Jen k nahlédnutí. Příští let: { $current }.
 look_edit = Upravit { $memory }
 look_look = Nahlédnout do { $memory }
 look_hint = Vybere { $memory }, přečte ji a vrátí se na { $current }.
-look_fly = { $memory } pro příští let
+look_fly = Vybrat { $memory } pro příští let
 look_show = Zobrazit { $memory }
 
 ## Jobs over several memories, and the backups.
@@ -1021,12 +1021,12 @@ memories_plans_screen =
         [true] Zapíší se časy a polohy z obrazovky. Paměť: { $to }. Co obsahuje teď, se předtím zálohuje. Volnoběh zůstane, jak je.
        *[false] Zapíší se časy a polohy z obrazovky. Paměť: { $to }. Co obsahuje teď, se předtím zálohuje.
     }
-memories_plans_copy = { $to } dostane časy a polohy z { $from }, jak byly právě přečteny. Co { $to } obsahuje teď, se předtím zálohuje.
+memories_plans_copy = { $to } bude obsahovat časy a polohy z { $from }, jak byly právě přečteny. Co { $to } obsahuje teď, se předtím zálohuje.
 memories_plans_restore = Zapíše se obsah zálohy ({ $time }). Paměť: { $names }. Co je tam teď, se předtím zálohuje.
-memories_atEnd = Nakonec bude pro příští let zase { $current }.
-memories_refused = { $memory }: nelze nic zapsat, žádný program nemůže tyto hodnoty poslat.
+memories_atEnd = Na konci bude pro příští let zase vybrána { $current }.
+memories_refused = { $memory }: nelze nic zapsat, žádný software nemůže tyto hodnoty poslat.
 memories_untouched = { $memory }: nic nebylo zapsáno.
-memories_stopped = Co ještě nebylo zapsáno, je jako předtím.
+memories_stopped = Co ještě nebylo zapsáno, je v časovači jako předtím.
 
 ## All memories of a timer at a glance.
 
@@ -1088,18 +1088,18 @@ timer_other-memory_title = Aktuální paměť není ta na obrazovce.
 timer_other-memory_advice = Než budete zapisovat, čtěte znovu.
 timer_memory-unknown_title = Tento časovač neříká, která paměť je aktuální.
 timer_memory-unknown_advice = Stránka proto nemůže nahlédnout do jiné paměti a vrátit se. Aktuální můžete číst i zapisovat.
-timer_memory-left_title = Paměť pro příští let se mohla změnit.
-timer_memory-left_advice = Stránka se nemohla vrátit na tu, která byla aktuální. Připojte se znovu a před letem nastavte pro příští let správnou paměť.
+timer_memory-left_title = Pro příští let je teď možná vybrána jiná paměť.
+timer_memory-left_advice = Stránka se nemohla vrátit na tu, která byla aktuální. Připojte se znovu a před letem vyberte pro příští let správnou paměť.
 timer_other-timer_title = Toto není časovač, který odpovídal předtím.
 timer_other-timer_advice = Stránka ho čte. Než budete zapisovat, podívejte se, co obsahuje.
 timer_stale_title = Časovač neobsahuje to, co bylo zobrazeno.
 timer_stale_advice = Nic nebylo zapsáno. Podívejte se, co by zápis změnil teď.
 timer_changed_title = Časovač obsahuje jiné hodnoty než předtím.
 timer_changed_advice = Změnilo je něco jiného, nebo je to jiný časovač. Vaše změny jsou uchovány: než budete zapisovat, podívejte se na rozdíl.
-timer_stood-still_title = Stránka se během práce s časovačem zastavila.
-timer_stood-still_advice = Nic dalšího nebylo posláno: může tam už být jiný časovač. Čtěte znovu.
+timer_stood-still_title = Stránka byla během práce s časovačem nějakou dobu pozastavena.
+timer_stood-still_advice = Potom už nebylo nic posláno: může tam už být jiný časovač. Čtěte znovu.
 timer_too-slow_title = Tento časovač odpovídá příliš pomalu.
-timer_too-slow_advice = Na jeho odpovědi se čeká déle než 3 sekundy, takže stránka nepozná, která patří ke které otázce. Nic dalšího nebylo posláno. Zkuste jiný adaptér, nebo kabel místo Bluetooth.
+timer_too-slow_advice = Na jeho odpovědi se čeká déle než 3 sekundy, takže stránka nepozná, která patří ke které otázce. Potom už nebylo nic posláno. Zkuste jiný adaptér, nebo kabel místo Bluetooth.
 timer_undecided_title = { byteOrder_title }
 timer_undecided_advice = { byteOrder_advice }
 timer_serious_title = Kontrola našla něco závažného.
@@ -1117,6 +1117,7 @@ timer_closed_advice = Chcete-li pokračovat, stiskněte „Připojit“. Co jste
 
 alike_title = Každá odpověď na { $request } je poškozená stejným způsobem.
 alike_advice = To není šum: časovač nebo jeho adaptér tvoří tyto odpovědi neznámým způsobem. Zapněte v nastavení „Expert“, otevřete zobrazení „{ views_names_line }“ a stiskněte „{ line_copyReport }“. Zprávu pošlete správcům projektu (github.com/sidus-timer/sidus-timer/issues).
+alike_part = Jen k nahlédnutí: { $values }. Vše ostatní není známo.
 
 ## Messages that are not about errors.
 
@@ -1129,7 +1130,7 @@ notes_moved_advice = { timer_changed_advice }
 notes_timer-moved_title = { timer_changed_title }
 notes_timer-moved_advice = { timer_changed_advice }
 notes_kept_title = Vaše změny jsou uchovány na tomto zařízení.
-notes_kept_advice = K tomu, co bylo teď přečteno, se nehodí. Vrátí se, až onu paměť znovu přečtete; jsou i v seznamu na úvodní stránce.
+notes_kept_advice = K tomu, co bylo teď přečteno, se nehodí. Vrátí se, až příslušnou paměť znovu přečtete; jsou i v seznamu na úvodní stránce.
 notes_other-kind_title = Teď je tu jiný druh časovače.
 notes_other-kind_advice = { timer_other-timer_advice }
 notes_write-completed_title = Přerušený zápis je úplný.
@@ -1144,9 +1145,10 @@ notes_backed-up_title = Všechny paměti byly přečteny a záloha každé z nic
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_advice = Nic nebylo zapsáno. Co se liší, je označeno. „Zpět“ ukáže, co obsahuje časovač.
+notes_made-laid_title = Tabulka ukazuje váš program, ne to, co obsahuje časovač.
+notes_made-laid_advice = Nic nebylo zapsáno. Co se liší, je označeno. „{ undo }“ ukáže, co obsahuje časovač.
 notes_unexpected_title = Na této stránce se něco nepovedlo.
-notes_unexpected_advice = Nic dalšího nebylo posláno. Načtěte stránku znovu. Co jste napsali, je uchováno.
+notes_unexpected_advice = Potom už nebylo nic posláno. Načtěte stránku znovu. Co jste napsali, je uchováno.
 
 ## The flight of the program, and what the servos of the model move.
 
@@ -1225,17 +1227,17 @@ recovery_nothing =
     }
 recovery_part =
     { $missing ->
-        [one] Z onoho zápisu časovač obsahuje: { $values }; { $missing } hodnota je ještě jako předtím.
-        [few] Z onoho zápisu časovač obsahuje: { $values }; { $missing } hodnoty jsou ještě jako předtím.
-       *[other] Z onoho zápisu časovač obsahuje: { $values }; { $missing } hodnot je ještě jako předtím.
+        [one] Z toho zápisu časovač obsahuje: { $values }; { $missing } hodnota je ještě jako předtím.
+        [few] Z toho zápisu časovač obsahuje: { $values }; { $missing } hodnoty jsou ještě jako předtím.
+       *[other] Z toho zápisu časovač obsahuje: { $values }; { $missing } hodnot je ještě jako předtím.
     }
 recovery_foreign =
     { $count ->
-        [one] { $count } hodnota v časovači není ani původní, ani z onoho zápisu. Je to jiný časovač, nebo ji změnilo něco jiného?
-        [few] { $count } hodnoty v časovači nejsou ani původní, ani z onoho zápisu. Je to jiný časovač, nebo je změnilo něco jiného?
-       *[other] { $count } hodnot v časovači není ani původních, ani z onoho zápisu. Je to jiný časovač, nebo je změnilo něco jiného?
+        [one] { $count } hodnota v časovači není ani původní, ani z toho zápisu. Je to jiný časovač, nebo ji změnilo něco jiného?
+        [few] { $count } hodnoty v časovači nejsou ani původní, ani z toho zápisu. Je to jiný časovač, nebo je změnilo něco jiného?
+       *[other] { $count } hodnot v časovači není ani původních, ani z toho zápisu. Je to jiný časovač, nebo je změnilo něco jiného?
     }
-recovery_sure = Stránka nerozezná časovače jednoho druhu. Pokračujte, jen pokud je to časovač onoho zápisu.
+recovery_sure = Stránka nerozezná časovače stejného druhu. Pokračujte, jen pokud je to časovač z toho zápisu.
 recovery_finish = Dokončit zápis…
 recovery_goBack = Zapsat původní hodnoty…
 recovery_leave = Nechat, jak je
@@ -1244,9 +1246,9 @@ recovery_sameTimer = Je to tentýž časovač: ukázat, co se mělo zapsat
 recovery_compare = Porovnat
 recovery_before = Předtím
 recovery_elsewhere = Zápis do časovače tohoto druhu byl přerušen. Paměť: { $memory }. Přečtěte ji a uvidíte, co obsahuje.
-recovery_left = Práce s paměťmi byla přerušena. Pro příští let je teď { $current }. Předtím to byla { $original }.
-recovery_mayFly = Při příštím letu může být použita { $memory }: její výběr byl přerušen.
-recovery_mayNotFly = Práce s paměťmi byla přerušena. Při příštím letu může být použita jiná paměť než { $original }.
+recovery_left = Práce stránky s paměťmi byla přerušena. Příští let: teď { $current }, předtím { $original }.
+recovery_mayFly = Pro příští let je možná vybrána { $memory }: její výběr byl přerušen.
+recovery_mayNotFly = Práce stránky s paměťmi byla přerušena. Pro příští let je možná vybrána jiná paměť než { $original }.
 recovery_unknownMemory = neznámá paměť
 
 ## The backups.
@@ -1309,8 +1311,8 @@ shortDt_putBack =
         [true] Vrátit DT na { $back }…
        *[false] Nastavit DT na { $back }…
     }
-shortDt_disconnect = Odpojit s { $memory }, DT{"\u00a0"}{ $dt }
-shortDt_disconnectHere = Odpojit s DT{"\u00a0"}{ $dt }
+shortDt_disconnect = Odpojit takto: { $memory }, DT{"\u00a0"}{ $dt }
+shortDt_disconnectHere = Odpojit takto: DT{"\u00a0"}{ $dt }
 shortDt_blocked = Něco z toho, co jste napsali, zatím nelze zapsat. Opravte to, než vrátíte DT.
 shortDt_settings_limit = DT je krátké pod
 shortDt_settings_hint = Kratší DT je červené a stránka se zeptá, než se odpojíte. Při 0 s se neptá nikdy.
@@ -1364,7 +1366,7 @@ newProgram_make = Vytvořit program
 ## The picture of a program over time.
 
 timeline_title = Časová osa
-timeline_compareBefore = před následováním
+timeline_compareBefore = před sledováním
 timeline_picture = Polohy serv v čase
 timeline_description = { $servos } a { $functions } v čase, DT: { $dt }. Všechny hodnoty jsou v tabulce.
 timeline_descriptionMotor = { $servos } a { $functions } v čase, DT: { $dt }, stop motoru: { $motorStop }. Všechny hodnoty jsou v tabulce.
@@ -1432,7 +1434,7 @@ views_noTimer_bench = Připojte časovač, abyste mohli pohybovat jeho servy.
 ## The strip above every view: the timer, its memory, DT, motor stop, and what is known.
 
 strip_panel = Paměti a další
-strip_tried = zkoušky: { $count }
+strip_tried = zkoušeno: { $count }
 strip_notCertain = nejisté
 strip_asRead = posl. čtení
 strip_notValid = neplatné
@@ -1457,7 +1459,7 @@ parts_again = Zkusit znovu
 
 ## Which model it is.
 
-whichModel_recognition_same = Toto je { $model }, jako při čtení { $when }.
+whichModel_recognition_same = Toto je { $model }, obsah jako při čtení { $when }.
 whichModel_recognition_like =
     { $count ->
         [one] Podobá se modelu { $model }, liší se { $count } hodnota. Je to { $model }?
@@ -1495,21 +1497,21 @@ write_nothing = Nic se neliší. Časovač se kontrolně přečte a porovná.
 write_field = Hodnota
 write_from = V časovači
 write_to = Bude
-write_wasRead = Přečteno
-write_moved_model_title = Tento časovač teď zřejmě patří jinému modelu.
+write_wasRead = Předchozí čtení
+write_moved_model_title = Zdá se, že tento časovač teď patří jinému modelu.
 write_moved_model_advice = Nic nebylo zapsáno. Podívejte se na názvy modelů.
 write_moved_edits_title = Program se změnil od chvíle, kdy to bylo zobrazeno.
 write_unkept_title = Na tomto zařízení se nepodařilo uchovat zálohu toho, co časovač obsahuje teď.
 write_unkept_advice = Tato paměť je stále jako předtím. Pokračovat bez zálohy?
 write_sideBySide = Hodnoty: { $names }
 write_withoutCopy = Pokračovat bez zálohy
-write_safety = Vrtule je sundaná nebo model někdo drží a časovač přitom není odjištěný.
-write_acknowledge = Přečteno, přesto chci zapsat.
+write_safety = Vrtule je sundaná nebo model někdo drží; časovač přitom není odjištěný.
+write_acknowledge = Mám to přečtené, přesto chci zapsat.
 write_stillToTick = Zbývá zaškrtnout: { $ticks }.
 write_ticks_model = jiný model
 write_ticks_warnings = upozornění
 write_ticks_safety = vrtule
-write_move_why = Tento časovač zřejmě zachová polohy jen tam, kde stojí jeho serva. Když se serva nepohnou, tyto polohy pravděpodobně nezachová.
+write_move_why = Zdá se, že tento časovač zachová polohy jen tam, kde stojí jeho serva. Když se serva nepohnou, tyto polohy pravděpodobně nezachová.
 write_move_label = Přestavit serva na každou funkci, než si časovač zapamatuje její polohy.
 write_move_hint = Držte model bezpečně, servům nesmí nic překážet.
 write_move_notHeld_title = Časovač polohy potvrdil, ale nezachoval je.
@@ -1588,7 +1590,7 @@ times_units_s = s
 times_units_min = min
 times_figure = { $text } { $unit }
 times_asSeconds = { $seconds }{" "}s, { $clock }
-times_meaning = Co znamená { $field }
+times_meaning = { $field }: co znamená napsaný text
 header_firmware = firmware { $firmware }
 header_simulated = simulovaný
 header_connect = Připojit
@@ -1600,8 +1602,8 @@ program_tableCaption = Čas a polohy serv každé funkce
 program_slot = Funkce
 program_time = Čas
 program_memory = Paměť
-program_memoryUnknown = Tento časovač neříká, která paměť je aktuální, takže není známo, která je pro příští let.
-program_memoryOpen = Není známo, která paměť je pro příští let. Nastavte některou pro příští let, nebo čtěte znovu.
+program_memoryUnknown = Tento časovač neříká, která paměť je aktuální, takže není známo, která je vybrána pro příští let.
+program_memoryOpen = Není známo, která paměť je vybrána pro příští let. Vyberte některou pro příští let, nebo čtěte znovu.
 program_dt = DT
 program_motorStop = Stop motoru
 program_motor = Motor
@@ -1634,7 +1636,7 @@ program_table = Tabulka
 program_blocked = Zatím nelze nic zapsat. { $field }: { $why }
 program_findings = Kontrola
 program_noFindings = Nic neobvyklého.
-program_absolute = Zobrazeno od startu. Není známo, zda tento časovač počítá od startu, nebo od předchozí funkce.
+program_absolute = Časy jsou uvedeny od startu. Není známo, zda tento časovač počítá od startu, nebo od předchozí funkce.
 program_severity_error = Nelze zapsat
 program_severity_serious = Závažné
 program_severity_warning = Neobvyklé
@@ -1673,15 +1675,15 @@ notKept = Tento prohlížeč to neuchoval: při zavření stránky se to ztratí
 ## The walk through the open questions of docs/protocol.md with a real timer.
 
 settle_title = Vyjasněte to svým časovačem
-settle_lead = O tom, jak tyto časovače mluví, není známo vše. Za patnáct minut ten váš vyjasní, co je otevřené. Každá vyzkoušená hodnota se vrátí. Mějte po ruce ruční programátor.
-settle_safe = Vrtule je sundaná nebo motor odpojený a časovač přitom není odjištěný.
+settle_lead = O tom, jak tyto časovače mluví, není známo vše. Za patnáct minut ten váš vyjasní, co je otevřené. Po každé zkoušce se vrátí původní hodnota. Mějte po ruce ruční programátor.
+settle_safe = Vrtule je sundaná nebo motor odpojený; časovač přitom není odjištěný.
 settle_danger = Teď se může něco pohnout. Je vrtule sundaná nebo motor odpojený? Podívejte se ještě jednou.
-settle_blocked = Nejprve vyřešte, co říká pruh nahoře, a ponechte, nebo vraťte, co bylo vyzkoušeno.
+settle_blocked = Nejprve vyřešte, co říká barevný pruh nahoře, a ponechte, co bylo vyzkoušeno, nebo vraťte, co bylo předtím.
 settle_readIt = Přečíst časovač
 settle_which = Co ukazuje programátor?
-settle_tryHint = Přestavte serva a počkejte, až se zastaví. Potom zkuste polohu: změní se a do několika sekund se vrátí. Sledujte serva.
+settle_tryHint = Přestavte serva tlačítky stránky a počkejte, až se zastaví. Potom zkuste polohu: změní se a do několika sekund se vrátí. Dívejte se na serva.
 settle_tryIt = Zkusit polohu
-settle_moved = Původní poloha je zpět: byla přečtena. Pohnulo se při zkoušení nové některé servo?
+settle_moved = Původní poloha je zpět v časovači: stránka ji přečetla. Pohnulo se při zkoušení nové některé servo?
 settle_ask = Zeptat se se čtyřmi nulami
 settle_unknown = Nevím
 settle_send = Poslat soubor tímto formulářem
