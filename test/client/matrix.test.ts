@@ -1,7 +1,6 @@
-import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { runsOf, shareOf } from '../tools/share.js';
-import { type ActName, allCases, bytesOf, FAULTS, holds, wentOutOnce } from './matrix.js';
+import { shareOf } from '../tools/share.js';
+import { allCases, holds, wentOutOnce } from './matrix.js';
 
 const SMALL = { functions: 2, memories: 2, servos: 1 };
 
@@ -42,29 +41,5 @@ describe('every fault at every byte of either direction, with a small timer', ()
     const cases = await allCases({ ...SMALL, timerClass: 'Q' }, act);
     expect(cases).toHaveLength(count);
     for (const hit of shareOf(cases)) await wentOutOnce(hit);
-  });
-});
-
-describe('any fault at any byte, with a full timer', () => {
-  it('the same holds', async () => {
-    const acts = ['connect', 'read', 'write', 'write', 'write', 'UNLOCK', 'JUMP2', 'MOVETOFUNC'] as const;
-    const sample = fc.record({
-      timerClass: fc.constantFrom('B', 'Q', 'E'),
-      act: fc.constantFrom<ActName>(...acts),
-      direction: fc.constantFrom('out' as const, 'in' as const),
-      place: fc.double({ min: 0, max: 1, maxExcluded: true, noNaN: true }),
-      fault: fc.constantFrom(...Object.keys(FAULTS)),
-      aim: fc.constantFrom('goal' as const, 'before' as const),
-    });
-    await fc.assert(
-      fc.asyncProperty(sample, async ({ timerClass, act, direction, place, fault, aim }) => {
-        const identity = { timerClass };
-        const bytes = await bytesOf(identity, act);
-        const hit = { identity, act, direction, index: Math.floor(place * bytes[direction]), fault };
-        if (act === 'connect' || act === 'read' || act === 'write') await holds(hit, aim);
-        else await wentOutOnce(hit);
-      }),
-      { numRuns: runsOf(400) },
-    );
   });
 });

@@ -93,9 +93,9 @@ const ACTS: Readonly<Record<'connect' | 'read' | 'write' | (typeof DANGEROUS)[nu
   MOVETOFUNC: { prepare: (client) => client.identify(), act: (client) => client.moveToFunction(1) },
 };
 
-export type ActName = keyof typeof ACTS;
+type ActName = keyof typeof ACTS;
 
-export interface Case {
+interface Case {
   readonly identity: Partial<Identity>;
   readonly act: ActName;
   readonly direction: Direction;
@@ -105,7 +105,7 @@ export interface Case {
 }
 
 /** How many bytes an act takes in each direction without faults. */
-export async function bytesOf(identity: Partial<Identity>, name: ActName): Promise<Record<Direction, number>> {
+async function bytesOf(identity: Partial<Identity>, name: ActName): Promise<Record<Direction, number>> {
   const field = new Field(identity);
   const { prepare, act } = ACTS[name];
   await field.run(prepare(field.client));

@@ -1,13 +1,11 @@
-import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type MemoriesRead, type MemoriesReport, TimerClient, TimerError } from '../../src/client/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
 import type { VirtualTimer } from '../../src/simulator/index.js';
-import { runsOf, shareOf } from '../tools/share.js';
+import { shareOf } from '../tools/share.js';
 import { bench, memoriesOf, memoryOf } from './bench.js';
 import { type Direction, type Fault, FieldLine } from './field-line.js';
 import { everyValueChanged, FAULTS } from './matrix.js';
-import { damage, numbers } from './noise.js';
 
 /** Whatever is said of memories must be so. */
 function expectTruth(
@@ -75,29 +73,4 @@ describe('several memories on a bad line', () => {
       }
     },
   );
-
-  it('1 % of all bytes damaged: it always succeeds; 5 %: what is reported is true', async () => {
-    await fc.assert(
-      fc.asyncProperty(
-        fc.integer({ min: 0, max: 2 ** 31 }),
-        fc.constantFrom(0.01, 0.05),
-        fc.constantFrom('read' as const, 'write' as const),
-        async (seed, share, job) => {
-          const hurt = damage(share, numbers(seed));
-          let noisy = false;
-          const line = { fault: (byte: number): number[] => (noisy ? hurt(byte) : [byte]) };
-          const { client, timer, run } = bench({ baudRate: 9600, toTimer: line, fromTimer: line });
-          await run(client.identify());
-          noisy = true;
-          const goals = memoriesOf(timer).map(everyValueChanged);
-          const result = await run(jobs[job](client, goals).catch((error: unknown) => error));
-          if (client.damageSeen) expectTruth(timer, result, goals, 0, job);
-          if (share > 0.01) return;
-          if (job === 'read') expect(result).not.toBeInstanceOf(Error);
-          else expect(result).toMatchObject({ restored: true, stopped: null });
-        },
-      ),
-      { numRuns: runsOf(100) },
-    );
-  });
 });

@@ -68,24 +68,11 @@ describe('a line that damages 1 % of all bytes', () => {
         expect(contentOf(timer)).toEqual(goal);
         expect(clock.now()).toBeLessThanOrEqual(told[0]?.endsBy as number);
       }),
-      { numRuns: 300 },
+      // Damage has turned a request into another valid one, and a reply was lost after it.
+      { numRuns: 300, examples: [[1_670_909, 'Q']] },
     );
     expectEach(seen);
   });
-});
-
-it('damage that turns a request into another valid one is corrected and verified', async () => {
-  // Seeds at which that happened, and a reply was lost after it.
-  for (const of of [1_670_909]) {
-    const field = noisy(0.01, of, { timerClass: 'Q' });
-    const { client, timer, run } = field;
-    await meet(field);
-    await run(client.readProgram());
-    const goal = everyValueChanged(snapshot(field));
-    const report = await run(client.writeProgram(goal, { baseline: snapshot(field) }));
-    expect(report).toMatchObject({ result: 'verified', stopped: null });
-    expect(contentOf(timer)).toEqual(goal);
-  }
 });
 
 describe('a line that damages 2 or 5 % of all bytes', () => {

@@ -1,8 +1,7 @@
-import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { AssumedQuirks, QuirkCode } from '../../src/client/index.js';
 import type { TimerQuirks } from '../../src/simulator/index.js';
-import { runsOf, shareOf } from '../tools/share.js';
+import { shareOf } from '../tools/share.js';
 import { bench, contentOf, edited, names } from './bench.js';
 
 const found = (client: { quirksFound: ReadonlyMap<QuirkCode, unknown> }): QuirkCode[] => [...client.quirksFound.keys()];
@@ -69,38 +68,5 @@ describe('all quirks together', () => {
       for (const code of expected)
         expect(found(client), `${code} was not found on a timer with ${label}`).toContain(code);
     }
-  });
-
-  it('the same holds on a damaged line', async () => {
-    const quirks = fc
-      .subarray([...switches])
-      .map((on): TimerQuirks => Object.fromEntries(on.map((name) => [name, true])));
-    await fc.assert(
-      fc.asyncProperty(
-        quirks,
-        fc.array(fc.integer({ min: 0, max: 300 }), { maxLength: 4 }),
-        async (timerQuirks, lost) => {
-          const { client, timer, run } = bench({
-            identity: { timerClass: 'Q', functions: 3, servos: 2 },
-            quirks: timerQuirks,
-            fromTimer: { fault: (byte, index) => (lost.includes(index) ? [] : [byte]) },
-          });
-          const { bigEndianTimes, servoFirst, bareChecksumRequests, memoriesFromOne, servoNeedsMove } = timerQuirks;
-          client.assume({ bigEndianTimes, servoFirst, bareChecksumRequests, memoriesFromOne } as AssumedQuirks);
-          const baseline = await run(client.readProgram().catch(() => null));
-          if (!baseline) return;
-          const goal = edited(baseline, [3, 20000], [1, 2, 98]);
-          const report = await run(
-            client.writeProgram(goal, { baseline, moveServos: servoNeedsMove === true }).catch(() => null),
-          );
-          if (report?.result !== 'verified') return;
-          // What was never read, because each of its replies was lost, was not wanted to be anything.
-          const { memory, idleThrottle } = goal;
-          const held = contentOf(timer);
-          expect({ ...held, memory, idleThrottle: idleThrottle === null ? null : held.idleThrottle }).toEqual(goal);
-        },
-      ),
-      { numRuns: runsOf(200) },
-    );
   });
 });
