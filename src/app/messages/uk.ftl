@@ -4,7 +4,7 @@
 ## Moving servos and motor from the page.
 
 bench_slots = Рух до
-bench_elsewhere = Сервоприводи й двигун працюють із { $memory }, яка полетить наступною. Щоб рухати їх, покажіть { $memory }.
+bench_elsewhere = Сервоприводи й двигун працюють із { $memory }, вибраною для наступного польоту. Щоб рухати їх, покажіть { $memory }.
 bench_trim = Регулювання: { $slot }
 bench_at = Сервоприводи тут: { $slot }
 bench_atNone = Невідомо, де стоять сервоприводи.
@@ -15,23 +15,23 @@ bench_jumped = Таймер підтвердив перехід.
 bench_here = сервоприводи тут
 bench_waits = Чекає на запис.
 bench_bring = Перевести сервоприводи сюди: { $slot }
-bench_follow = Сервоприводи стежать за положеннями
-bench_followHint = Спершу сторінка зчитує таймер і робить резервну копію. Далі кожне положення, яке ви змінюєте там, де стоять сервоприводи, одразу записується, і його сервопривід рухається.
-bench_followingNow = Стеження: положення, яке ви змінюєте там, де стоять сервоприводи, одразу записується.
-bench_stopFollowing = Зупинити стеження
+bench_follow = Сервоприводи повторюють зміни
+bench_followHint = Спершу сторінка зчитує таймер і робить резервну копію. Далі кожне положення, яке ви змінюєте в рядку, де стоять сервоприводи, одразу записується в таймер, і його сервопривід рухається.
+bench_followingNow = Сервоприводи повторюють зміни: положення, яке ви змінюєте в рядку, де вони стоять, одразу записується в таймер.
+bench_stopFollowing = Зупинити повторення
 bench_followPending = Раніші зміни чекають на запис.
-bench_ended_over = Сервоприводи більше не стежать.
-bench_ended_memory = Сервоприводи більше не стежать: поточною є або може бути інша пам’ять.
-bench_ended_strayed = Під час стеження поточною стала інша пам’ять. Частина положень могла потрапити в неї: перегляньте її всю, перш ніж летіти з нею.
-bench_ended_unlike = Сервоприводи більше не стежать: таймер зробив не те, що підтвердив.
-bench_ended_failed = Сервоприводи більше не стежать: таймер не відповів.
+bench_ended_over = Сервоприводи більше не повторюють зміни.
+bench_ended_memory = Сервоприводи більше не повторюють зміни: поточною є або може бути інша пам’ять.
+bench_ended_strayed = Поки сервоприводи повторювали зміни, поточною стала інша пам’ять. Частина положень могла потрапити в неї: перегляньте її всю, перш ніж летіти з нею.
+bench_ended_unlike = Сервоприводи більше не повторюють зміни: таймер не зробив того, що підтвердив.
+bench_ended_failed = Сервоприводи більше не повторюють зміни: таймер не відповів.
 bench_notTaken = { $field }: у таймері { $held }, а не { $wanted }.
 bench_beside =
     { $more ->
-        [0] Поряд змінилося: { $named }.
-        [one] Поряд змінилося: { $named }; і ще { $more } значення.
-        [few] Поряд змінилося: { $named }; і ще { $more } значення.
-       *[many] Поряд змінилося: { $named }; і ще { $more } значень.
+        [0] Також змінилося: { $named }.
+        [one] Також змінилося: { $named }; і ще { $more } значення.
+        [few] Також змінилося: { $named }; і ще { $more } значення.
+       *[many] Також змінилося: { $named }; і ще { $more } значень.
     }
 bench_endUnread = Відтоді таймер не зчитували.
 bench_triedHere =
@@ -54,7 +54,7 @@ bench_keep = Залишити
 bench_putBack = Повернути…
 bench_unlock = UNLOCK: тримати
 bench_unlockHold = Тримайте далі
-bench_unlockHint = Пропелер може запуститися. Тримайте модель, приберіть руки від пропелера, тоді натисніть і тримайте.
+bench_unlockHint = Пропелер може запуститися. Тримайте модель, руки подалі від пропелера, тоді натисніть і тримайте.
 bench_experimental = Експериментально
 bench_jumpHint = Перехід до функції після раннього DT. Його точна дія не описана: сервоприводи можуть зрушити.
 bench_jump = Перехід…
@@ -158,7 +158,7 @@ findings_position-as-read = Зчитано { $value }, це вище за ост
 findings_time-falls = Це раніше за функцію вище ({ $previous }).
 findings_time-repeats = Той самий час, що й у функції вище: { $previous }.
 findings_position-never-reached = Той самий час, що й у функції вище: { $previous }. Положення функції вище ніколи не досягаються.
-findings_motor-stop-after-dt = Двигун зупиняється після DT ({ $dt }): модель опускається з увімкненим двигуном.
+findings_motor-stop-after-dt = Двигун зупиняється після DT ({ $dt }): модель опускається, а двигун працює.
 findings_motor-run-long = Двигун працює довше за межу для F1Q, { $limit }.
 findings_time-outside-manual = Посібник дозволяє від { $min } до { $max }.
 findings_time-too-fine = У посібнику крок { $step }: таймер може округлити.
@@ -356,7 +356,7 @@ edits_pasting_lead =
         [few] Це змінює { $count } значення.
        *[many] Це змінює { $count } значень.
     }
-edits_pasting_reading = { $field }: «{ $text }» прочитано як { $time }.
+edits_pasting_reading = { $field }: «{ $text }» читається як { $time }.
 edits_pasting_problems = Це не можна вставити:
 edits_pasting_place = Рядок { $row }, стовпець { $column } скопійованого тексту
 edits_pasting_problem = { $place }: { $reason }
@@ -452,7 +452,7 @@ first_again = Завантажити знову
 
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
-manifest_description = Налаштовує таймери Sidus F1Q, F1B і F1E для вільнолітаючих моделей: зчитує, що містить таймер, приймає ваші зміни, записує їх, зчитує назад і порівнює. Тримає ваші моделі й програми на цьому пристрої. Працює без мережі.
+manifest_description = Налаштовує таймери Sidus F1Q, F1B і F1E для вільнолітаючих моделей: зчитує, що містить таймер, приймає ваші зміни, записує їх, зчитує повторно й порівнює. Тримає ваші моделі й програми на цьому пристрої. Працює без мережі.
 manifest_connect = З’єднати таймер
 manifest_connectShort = З’єднати
 manifest_connectWhat = Початок, де можна з’єднатися
@@ -477,7 +477,7 @@ guide_nav = Сторінки довідки
 
 firstSteps_1 = Зчитайте: натисніть «{ header_connect }», розбудіть таймер, піднесіть інфрачервону головку близько. Зчитування нічого не змінює й нічого не рухає.
 firstSteps_2 = Запишіть: введіть нові значення, натисніть «Записати», перегляньте кожну відмінність. «Звірено» означає: таймер зчитано знову, і він містить те, що ви хочете.
-firstSteps_3 = Летіть: угорі видно, яка пам’ять полетить наступною і який у неї DT. Сторінці не потрібна мережа, і ніщо не покидає цей пристрій.
+firstSteps_3 = Летіть: угорі видно, яку пам’ять вибрано для наступного польоту і який у неї DT. Сторінці не потрібна мережа, і ніщо не покидає цей пристрій.
 
 ## The values of a program, with unit and range.
 
@@ -495,25 +495,25 @@ values_dt_text = Детермалізатор: коли він опускає м
 values_dt_range = За посібником від 1 до 720 с. Понад 10:55 хв надіслати не можна.
 values_idleThrottle_text = F1Q: імовірно, як швидко обертається двигун, поки натиснуто стартову кнопку.
 values_idleThrottle_range = Сторінка припускає від 0 до 100. Одиниця невідома.
-values_memory_text = У таймері кілька пам’ятей, у кожній одна програма. Вибрана полетить наступною. Щоб подивитися на іншу, сторінка вибирає її й повертається; якщо це перервано, сторінка каже, яка може полетіти наступною.
+values_memory_text = У таймері кілька пам’ятей, у кожній одна програма. Наступний політ буде з вибраною. Щоб подивитися на іншу, сторінка вибирає її й повертається; якщо це перервано, сторінка каже, з якою може бути наступний політ.
 values_memory_range = Зазвичай чотири, від M1 до M4. Старіші таймери мають п’ять.
 
 ## What a pilot checks before a flight.
 
-checklist_lead = Позначте кожен пункт. Позначки діють на один політ і не лишаються.
-checklist_items_memory = Наступною полетить правильна пам’ять.
+checklist_lead = Позначте кожен пункт. Позначки діють на один політ і не зберігаються.
+checklist_items_memory = Для наступного польоту вибрано правильну пам’ять.
 checklist_items_dtTime = Час DT сказано вголос.
 checklist_items_surfaces = Крило, стабілізатор і кермо напрямку сидять міцно й стоять як слід.
 checklist_items_battery = Акумулятор заряджений, роз’єм вставлено до кінця.
-checklist_items_dtSeen = Перехід сервопривода на DT побачено на власні очі.
+checklist_items_dtSeen = Перевірено на власні очі: сервопривід переходить у положення DT.
 checklist_items_radioDt = Радіо-DT випробувано, якщо він є.
-checklist_items_switch = Стартову кнопку натиснуто п’ять разів, і щоразу вона відскочила.
+checklist_items_switch = Стартову кнопку натиснуто п’ять разів, і щоразу вона відскакувала.
 checklist_items_propeller = Пропелер закріплено міцно, він обертається вільно. Перед ним нікого немає.
-checklist_known_now = Наступною полетить { $memory }, DT{"\u00a0"}{ $dt }, зчитано { $time }.
+checklist_known_now = Наступний політ: { $memory }, DT{"\u00a0"}{ $dt }, зчитано { $time }.
 checklist_known_onceAt = За останнім зчитуванням { $time }: { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_once = За останнім зчитуванням: { $memory }, DT{"\u00a0"}{ $dt }.
-checklist_known_not = Невідомо, що містить { $memory }. Зчитайте, перш ніж летіти.
-checklist_known_nothing = Жодного таймера не зчитано. З’єднайтеся, щоб побачити тут його пам’ять і DT.
+checklist_known_not = Невідомо, що містить { $memory }. Зчитайте її, перш ніж летіти.
+checklist_known_nothing = Жодного таймера не зчитано. З’єднайтеся, щоб побачити тут пам’ять для наступного польоту та її DT.
 checklist_known_unwritten =
     { $count ->
         [one] { $count } зміна ще не в таймері.
@@ -535,27 +535,27 @@ troubles_symptoms_noAnswer_title = Таймер не відповідає
 troubles_symptoms_noAdapter_title = Сторінка не знаходить адаптера
 troubles_symptoms_refused_title = Адаптер не відкривається
 troubles_symptoms_wrongValues_title = Значення здаються неправильними
-troubles_symptoms_wrongValues_steps_1 = Подивіться вгору: яку пам’ять показано і яка полетить наступною?
+troubles_symptoms_wrongValues_steps_1 = Подивіться вгорі сторінки: яку пам’ять показано і яку вибрано для наступного польоту?
 troubles_symptoms_wrongValues_steps_2 = Натисніть «{ program_read }».
 troubles_symptoms_wrongValues_steps_3 = Часи спадають від рядка до рядка? Тоді сторінка питає, як їх читати.
 troubles_symptoms_wrongValues_steps_4 = На F1B і F1E порівняйте часи з ручним програматором.
 troubles_symptoms_cutOff_title = Запис перервано
-troubles_symptoms_cutOff_steps_1 = Поки що не літайте цією моделлю. З’єднайтеся: сторінка зчитає таймер і запропонує завершити запис або повернутися назад.
+troubles_symptoms_cutOff_steps_1 = Поки що не літайте цією моделлю. З’єднайтеся: сторінка зчитає таймер, а тоді запропонує завершити запис або записати старі значення назад.
 troubles_symptoms_cutOff_steps_2 = Те, що таймер містив раніше, лежить у розділі «{ views_names_memories }», «{ backups_title }».
-troubles_symptoms_noDt_title = DT не спрацьовує або спрацьовує не вчасно
-troubles_symptoms_noDt_steps_1 = Подивіться вгору: там сказано, яка пам’ять полетить наступною і який у неї DT. В іншої пам’яті інший DT.
+troubles_symptoms_noDt_title = DT не спрацьовує або спрацьовує невчасно
+troubles_symptoms_noDt_steps_1 = Подивіться вгорі сторінки: там сказано, яку пам’ять вибрано для наступного польоту і який у неї DT. В іншої пам’яті інший DT.
 troubles_symptoms_noDt_steps_2 = Чи щоразу відскакує стартова кнопка? Поки її натиснуто, послідовність не починається, і DT не спрацює.
 troubles_symptoms_noDt_steps_3 = Чи заряджений акумулятор і чи вставлено роз’єм до кінця? Якщо таймер не працює, DT не спрацює.
-troubles_symptoms_noDt_steps_4 = Міцно тримайте модель і натисніть рядок DT у розділі «{ views_names_bench }». Чи йде туди сервопривід і чи відпускає те, що тримає?
-troubles_symptoms_noDt_steps_5 = Зніміть пропелер і дайте таймеру відпрацювати до кінця. Не літайте, доки не побачите, що сервопривід рухається в час DT.
+troubles_symptoms_noDt_steps_4 = Надійно тримайте модель і натисніть рядок DT у розділі «{ views_names_bench }». Чи йде сервопривід у положення DT і чи відпускає те, що тримає?
+troubles_symptoms_noDt_steps_5 = Зніміть пропелер і дайте таймеру відпрацювати до кінця. Не літайте, доки не побачите, що сервопривід рухається в момент DT.
 troubles_symptoms_noMove_title = Сервопривід не рухається
-troubles_symptoms_noMove_steps_1 = Тримайте модель і натисніть його рядок на стенді. Ніщо не рухається? Перевірте роз’єм і акумулятор. Там рухається, а в польоті ні? Він має те саме положення, що й у попередній функції.
-troubles_symptoms_noMove_steps_2 = Він іде не туди, куди каже таблиця? Буває, що таймер записує положення лише для тієї функції, на якій стоять сервоприводи. Тоді сторінка пропонує рухати сервоприводи під час запису.
-troubles_symptoms_noMove_steps_3 = Він гуде або зупиняється зарано? Його можуть блокувати тяги: спробуйте менший рух.
+troubles_symptoms_noMove_steps_1 = Тримайте модель і в розділі «{ views_names_bench }» натисніть рядок функції, на якій він має рухатися. Ніщо не рухається? Перевірте роз’єм і акумулятор. Там рухається, а в польоті ні? Тоді він має те саме положення, що й у попередній функції.
+troubles_symptoms_noMove_steps_2 = Він іде не туди, куди каже таблиця? Можливо, деякі таймери зберігають положення лише для тієї функції, на якій стоять сервоприводи. Тоді сторінка пропонує рухати сервоприводи під час запису.
+troubles_symptoms_noMove_steps_3 = Він гуде або зупиняється зарано? Можливо, його блокують тяги: спробуйте менший рух.
 troubles_symptoms_noMotor_title = Двигун не запускається
-troubles_symptoms_noMotor_steps_1 = Після польоту таймер блокує двигун. Щоб розблокувати, тримайте модель і приберіть руки від пропелера: він може запуститися. Тоді в розділі «{ views_names_bench }» тримайте кнопку «{ bench_unlock }».
+troubles_symptoms_noMotor_steps_1 = Після польоту таймер блокує двигун. Щоб розблокувати його, тримайте модель, руки подалі від пропелера: він може запуститися. Тоді в розділі «{ views_names_bench }» тримайте кнопку «{ bench_unlock }».
 troubles_symptoms_noMotor_steps_2 = Чи відскочила стартова кнопка? Поки її натиснуто, двигун працює лише на малому газі.
-troubles_symptoms_noMotor_steps_3 = Чи достатня зупинка двигуна? При 0,1 с двигун зупиняється, щойно запустився.
+troubles_symptoms_noMotor_steps_3 = Чи досить пізно задано зупинку двигуна? Якщо задано 0,1 с, двигун зупиняється, щойно запустився.
 troubles_symptoms_noLibrary_title = Моїх моделей і програм тут немає
 troubles_symptoms_noLibrary_steps_1 = Очистьте поле пошуку, натисніть «Архів».
 troubles_symptoms_noLibrary_steps_2 = Кожен браузер, профіль і адреса мають власну бібліотеку; приватне вікно її видаляє.
@@ -654,7 +654,7 @@ framed_open = Відкрити Sidus Timer у власній вкладці
 knowledge_title = Непевно
 knowledge_uncertain = Невідомо, що містить { $memory }: { $values }.
 knowledge_noFly = Не літайте, доки її не зчитано.
-knowledge_since = Запис перервано { $time }.
+knowledge_since = Запис від { $time } перервано.
 knowledge_thisMemory = поточна пам’ять
 knowledge_memoryOf = { $memory } ({ $timer })
 knowledge_timer_here = { $name } { $firmware }
@@ -700,7 +700,7 @@ knowledge_hints_now = Позначені поля відрізняються в�
 knowledge_hints_onceAt = Позначені поля відрізняються від останнього зчитування, { $time }.
 knowledge_hints_once = Позначені поля відрізняються від останнього зчитування.
 knowledge_marks_now = було { $value }
-knowledge_marks_once = востаннє { $value }
+knowledge_marks_once = востаннє зчитано { $value }
 knowledge_notCertain = , зараз непевно
 knowledge_held_now = У таймері
 knowledge_held_once = Востаннє зчитано
@@ -708,7 +708,7 @@ knowledge_held_once = Востаннє зчитано
 ## Why a program of the library or from a link cannot be opened now.
 
 obstacles_busy = Сторінка зчитує, записує або шукає таймер. Зачекайте, доки вона закінчить.
-obstacles_following = Сервоприводи стежать за положеннями. Спершу зупиніть це.
+obstacles_following = Сервоприводи повторюють зміни. Спершу зупиніть це.
 obstacles_not-fitting = { notFitting }
 
 ## Models and their saved programs.
@@ -768,7 +768,7 @@ library_setting_gone = Цього вже немає в бібліотеці.
 library_save_open = Зберегти…
 library_save_over = Зберегти поверх: { $program }
 library_save_undo = Відмінити збереження: { $name }
-library_save_crossing = Це значення моделі { $from }. Зберегти їх під { $to }.
+library_save_crossing = Це значення моделі { $from }. Зберегти їх для моделі { $to }.
 library_save_asNew = Зберегти як нову…
 library_save_taken = Програма { $program } вже є. Введіть іншу назву або:
 library_save_replace = Зберегти поверх неї. Її значення лишаються як попередня версія.
@@ -894,7 +894,7 @@ line_send_faults_too-long = Кадр несе щонайбільше 252 бай�
 line_send_preview = Вийде так
 line_send_send = Надіслати…
 line_send_confirmTitle = Надіслати цей кадр таймеру?
-line_send_danger = Сервоприводи можуть зрушити, пропелер може запуститися, а вміст таймера може змінитися. Потім таймер буде зчитано знову.
+line_send_danger = Сервоприводи можуть зрушити, пропелер може запуститися, а вміст таймера може змінитися. Після цього таймер буде зчитано знову.
 line_send_confirm = Так, надіслати раз
 line_send_sending = Надсилання
 line_send_answered = Відповідь:
@@ -923,7 +923,7 @@ link_refused = Сторінка пробує ще 15 секунд. Адапте�
 link_heard_title = Щось чути, але жоден таймер не відповідає.
 link_heard_advice = Розбудіть таймер і тримайте головку ближче, не на сонці, або виберіть інший адаптер.
 link_slow_title = Таймер відповідає, але заповільно.
-link_slow_advice = Його байти приходять по одному на { $rate } бод, із такими паузами, що жодна відповідь не встигає надійти цілою. Сторінка не може цього читати. Спробуйте інший адаптер або кабель замість Bluetooth.
+link_slow_advice = Його байти приходять по одному на { $rate } бод, із такими паузами, що жодна відповідь не встигає надійти цілою. Сторінка не може його зчитати. Спробуйте інший адаптер або кабель замість Bluetooth.
 link_itSaid = Надійшло: { $bytes } («{ $text }»).
 link_trySelectBare = Спробувати без правильної контрольної суми
 link_lost_title = З’єднання з адаптером втрачено.
@@ -972,7 +972,7 @@ aboutTimer_quirkNames_servo-first = Під час запису положенн�
 aboutTimer_quirkNames_servo-unanswered = Він не відповів під час запису положення.
 aboutTimer_quirkNames_times-rounded = Він округлює часи.
 aboutTimer_quirkNames_memories-from-one = Він рахує свої пам’яті від 1.
-aboutTimer_quirkNames_positions-unchanged = Він підтвердив положення, але не втримав їх.
+aboutTimer_quirkNames_positions-unchanged = Він підтвердив положення, але не зберіг їх.
 aboutTimer_quirkNames_echo = Адаптер надсилає назад те, що отримує.
 aboutTimer_quirkNames_idle-throttle-unanswered = { aboutTimer_quirkNames_bare-checksum }
 aboutTimer_quirkNames_identity-unusual = Те, що він каже про себе, містить невідомі байти.
@@ -985,18 +985,18 @@ aboutTimer_assumptions_bigEndianTimes = Два байти кожного час�
 aboutTimer_assumptions_servoFirst = { aboutTimer_quirkNames_servo-first }
 aboutTimer_assumptions_memoriesFromOne = { aboutTimer_quirkNames_memories-from-one }
 aboutTimer_assumptions_bareChecksumRequests = «Вибрати пам’ять» і «Записати малий газ» надсилаються без правильної контрольної суми
-aboutTimer_assumptions_positionsNeedMove = Положення лишаються тільки там, де стоять сервоприводи
+aboutTimer_assumptions_positionsNeedMove = Положення зберігаються лише для функції, на якій стоять сервоприводи
 
 ## Which memory flies next, and what is known about the others.
 
-nextFlight_badge = полетить
+nextFlight_badge = наступний політ
 nextFlight_onScreen = Це { $memory }.
-nextFlight_named = { $memory }, полетить
-nextFlight_other = Наступною полетить { $memory }.
-nextFlight_last = { $memory } була поточною, коли таймер відповідав востаннє. Вона полетить наступною, якщо ніщо інше цього не змінило.
+nextFlight_named = { $memory }, наступний політ
+nextFlight_other = Наступний політ: { $memory }.
+nextFlight_last = { $memory } була поточною, коли таймер відповідав востаннє. Наступний політ буде з нею, якщо ніщо інше цього не змінило.
 nextFlight_original = Коли ви з’єдналися, це була { $original }.
 nextFlight_originalUnknown = Невідомо, яка це була, коли ви з’єдналися.
-nextFlight_unknown = Невідомо, яка пам’ять полетить наступною.
+nextFlight_unknown = Невідомо, яку пам’ять вибрано для наступного польоту.
 nextFlight_asked = Востаннє вибрано { $memory }.
 nextFlight_back = Назад до { $original }
 nextFlight_leaving_title = Перш ніж роз’єднати
@@ -1009,11 +1009,11 @@ look_read = { $memory }, зчитано { $time }
 look_notRead = { $memory } не зчитано
 look_either = Або це
 look_or = або це
-look_lead = Лише перегляд. Наступною полетить { $current }.
+look_lead = Лише для перегляду. Наступний політ: { $current }.
 look_edit = Редагувати { $memory }
 look_look = Подивитися { $memory }
 look_hint = Це вибирає { $memory }, зчитує її й повертається до { $current }.
-look_fly = Зробити наступною { $memory }
+look_fly = Вибрати { $memory } для польоту
 look_show = Показати { $memory }
 
 ## Jobs over several memories, and the backups.
@@ -1027,9 +1027,9 @@ memories_plans_screen =
        *[false] { $to } міститиме часи й положення з екрана. Спершу буде зроблено резервну копію того, що { $to } містить зараз.
     }
 memories_plans_copy = { $to } міститиме часи й положення з { $from }, щойно зчитані. Спершу буде зроблено резервну копію того, що { $to } містить зараз.
-memories_plans_restore = Це записує копію від { $time } сюди: { $names }. Спершу буде зроблено резервну копію того, що там є зараз.
-memories_atEnd = Наприкінці наступною знову полетить { $current }.
-memories_refused = Сюди не можна записати нічого ({ $memory }): жодна програма не може надіслати ці значення.
+memories_plans_restore = Це записує резервну копію від { $time } сюди: { $names }. Спершу буде зроблено резервну копію того, що там є зараз.
+memories_atEnd = Наприкінці для наступного польоту знову буде вибрана { $current }.
+memories_refused = Сюди не можна записати нічого ({ $memory }): цих значень не може надіслати жодне програмне забезпечення.
 memories_untouched = Сюди нічого не записано: { $memory }.
 memories_stopped = Те, що ще не було записано, лишилося як було.
 
@@ -1040,7 +1040,7 @@ overview_copyTo = Копіювати до…
 overview_compareWith = Порівняти з { $memory }
 overview_readAt = зчитано { $time }
 overview_notCertain = Непевно: запис сюди перервано. Показано, як було до того запису.
-overview_edited = Показано й копіюється так, як містить таймер, без ваших змін.
+overview_edited = Показано й копіюється те, що містить таймер, без ваших змін.
 overview_same = Вони містять те саме.
 overview_differs =
     { $count ->
@@ -1085,22 +1085,22 @@ timer_no-answer_title = Таймер не відповів.
 timer_no-answer_advice = Коротко натисніть кнопку таймера, тримайте головку ближче ніж 20 см і спробуйте ще раз. Те, що ви ввели, лишається.
 timer_bad-reply_title = Відповідь таймера не може бути правильною.
 timer_bad-reply_advice = Спробуйте ще раз. Якщо це станеться знову: «{ views_names_settings }», «Експерт», «{ views_names_line }», «{ line_copyReport }».
-timer_unstable_title = Лінія зашумлена, їй не можна довіряти.
+timer_unstable_title = Лінія надто зашумлена, щоб їй довіряти.
 timer_unstable_advice = Тримайте інфрачервону головку ближче, не на сонці, і спробуйте ще раз.
 timer_crowded_title = У промені може бути більше ніж один таймер.
-timer_crowded_advice = Приберіть інші таймери й програматори та зчитайте ще раз.
+timer_crowded_advice = Тримайте інші таймери й програматори подалі та зчитайте ще раз.
 timer_other-memory_title = Поточна пам’ять — не та, що на екрані.
 timer_other-memory_advice = Зчитайте ще раз, перш ніж записувати.
 timer_memory-unknown_title = Цей таймер не каже, яка пам’ять поточна.
 timer_memory-unknown_advice = Тому сторінка не може подивитися іншу пам’ять і повернутися. Поточну можна зчитувати й записувати.
-timer_memory-left_title = Пам’ять, яка полетить наступною, могла змінитися.
-timer_memory-left_advice = Сторінка не змогла повернутися до тієї, що була поточною. З’єднайтеся знову й зробіть наступною правильну пам’ять, перш ніж летіти.
+timer_memory-left_title = Можливо, для наступного польоту вибрана вже інша пам’ять.
+timer_memory-left_advice = Сторінка не змогла повернутися до тієї, що була поточною. З’єднайтеся знову й виберіть правильну пам’ять для наступного польоту, перш ніж летіти.
 timer_other-timer_title = Це не той таймер, що відповідав раніше.
 timer_other-timer_advice = Сторінка зчитує його. Подивіться, що він містить, перш ніж записувати.
 timer_stale_title = Таймер містить не те, що було показано.
 timer_stale_advice = Нічого не записано. Подивіться, що запис змінив би тепер.
 timer_changed_title = Таймер містить інші значення, ніж раніше.
-timer_changed_advice = Їх змінило щось інше, або це інший таймер. Ваші зміни лишилися: подивіться на відмінність, перш ніж записувати.
+timer_changed_advice = Його вміст змінило щось інше, або це інший таймер. Ваші зміни не втрачено: подивіться на відмінності, перш ніж записувати.
 timer_stood-still_title = Під час роботи ця сторінка завмерла.
 timer_stood-still_advice = Більше нічого не надіслано: тепер там може бути інший таймер. Зчитайте ще раз.
 timer_too-slow_title = Цей таймер відповідає заповільно.
@@ -1109,7 +1109,7 @@ timer_undecided_title = { byteOrder_title }
 timer_undecided_advice = { byteOrder_advice }
 timer_serious_title = Перевірка знайшла щось серйозне.
 timer_serious_advice = { timer_stale_advice }
-timer_busy_title = Щось на цій сторінці або комп’ютері використовує адаптер.
+timer_busy_title = Щось на цій сторінці або на цьому комп’ютері використовує адаптер.
 timer_busy_advice = Нічого не надіслано. Роз’єднайте й з’єднайтеся знову. Те, що ви ввели, лишається.
 timer_port-lost_title = { link_lost_title }
 timer_port-lost_advice = { link_lost_advice }
@@ -1121,7 +1121,8 @@ timer_closed_advice = Щоб продовжити, натисніть «{ header
 ## Replies that are no noise, which is random.
 
 alike_title = Кожна відповідь на { $request } пошкоджена однаково.
-alike_advice = Це не шум: таймер або його адаптер формує ці відповіді невідомим способом. Увімкніть «Експерт» у параметрах, відкрийте «{ views_names_line }» і натисніть «{ line_copyReport }». Надішліть звіт супровідникам (github.com/sidus-timer/sidus-timer/issues).
+alike_advice = Це не шум: таймер або його адаптер формує ці відповіді невідомим способом. Увімкніть «Експерт» у параметрах, відкрийте «{ views_names_line }» і натисніть «{ line_copyReport }». Надішліть звіт розробникам сторінки (github.com/sidus-timer/sidus-timer/issues).
+alike_part = Лише для перегляду: { $values }. Усе інше невідоме.
 
 ## Messages that are not about errors.
 
@@ -1134,7 +1135,7 @@ notes_moved_advice = { timer_changed_advice }
 notes_timer-moved_title = { timer_changed_title }
 notes_timer-moved_advice = { timer_changed_advice }
 notes_kept_title = Ваші зміни лишаються на цьому пристрої.
-notes_kept_advice = Вони не підходять до того, що зчитано зараз. Вони повернуться, коли ви знову зчитаєте ту пам’ять; їх видно й на початку.
+notes_kept_advice = Вони не підходять до того, що зчитано зараз. Вони повернуться, коли ви знову зчитаєте ту пам’ять; їх видно й на початковому екрані.
 notes_other-kind_title = Тепер там таймер іншого виду.
 notes_other-kind_advice = { timer_other-timer_advice }
 notes_write-completed_title = Перерваний запис завершено.
@@ -1144,11 +1145,12 @@ notes_nothing-written_advice = {""}
 notes_not-backed-up_title = { write_unkept_title }
 notes_not-backed-up_advice = { keeping_notKept }
 notes_select-unanswered_title = Таймер не відповів, коли вибирали пам’ять.
-notes_select-unanswered_advice = На інші запити він відповідає. Спробуйте ще раз або без правильної контрольної суми.
+notes_select-unanswered_advice = На інші запити він відповідає. Спробуйте ще раз або надішліть запит без правильної контрольної суми.
 notes_backed-up_title = Усі пам’яті зчитано, і для кожної є резервна копія.
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
+notes_made-laid_title = Таблиця показує вашу програму, а не те, що містить таймер.
 notes_made-laid_advice = Нічого не записано. Відмінності позначено. «Відмінити» показує, що містить таймер.
 notes_unexpected_title = На цій сторінці щось пішло не так.
 notes_unexpected_advice = Більше нічого не надіслано. Завантажте сторінку знову. Те, що ви ввели, лишається.
@@ -1198,7 +1200,7 @@ print_nothing = Виберіть програми з бібліотеки або
 print_choose = Програми на цьому аркуші: { $chosen }
 print_clear = Прибрати всі
 print_simulated = симульований таймер
-print_warnings = Перегляньте перед польотом
+print_warnings = Перегляньте це перед польотом
 print_notes = Нотатки
 print_codeHint = Камера телефона відкриває цю програму, без її нотатки.
 print_unfinished =
@@ -1220,8 +1222,8 @@ memoryNames_named = { $memory } «{ $name }»
 
 ## What an earlier job left behind on a timer.
 
-recovery_title = Попередній запис перервано.
-recovery_when = Запис у { $memory } почався { $time }.
+recovery_title = Раніший запис перервано.
+recovery_when = Запис ({ $memory }) почався { $time }.
 recovery_nothing =
     { $missing ->
         [one] Таймер містить те саме, що й раніше: нічого не записано, бракує { $missing } зміни.
@@ -1236,9 +1238,9 @@ recovery_part =
     }
 recovery_foreign =
     { $count ->
-        [one] { $count } значення в таймері ані старе, ані з того запису. Це інший таймер, чи його змінило щось інше?
-        [few] { $count } значення в таймері ані старі, ані з того запису. Це інший таймер, чи їх змінило щось інше?
-       *[many] { $count } значень у таймері ані старі, ані з того запису. Це інший таймер, чи їх змінило щось інше?
+        [one] { $count } значення в таймері ані старе, ані з того запису. Це інший таймер, чи вміст таймера змінило щось інше?
+        [few] { $count } значення в таймері ані старі, ані з того запису. Це інший таймер, чи вміст таймера змінило щось інше?
+       *[many] { $count } значень у таймері ані старі, ані з того запису. Це інший таймер, чи вміст таймера змінило щось інше?
     }
 recovery_sure = Сторінка не розрізняє таймерів одного виду. Продовжуйте, лише якщо це таймер того запису.
 recovery_finish = Завершити запис…
@@ -1248,10 +1250,10 @@ recovery_otherTimer = Це інший таймер
 recovery_sameTimer = Це той самий таймер: показати, що треба було записати
 recovery_compare = Порівняти
 recovery_before = Раніше
-recovery_elsewhere = Запис у { $memory } таймера такого виду перервано. Зчитайте { $memory }, щоб побачити, що там.
-recovery_left = Роботу з пам’ятями перервано. Тепер наступною полетить { $current }. До того це була { $original }.
-recovery_mayFly = Наступною може полетіти { $memory }: її вибір перервано.
-recovery_mayNotFly = Роботу з пам’ятями перервано. Наступною може полетіти інша пам’ять, не { $original }.
+recovery_elsewhere = Запис у { $memory } таймера такого виду перервано. Зчитайте { $memory }, щоб побачити, що вона містить.
+recovery_left = Роботу з пам’ятями перервано. Тепер наступний політ: { $current }. До того: { $original }.
+recovery_mayFly = Можливо, для наступного польоту вибрана { $memory }: її вибір перервано.
+recovery_mayNotFly = Роботу з пам’ятями перервано. Можливо, для наступного польоту вибрана інша пам’ять, не { $original }.
 recovery_unknownMemory = невідома пам’ять
 
 ## The backups.
@@ -1292,7 +1294,7 @@ share_received_modelChoice = Лишити під
 share_received_newModel = Нова модель «{ $name }»
 share_received_keep = Лишити в бібліотеці
 share_received_discard = Не лишати
-share_received_unwritten = Те, що ви ввели, лишається: його поверне «Відмінити» або початок.
+share_received_unwritten = Те, що ви ввели, лишається: його поверне «Відмінити» або початковий екран.
 share_damaged_title = Це посилання не можна прочитати.
 share_damaged_bad = Воно обрізане, пошкоджене або не з цієї сторінки. Попросіть його ще раз.
 share_paste_title = Вставити посилання…
@@ -1314,11 +1316,11 @@ shortDt_putBack =
         [true] Повернути DT до { $back }…
        *[false] Задати DT { $back }…
     }
-shortDt_disconnect = Роз’єднати з { $memory }, DT{"\u00a0"}{ $dt }
-shortDt_disconnectHere = Роз’єднати з DT{"\u00a0"}{ $dt }
+shortDt_disconnect = Роз’єднати так: { $memory }, DT{"\u00a0"}{ $dt }
+shortDt_disconnectHere = Роз’єднати так: DT{"\u00a0"}{ $dt }
 shortDt_blocked = Щось із введеного ще не можна записати. Виправте це, перш ніж повертати DT.
 shortDt_settings_limit = DT короткий, якщо менший за
-shortDt_settings_hint = Коротший DT червоний, і сторінка питає, перш ніж ви роз’єднаєте. З 0 с вона не питає ніколи.
+shortDt_settings_hint = Коротший DT червоний, і сторінка питає, перш ніж ви роз’єднаєте. Якщо тут 0 с, вона не питає ніколи.
 
 ## The start, before anything was read.
 
@@ -1369,7 +1371,7 @@ newProgram_make = Створити програму
 ## The picture of a program over time.
 
 timeline_title = Шкала часу
-timeline_compareBefore = до стеження
+timeline_compareBefore = до повторення змін
 timeline_picture = Положення сервоприводів у часі
 timeline_description = { $servos } і { $functions } у часі, DT на { $dt }. Усі значення є в таблиці.
 timeline_descriptionMotor = { $servos } і { $functions } у часі, DT на { $dt }, зупинка двигуна на { $motorStop }. Усі значення є в таблиці.
@@ -1401,7 +1403,7 @@ timeline_zoomIn = Збільшити
 timeline_zoomOut = Зменшити
 timeline_fit = Показати все
 timeline_passedOver = { $slot } пропускається, бо в той самий час настає { $next }.
-timeline_goesBack = { $next } настає раніше, ніж { $slot }. Невідомо, що робить таймер у заштрихованій частині.
+timeline_goesBack = { $next } настає раніше, ніж { $slot }. Невідомо, що робить таймер у затіненій частині.
 
 ## A new version of the page.
 
@@ -1462,7 +1464,7 @@ parts_again = Ще раз
 
 ## Which model it is.
 
-whichModel_recognition_same = Це { $model }, як востаннє бачено { $when }.
+whichModel_recognition_same = Це { $model }, вміст такий, як був { $when }.
 whichModel_recognition_like =
     { $count ->
         [one] Схоже на { $model }, { $count } значення відрізняється. Це { $model }?
@@ -1486,9 +1488,9 @@ whichModel_recognition_dialog_keep = Лишити як нову модель
 whichModel_recognition_dialog_taken = Модель із такою назвою вже є у списку.
 whichModel_memoryNames_label = Назва { $memory }
 whichModel_memoryNames_give = Назвати
-whichModel_crossing_title = Це значення { $from }, але цей таймер схожий на таймер { $to }.
+whichModel_crossing_title = Це значення моделі { $from }, але цей таймер схожий на таймер моделі { $to }.
 whichModel_crossing_advice = Зі значеннями іншої моделі ви можете втратити цю. Подивіться на модель перед собою.
-whichModel_crossing_confirm = Записати значення { $from } у таймер { $to }.
+whichModel_crossing_confirm = Записати значення моделі { $from } в таймер моделі { $to }.
 whichModel_crossing_memoryOf = { $memory } ({ $model })
 
 ## A write, from the difference to the verdict.
@@ -1496,61 +1498,61 @@ whichModel_crossing_memoryOf = { $memory } ({ $model })
 write_title = Запис у таймер
 write_lead = Ось що змінюється тут: { $memory }. Усе інше лишається як є.
 write_target = Записати в
-write_nothing = Відмінностей немає. Таймер буде зчитано назад і порівняно.
+write_nothing = Відмінностей немає. Таймер буде зчитано повторно й порівняно.
 write_field = Значення
 write_from = У таймері
 write_to = Буде
-write_wasRead = Було зчитано
+write_wasRead = Зчитано раніше
 write_moved_model_title = Цей таймер тепер, схоже, належить іншій моделі.
 write_moved_model_advice = Нічого не записано. Подивіться на назви моделей.
-write_moved_edits_title = Програма змінилася, відколи це показано.
-write_unkept_title = Цей пристрій не зміг лишити резервну копію того, що таймер містить зараз.
+write_moved_edits_title = Програма змінилася, відколи це було показано.
+write_unkept_title = Цей пристрій не зміг зберегти резервну копію того, що таймер містить зараз.
 write_unkept_advice = Ця пам’ять ще така, як була. Продовжити без резервної копії?
 write_sideBySide = Значення: { $names }
 write_withoutCopy = Продовжити без резервної копії
 write_safety = Пропелер знято або модель тримають, і таймер не взведено.
-write_acknowledge = Це прочитано, і все одно треба записати.
+write_acknowledge = Прочитано, усе одно хочу це записати.
 write_stillToTick = Ще позначити: { $ticks }.
 write_ticks_model = інша модель
 write_ticks_warnings = попередження
 write_ticks_safety = пропелер
-write_move_why = Схоже, цей таймер лишає положення тільки там, де стоять його сервоприводи. Якщо сервоприводи не рухатимуться, він, імовірно, їх не втримає.
-write_move_label = Перевести сервоприводи до кожної функції, перш ніж записати її положення.
-write_move_hint = Міцно тримайте модель, щоб їм ніщо не заважало.
-write_move_notHeld_title = Таймер підтвердив положення, але не втримав їх.
-write_move_notHeld_advice = Імовірно, цей таймер лишає їх тільки там, де стоять його сервоприводи. Запишіть ще раз і дозвольте сервоприводам перейти до кожної функції.
+write_move_why = Схоже, цей таймер зберігає положення лише для функції, на якій стоять його сервоприводи. Якщо сервоприводи не рухатимуться, цих положень він, імовірно, не збереже.
+write_move_label = Переводити сервоприводи до кожної функції, перш ніж записати її положення.
+write_move_hint = Надійно тримайте модель. Сервоприводам ніщо не має заважати.
+write_move_notHeld_title = Таймер підтвердив положення, але не зберіг їх.
+write_move_notHeld_advice = Імовірно, цей таймер зберігає їх лише для функції, на якій стоять його сервоприводи. Запишіть ще раз і дозвольте сервоприводам переходити до кожної функції.
 write_move_again = Записати ще раз…
 write_start =
     { $count ->
-        [0] Зчитати назад і порівняти
+        [0] Зчитати повторно й порівняти
         [one] Записати { $count } зміну
         [few] Записати { $count } зміни
        *[many] Записати { $count } змін
     }
 write_stages_read = Зчитування
 write_stages_write = Запис
-write_stages_verify = Зчитування назад
+write_stages_verify = Повторне зчитування
 write_stages_repair = Виправлення
 write_stopping = Зупинка після цього запиту
 write_stoppingBack = Зупинка: спершу назад до попередньої пам’яті
 write_verified_title = Звірено.
-write_verified_advice = Таймер зчитано назад, він містить те, що було показано.
-write_verdict = { $memory } звірено { $time }
+write_verified_advice = Таймер зчитано повторно, він містить те, що було показано.
+write_verdict = { $memory }: звірено { $time }
 write_asItIs = як є
 write_insteadOf = замість { $value }
 write_wanted = Треба записати
-write_readBack = Зчитано назад
-write_differs_title = Таймер узяв не всі значення.
-write_differs_advice = Таймер зчитано назад. Тут він містить інші значення:
+write_readBack = Зчитано повторно
+write_differs_title = Таймер прийняв не всі значення.
+write_differs_advice = Таймер зчитано повторно. Тут він містить інші значення:
 write_unknown_title = Непевно, що містить таймер.
-write_unknown_advice = Таймер не вдалося зчитати назад повністю. Зчитайте ще раз, тоді запишіть те, що ще відрізняється. Ваші зміни лишилися.
-write_cut = Запис у { $memory } перервано.
+write_unknown_advice = Таймер не вдалося повторно зчитати повністю. Зчитайте ще раз, тоді запишіть те, що ще відрізняється. Ваші зміни не втрачено.
+write_cut = Запис ({ $memory }) перервано.
 write_strayed_title = Під час запису поточною стала { $memory }.
 write_strayed_advice = Частина значень тепер може бути в { $memory }. Зчитайте її й перегляньте всю, перш ніж летіти з нею.
 write_refused = Нічого не записано.
 write_status_differs = відрізняється
 write_status_unknown = невідомо
-write_putBack = змінилося саме, повернено
+write_putBack = змінив сам таймер, повернуто старе
 
 ## What the parts of the page that are loaded first say.
 
@@ -1593,7 +1595,7 @@ times_units_s = с
 times_units_min = хв
 times_figure = { $text } { $unit }
 times_asSeconds = { $seconds }{" "}с, { $clock }
-times_meaning = Що означає: { $field }
+times_meaning = Що означає введене: { $field }
 header_firmware = прошивка { $firmware }
 header_simulated = симульований
 header_connect = З’єднати
@@ -1605,8 +1607,8 @@ program_tableCaption = Час і положення сервоприводів �
 program_slot = Функція
 program_time = Час
 program_memory = Пам’ять
-program_memoryUnknown = Цей таймер не каже, яка пам’ять поточна, тому невідомо, яка полетить наступною.
-program_memoryOpen = Невідомо, яка пам’ять полетить наступною. Зробіть одну наступною або зчитайте ще раз.
+program_memoryUnknown = Цей таймер не каже, яка пам’ять поточна, тому невідомо, яку вибрано для наступного польоту.
+program_memoryOpen = Невідомо, яку пам’ять вибрано для наступного польоту. Виберіть одну або зчитайте ще раз.
 program_dt = DT
 program_motorStop = Зупинка двигуна
 program_motor = Двигун
@@ -1673,20 +1675,20 @@ more = І ще { $count }.
 showMore = Показати ще { $count }
 of = { $button }: { $name }
 notFitting = Це не підходить до з’єднаного таймера. Щоб відкрити, роз’єднайте.
-notKept = Цей браузер цього не втримав: воно зникне, коли ви закриєте сторінку.
+notKept = Цей браузер цього не зберіг: воно зникне, коли ви закриєте сторінку.
 
 ## The walk through the open questions of docs/protocol.md with a real timer.
 
 settle_title = З’ясувати на вашому таймері
-settle_lead = Не все відомо про те, як говорять ці таймери. За п’ятнадцять хвилин ваш з’ясує, що відкрито. Кожне випробуване значення повертається назад. Майте під рукою ручний програматор.
+settle_lead = Не все відомо про те, як говорять ці таймери. За п’ятнадцять хвилин ваш з’ясує, що відкрито. Після кожної проби старе значення повертається. Майте під рукою ручний програматор.
 settle_safe = Пропелер знято або двигун від’єднано, і таймер не взведено.
-settle_danger = Зараз щось може рухатися. Чи знято пропелер або від’єднано двигун? Подивіться ще раз.
-settle_blocked = Спершу владнайте те, що каже смуга вгорі, і залишіть або поверніть випробуване.
+settle_danger = Зараз щось може зрушити. Чи знято пропелер або від’єднано двигун? Подивіться ще раз.
+settle_blocked = Спершу владнайте те, про що йдеться у смузі вгорі, і залишіть випробуване або поверніть попереднє.
 settle_readIt = Зчитати таймер
 settle_which = Що показує ручний програматор?
-settle_tryHint = Рухайте сервоприводи й зачекайте, доки вони стануть. Тоді випробуйте положення: за кілька секунд його буде змінено й повернено. Стежте за сервоприводами.
+settle_tryHint = Переведіть сервоприводи кнопками й зачекайте, доки вони зупиняться. Тоді випробуйте положення: його буде змінено, а старе повернуто за кілька секунд. Стежте за сервоприводами.
 settle_tryIt = Випробувати положення
-settle_moved = Старе положення повернулося: його зчитано. Чи рухався сервопривід, коли випробовували нове?
+settle_moved = Старе положення повернуто: це показало зчитування. Чи рухався якийсь сервопривід, коли випробовували нове?
 settle_ask = Запитати з чотирма нулями
 settle_unknown = Не знаю
 settle_send = Надіслати файл цією формою
@@ -1696,7 +1698,7 @@ settle_names_count = Часи рахуються від старту
 settle_names_memories = Перша пам’ять має номер 0
 settle_names_zeros = Досить чотирьох нулів
 settle_names_layout = Функція йде перед сервоприводом
-settle_names_stores = Положення лишаються за будь-якої функції
+settle_names_stores = Положення зберігаються за будь-якої функції
 settle_names_moves = Записане положення рухає свій сервопривід
 settle_names_unlock = Літера відповіді на UNLOCK
 settle_names_delay = Звичайний час відповіді
