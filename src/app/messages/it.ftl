@@ -16,8 +16,8 @@ bench_here = servi qui
 bench_waits = Attende «Scrivi».
 bench_bring = Porta i servi a { $slot }
 bench_follow = I servi seguono le posizioni
-bench_followHint = Prima la pagina legge il timer e conserva un backup. Poi ogni posizione cambiata nella riga in cui si trovano i servi viene memorizzata subito, e il suo servo si muove.
-bench_followingNow = I servi seguono: una posizione cambiata nella riga in cui si trovano viene memorizzata subito.
+bench_followHint = Prima la pagina legge il timer e conserva un backup. Poi ogni posizione cambiata nella riga in cui si trovano i servi viene memorizzata subito nel timer, e il suo servo si muove.
+bench_followingNow = I servi seguono: una posizione cambiata nella riga in cui si trovano viene memorizzata subito nel timer.
 bench_stopFollowing = Smetti di seguire
 bench_followPending = Modifiche precedenti attendono «Scrivi».
 bench_ended_over = I servi non seguono più le posizioni.
@@ -29,15 +29,15 @@ bench_notTaken = { $field } contiene { $held }, non { $wanted }.
 bench_beside =
     { $more ->
         [0] Cambiati inoltre: { $named }.
-        [one] Cambiati inoltre: { $named }; e ancora { $more } valore.
-       *[other] Cambiati inoltre: { $named }; e ancora { $more } valori.
+        [one] Cambiati inoltre: { $named }; e { $more } altro valore.
+       *[other] Cambiati inoltre: { $named }; e altri { $more } valori.
     }
 bench_endUnread = Da allora il timer non è stato letto.
 bench_triedHere =
     { $more ->
         [0] Provate: { $named }.
-        [one] Provate: { $named }; e ancora { $more } posizione.
-       *[other] Provate: { $named }; e ancora { $more } posizioni.
+        [one] Provate: { $named }; e { $more } altra posizione.
+       *[other] Provate: { $named }; e altre { $more } posizioni.
     }
 bench_triedAndWaiting =
     { $waiting ->
@@ -50,7 +50,7 @@ bench_decide = Tenere ciò che è stato provato, o rimettere ciò che il timer c
 bench_keep = Tieni così
 bench_putBack = Rimetti com’era…
 bench_unlock = Tieni premuto: UNLOCK
-bench_unlockHold = Tieni ancora
+bench_unlockHold = Tieni premuto
 bench_unlockHint = L’elica può partire. Tenere saldo il modello e le mani lontane dall’elica, poi premere e tenere premuto.
 bench_experimental = Sperimentale
 bench_jumpHint = Salta alla funzione che segue un DT anticipato. L’effetto esatto non è documentato: i servi possono muoversi.
@@ -112,7 +112,7 @@ flights_form_unreadable_not-a-time = Non è un tempo: inserire secondi come 178,
 flights_form_unreadable_too-fine = { unreadable_too-fine }
 flights_form_unreadable_not-a-date = Non è una data.
 flights_form_range = Da { $min } a { $max } { $unit }.
-flights_form_shortDt = In questo volo DT era { $dt }.
+flights_form_shortDt = In questo volo il DT era { $dt }.
 flights_score_open = Cartellino
 flights_score_maximum = Massimo di ogni lancio
 flights_score_none = Senza un massimo ogni risultato conta per intero.
@@ -151,10 +151,10 @@ findings_position-out-of-range = Deve essere da { $min } a { $max }.
 findings_throttle-not-whole = { unreadable_not-a-whole-number }
 findings_throttle-out-of-range = Deve essere da { $min } a { $max }.
 findings_position-as-read = Letto come { $value }, oltre l’ultimo passo, { $max }. Resta così se non viene cambiato.
-findings_time-falls = Viene prima della funzione sopra ({ $previous }).
+findings_time-falls = Nel tempo viene prima della funzione sopra ({ $previous }).
 findings_time-repeats = Lo stesso tempo della funzione sopra, { $previous }.
 findings_position-never-reached = Lo stesso tempo della funzione sopra, { $previous }. Le posizioni della funzione sopra non vengono mai raggiunte.
-findings_motor-stop-after-dt = Il motore si ferma dopo DT ({ $dt }): il modello scende con il motore in moto.
+findings_motor-stop-after-dt = Il motore si ferma dopo il DT ({ $dt }): il modello scende con il motore in moto.
 findings_motor-run-long = Il motore gira più a lungo di { $limit }, il limite per F1Q.
 findings_time-outside-manual = Il manuale ammette da { $min } a { $max }.
 findings_time-too-fine = Il manuale indica incrementi di { $step }: il timer può arrotondare.
@@ -167,7 +167,7 @@ findings_class-unknown = La classe «{ $timerClass }» non è nota: le sue regol
 
 unreadable_empty = Vuoto: inserire un valore.
 unreadable_not-a-time = Non è un tempo: inserire secondi come 12,5, o minuti come 2:05.
-unreadable_too-fine = Più fine di un centesimo di secondo.
+unreadable_too-fine = Più preciso di un centesimo di secondo.
 unreadable_not-a-whole-number = Deve essere un numero intero.
 unreadable_ambiguous = Si può leggere in più modi: sceglierne uno.
 
@@ -327,7 +327,7 @@ edits_shift_from =
 edits_shift_by = Di, in secondi
 edits_shift_earlier = Anticipa
 edits_shift_later = Ritarda
-edits_shift_moveDt = Sposta anche DT
+edits_shift_moveDt = Sposta anche il DT
 edits_shift_function = funzione { $number }
 edits_shift_functionRange = funzioni da { $first } a { $last }
 edits_shift_functions = funzioni { $numbers }
@@ -465,7 +465,7 @@ guide_nav = Pagine di aiuto
 
 firstSteps_1 = Leggere: premere Connetti, svegliare il timer, avvicinare la testina a infrarossi. La lettura non cambia nulla e non muove nulla.
 firstSteps_2 = Scrivere: inserire i nuovi valori, premere Scrivi, guardare ogni differenza. «Verificato» significa: il timer è stato letto di nuovo e contiene ciò che si voleva.
-firstSteps_3 = Volare: in alto si vede con quale memoria sarà il prossimo volo, e il suo DT. La pagina non ha bisogno di rete, e nulla lascia questo dispositivo.
+firstSteps_3 = Volare: in cima alla pagina si vede con quale memoria sarà il prossimo volo, e il suo DT. La pagina non ha bisogno di rete, e nulla lascia questo dispositivo.
 
 ## The values of a program, with unit and range.
 
@@ -473,7 +473,7 @@ values_function_text = Una tappa del volo: al suo tempo ogni servo va alla sua p
 values_function_range = Di solito lancio, nove funzioni e DT.
 values_time_text = Quando comincia una funzione, contando dal lancio. Inserire 12,5 o 2:05. Per F1B e F1E non è noto da dove il timer conta.
 values_time_range = Secondo i manuali. F1Q: da 0,1 a 99,9 s. F1B: da 0,01 a 9,99 s per le funzioni 1 e 2, poi da 0,1 a 99,9 s. F1E: non noto.
-values_after_text = Il tempo trascorso dalla funzione precedente. Tutte le funzioni successive si spostano con esso, DT no.
+values_after_text = Il tempo trascorso dalla funzione precedente. Tutte le funzioni successive si spostano con esso, il DT no.
 values_position_name = Posizione
 values_position_text = Dove si trova un servo. L’angolo di un passo dipende dal servo e dai rinvii: provarlo al banco.
 values_position_range = Da 0 a 130 passi.
@@ -492,7 +492,7 @@ checklist_lead = Spuntare ogni voce. Le spunte valgono per un volo e non vengono
 checklist_items_memory = La memoria del prossimo volo è quella giusta.
 checklist_items_dtTime = Ho detto il tempo di DT ad alta voce.
 checklist_items_surfaces = Ala, piano di coda e direzionale sono ben fissati e stanno come devono.
-checklist_items_battery = La batteria è carica e la sua spina è inserita fino in fondo.
+checklist_items_battery = La batteria è carica e il suo connettore è inserito fino in fondo.
 checklist_items_dtSeen = Ho visto il servo andare in posizione DT.
 checklist_items_radioDt = Ho provato il DT via radio, se c’è.
 checklist_items_switch = Ho premuto cinque volte l’interruttore di lancio, e ogni volta è tornato in posizione.
@@ -500,8 +500,8 @@ checklist_items_propeller = L’elica è ben fissata e gira libera. Davanti non 
 checklist_known_now = Prossimo volo: { $memory }, DT{"\u00a0"}{ $dt }, letto { $time }.
 checklist_known_onceAt = All’ultima lettura, { $time }: { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_once = All’ultima lettura: { $memory }, DT{"\u00a0"}{ $dt }.
-checklist_known_not = Non è noto che cosa contiene { $memory }. Leggere il timer prima di volare.
-checklist_known_nothing = Nessun timer è stato letto. Connetterlo per vedere qui la sua memoria e il suo DT.
+checklist_known_not = Non è noto che cosa contiene { $memory }. Leggerla prima di volare.
+checklist_known_nothing = Nessun timer è stato letto. Connettersi per vedere qui la memoria del prossimo volo e il suo DT.
 checklist_known_unwritten =
     { $count ->
         [one] { $count } modifica non è ancora nel timer.
@@ -521,27 +521,27 @@ troubles_symptoms_noAnswer_title = Il timer non risponde
 troubles_symptoms_noAdapter_title = La pagina non trova l’adattatore
 troubles_symptoms_refused_title = L’adattatore non si apre
 troubles_symptoms_wrongValues_title = I valori sembrano sbagliati
-troubles_symptoms_wrongValues_steps_1 = Guardare in alto: quale memoria è mostrata, e quale è quella del prossimo volo?
+troubles_symptoms_wrongValues_steps_1 = Guardare in cima alla pagina: quale memoria è mostrata, e quale è quella del prossimo volo?
 troubles_symptoms_wrongValues_steps_2 = Premere «{ program_read }».
 troubles_symptoms_wrongValues_steps_3 = I tempi calano di riga in riga? Allora la pagina chiede come leggerli.
 troubles_symptoms_wrongValues_steps_4 = Con F1B e F1E confrontare i tempi con il programmatore portatile.
 troubles_symptoms_cutOff_title = La scrittura è stata interrotta
-troubles_symptoms_cutOff_steps_1 = Non volare ancora con questo modello. Connettersi: la pagina legge il timer, poi propone di finire la scrittura o di tornare indietro.
-troubles_symptoms_cutOff_steps_2 = Ciò che il timer conteneva prima è in Memorie, Backup.
-troubles_symptoms_noDt_title = DT non arriva, o arriva al momento sbagliato
-troubles_symptoms_noDt_steps_1 = Guardare in alto: si vede con quale memoria sarà il prossimo volo, e il suo DT. Un’altra memoria ha un altro DT.
-troubles_symptoms_noDt_steps_2 = L’interruttore di lancio torna ogni volta in posizione? Finché è premuto la sequenza non comincia, e DT non arriva.
-troubles_symptoms_noDt_steps_3 = La batteria è carica, e la sua spina è inserita fino in fondo? Se il timer non funziona, DT non arriva.
-troubles_symptoms_noDt_steps_4 = Tenere ben saldo il modello e premere la riga DT nella vista Banco. Il servo va alla sua posizione, e libera ciò che trattiene?
+troubles_symptoms_cutOff_steps_1 = Per ora non volare con questo modello. Connettersi: la pagina legge il timer, poi propone di finire la scrittura o di riscrivere i vecchi valori.
+troubles_symptoms_cutOff_steps_2 = Ciò che il timer conteneva prima è nella vista «{ views_names_memories }», «{ backups_title }».
+troubles_symptoms_noDt_title = Il DT non arriva, o arriva al momento sbagliato
+troubles_symptoms_noDt_steps_1 = Guardare in cima alla pagina: si vede con quale memoria sarà il prossimo volo, e il suo DT. Un’altra memoria ha un altro DT.
+troubles_symptoms_noDt_steps_2 = L’interruttore di lancio torna ogni volta in posizione? Finché è premuto la sequenza non comincia, e il DT non arriva.
+troubles_symptoms_noDt_steps_3 = La batteria è carica, e il suo connettore è inserito fino in fondo? Se il timer non è in funzione, il DT non arriva.
+troubles_symptoms_noDt_steps_4 = Tenere ben saldo il modello e premere la riga DT nella vista «{ views_names_bench }». Il servo va nella posizione DT, e libera ciò che trattiene?
 troubles_symptoms_noDt_steps_5 = Togliere l’elica e lasciare che il timer arrivi alla fine. Non volare prima di aver visto il servo muoversi al tempo di DT.
 troubles_symptoms_noMove_title = Un servo non si muove
-troubles_symptoms_noMove_steps_1 = Tenere il modello e premere la sua riga al banco. Non si muove nulla? Guardare spina e batteria. Lì si muove, ma in volo no? Ha la stessa posizione della funzione precedente.
-troubles_symptoms_noMove_steps_2 = Va in un punto diverso da quello della tabella? Un timer può memorizzare una posizione solo per la funzione in cui si trovano i servi. Allora la pagina propone di muovere i servi mentre scrive.
+troubles_symptoms_noMove_steps_1 = Tenere saldo il modello e premere nella vista «{ views_names_bench }» la riga della funzione in cui il servo deve muoversi. Non si muove nulla? Guardare connettore e batteria. Lì si muove, ma in volo no? Allora ha la stessa posizione della funzione precedente.
+troubles_symptoms_noMove_steps_2 = Va in un punto diverso da quello della tabella? Forse certi timer memorizzano una posizione solo per la funzione in cui si trovano i servi. Allora la pagina propone di muovere i servi mentre scrive.
 troubles_symptoms_noMove_steps_3 = Ronza, o si ferma troppo presto? Forse i rinvii lo bloccano: provare un movimento più piccolo.
 troubles_symptoms_noMotor_title = Il motore non parte
-troubles_symptoms_noMotor_steps_1 = Dopo un volo il timer blocca il motore. Per liberarlo, tenere il modello e le mani lontane dall’elica: può partire. Poi tenere premuto il pulsante «{ bench_unlock }» nella vista Banco.
+troubles_symptoms_noMotor_steps_1 = Dopo un volo il timer blocca il motore. Per liberarlo, tenere saldo il modello e le mani lontane dall’elica: può partire. Poi tenere premuto il pulsante «{ bench_unlock }» nella vista «{ views_names_bench }».
 troubles_symptoms_noMotor_steps_2 = L’interruttore di lancio è tornato in posizione? Finché è premuto, il motore gira solo al minimo.
-troubles_symptoms_noMotor_steps_3 = Il tempo di stop motore è abbastanza lungo? Con 0,1 s il motore si ferma appena partito.
+troubles_symptoms_noMotor_steps_3 = Lo stop motore è impostato abbastanza tardi? Con 0,1 s il motore si ferma appena partito.
 troubles_symptoms_noLibrary_title = I miei modelli e programmi non ci sono
 troubles_symptoms_noLibrary_steps_1 = Svuotare il campo di ricerca, premere Archivio.
 troubles_symptoms_noLibrary_steps_2 = Ogni browser, profilo e indirizzo ha una sua libreria; una finestra privata la cancella.
@@ -574,7 +574,7 @@ help_page = Tutti i passaggi, per ogni sistema
 
 keeping_title = Questo browser non conserva tutto.
 keeping_notKept = Ciò che si inserisce, i backup e la nota di una scrittura interrotta durano solo finché questa pagina è aperta. Esportare la libreria. Poi chiudere le altre schede di questa pagina, o fare spazio su questo dispositivo.
-keeping_notKnown = Il browser non dice se conserva ciò che si fa. Considerarlo non conservato, ed esportare la libreria.
+keeping_notKnown = Il browser non dice se conserva ciò che si fa. Considerare tutto come non conservato, ed esportare la libreria.
 keeping_oneTab = Usare una sola scheda di questa pagina.
 keeping_emptied = Il browser ha cancellato ciò che conservava per questa pagina. Esportare ciò che si vede ancora.
 keeping_export = Esporta la libreria…
@@ -586,7 +586,7 @@ aside_title =
         [one] Non è stato possibile leggere { $count } elemento. È messo da parte, non cancellato.
        *[other] Non è stato possibile leggere { $count } elementi. Sono messi da parte, non cancellati.
     }
-aside_write = Tra questi c’è la nota di una scrittura interrotta: leggere il timer prima di volare.
+aside_write = È compresa la nota di una scrittura interrotta: leggere il timer prima di volare.
 aside_save = Salva in un file
 
 ## “2 models, 1 program”: only kinds that there are.
@@ -632,12 +632,12 @@ framed_open = Apri Sidus Timer in una scheda propria
 
 ## What is known about the content of a timer, and what is not.
 
-knowledge_title = Contenuto incerto
+knowledge_title = Incerto
 knowledge_uncertain = Non è noto che cosa contiene { $memory }: { $values }.
-knowledge_noFly = Non volare prima della lettura.
-knowledge_since = Una scrittura è stata interrotta ({ $time }).
+knowledge_noFly = Non volare prima di averla letta.
+knowledge_since = È stata interrotta una scrittura (inizio: { $time }).
 knowledge_thisMemory = la memoria corrente
-knowledge_memoryOf = { $memory } di { $timer }
+knowledge_memoryOf = { $memory } ({ $timer })
 knowledge_timer_here = { $name } { $firmware }
 knowledge_timer_simulated = { $name } { $firmware } simulato
 knowledge_otherTimer_here = un altro { $name } { $firmware }
@@ -647,13 +647,13 @@ knowledge_motorStop = stop motore
 knowledge_either = { $name } è { $before } o { $goal }
 knowledge_list =
     { $more ->
-        [one] { $named }, e ancora { $more }{"\u00a0"}valore non è certo
-       *[other] { $named }, e ancora { $more }{"\u00a0"}valori non sono certi
+        [one] { $named }, e { $more }{"\u00a0"}altro{"\u00a0"}valore non è certo
+       *[other] { $named }, e altri{"\u00a0"}{ $more }{"\u00a0"}valori non sono certi
     }
 knowledge_and = { $first } e { $next }
 knowledge_connect = Connetti e leggi
 knowledge_forget = Dimentica…
-knowledge_forgetSure = Dimenticare solo se quel timer è stato letto altrove, o non c’è più.
+knowledge_forgetSure = Dimenticare solo se quel timer è stato letto altrove, o non lo si ha più.
 knowledge_forgetNow = Dimentica ora
 knowledge_verified = Come nel timer, verificato { $time }
 knowledge_readAt = Come nel timer, letto { $time }
@@ -667,7 +667,7 @@ knowledge_ofSetting =
     }
 knowledge_changed = { $name }, modificato
 knowledge_ofModel = { $name } di { $model }
-knowledge_made = Programma nuovo, ancora in nessun timer
+knowledge_made = Programma nuovo, non ancora in un timer
 knowledge_unknown = Non è noto che cosa contiene { $memory }
 knowledge_unfinished =
     { $count ->
@@ -743,7 +743,7 @@ library_setting_gone = Non è più nella libreria.
 library_save_open = Salva…
 library_save_over = Salva sopra { $program }
 library_save_undo = Annulla il salvataggio di { $name }
-library_save_crossing = Questi sono valori di { $from }. Salvarli sotto { $to }.
+library_save_crossing = Questi sono valori di { $from }. Salvarli nel modello { $to }.
 library_save_asNew = Salva come nuovo…
 library_save_taken = C’è già un programma { $program }. Inserire un altro nome, oppure:
 library_save_replace = Salva sopra. I suoi valori restano come versione precedente.
@@ -900,7 +900,7 @@ link_slow_title = Un timer risponde, ma troppo lentamente.
 link_slow_advice = I suoi byte arrivano uno alla volta a { $rate } baud, con pause così lunghe che nessuna risposta è completa in tempo. Questa pagina non può leggerlo. Provare un altro adattatore, o un cavo al posto del Bluetooth.
 link_itSaid = È arrivato: { $bytes } («{ $text }»).
 link_trySelectBare = Prova senza checksum corretto
-link_lost_title = La connessione con l’adattatore è persa.
+link_lost_title = La connessione con l’adattatore è andata persa.
 link_lost_advice = Collegarlo, o avvicinarlo: la pagina prosegue da sola. Ciò che è stato inserito è conservato.
 link_status_off = Non connesso
 link_status_opening = Connessione
@@ -959,7 +959,7 @@ aboutTimer_assumptions_bigEndianTimes = I due byte di ogni tempo sono scambiati
 aboutTimer_assumptions_servoFirst = { aboutTimer_quirkNames_servo-first }
 aboutTimer_assumptions_memoriesFromOne = { aboutTimer_quirkNames_memories-from-one }
 aboutTimer_assumptions_bareChecksumRequests = «Seleziona memoria» e «scrivi minimo motore» vengono inviati senza checksum corretto
-aboutTimer_assumptions_positionsNeedMove = Le posizioni si mantengono solo dove si trovano i servi
+aboutTimer_assumptions_positionsNeedMove = Le posizioni si mantengono solo per la funzione in cui si trovano i servi
 
 ## Which memory flies next, and what is known about the others.
 
@@ -967,7 +967,7 @@ nextFlight_badge = prossimo volo
 nextFlight_onScreen = Questa è { $memory }.
 nextFlight_named = { $memory }, prossimo volo
 nextFlight_other = Prossimo volo con { $memory }.
-nextFlight_last = { $memory } era la memoria corrente quando il timer ha risposto l’ultima volta. Sarà quella del prossimo volo, se nient’altro l’ha cambiata.
+nextFlight_last = { $memory } era la memoria corrente quando il timer ha risposto l’ultima volta. Sarà quella del prossimo volo, se nel frattempo non ne è stata selezionata un’altra.
 nextFlight_original = Al momento della connessione era { $original }.
 nextFlight_originalUnknown = Non è noto quale fosse al momento della connessione.
 nextFlight_unknown = Non è noto con quale memoria sarà il prossimo volo.
@@ -1003,7 +1003,7 @@ memories_plans_screen =
 memories_plans_copy = { $to } conterrà i tempi e le posizioni di { $from }, appena letti. Prima si fa un backup di ciò che { $to } contiene ora.
 memories_plans_restore = In { $names } viene scritto il backup ({ $time }). Prima si fa un backup di ciò che c’è ora.
 memories_atEnd = Alla fine il prossimo volo sarà di nuovo con { $current }.
-memories_refused = { $memory }: non si può scrivere nulla, perché nessun programma può inviare questi valori.
+memories_refused = { $memory }: non si può scrivere nulla, perché nessun software può inviare questi valori.
 memories_untouched = { $memory }: nulla è stato scritto.
 memories_stopped = Ciò che non era ancora scritto è com’era.
 
@@ -1066,23 +1066,23 @@ timer_other-memory_title = La memoria corrente non è quella sullo schermo.
 timer_other-memory_advice = Rileggere prima di scrivere.
 timer_memory-unknown_title = Questo timer non dice quale memoria è corrente.
 timer_memory-unknown_advice = Perciò questa pagina non può guardare un’altra memoria e tornare indietro. Si può leggere e scrivere quella corrente.
-timer_memory-left_title = La memoria del prossimo volo potrebbe essere cambiata.
+timer_memory-left_title = La memoria del prossimo volo potrebbe non essere più la stessa.
 timer_memory-left_advice = Questa pagina non è riuscita a tornare a quella che era corrente. Connettersi di nuovo e scegliere la memoria giusta per il prossimo volo prima di volare.
 timer_other-timer_title = Non è il timer che ha risposto prima.
 timer_other-timer_advice = La pagina lo legge. Guardare che cosa contiene prima di scrivere.
 timer_stale_title = Il timer non contiene ciò che era mostrato.
 timer_stale_advice = Nulla è stato scritto. Guardare che cosa cambierebbe ora una scrittura.
 timer_changed_title = Il timer contiene valori diversi da prima.
-timer_changed_advice = Qualcos’altro li ha cambiati, o è un altro timer. Le modifiche sono conservate: guardare la differenza prima di scrivere.
+timer_changed_advice = Qualcos’altro lo ha cambiato, o questo è un altro timer. Le modifiche fatte qui sono conservate: guardare le differenze prima di scrivere.
 timer_stood-still_title = Questa pagina è rimasta ferma durante il lavoro.
-timer_stood-still_advice = Non è stato inviato altro: nel frattempo potrebbe esserci un altro timer. Rileggere.
+timer_stood-still_advice = Non è stato inviato altro: ora potrebbe esserci un altro timer. Rileggere.
 timer_too-slow_title = Questo timer risponde troppo lentamente.
-timer_too-slow_advice = Le sue risposte richiedono più di 3 secondi, perciò questa pagina non può distinguere a quale domanda appartengono. Non è stato inviato altro. Provare un altro adattatore, o un cavo al posto del Bluetooth.
+timer_too-slow_advice = Le sue risposte richiedono più di 3 secondi, perciò questa pagina non può distinguere quale appartiene a quale domanda. Non è stato inviato altro. Provare un altro adattatore, o un cavo al posto del Bluetooth.
 timer_undecided_title = { byteOrder_title }
 timer_undecided_advice = { byteOrder_advice }
 timer_serious_title = I controlli hanno trovato qualcosa di grave.
 timer_serious_advice = { timer_stale_advice }
-timer_busy_title = Qualcosa su questa pagina o computer usa l’adattatore.
+timer_busy_title = Qualcosa su questa pagina o su questo computer usa l’adattatore.
 timer_busy_advice = Nulla è stato inviato. Disconnettere e connettere di nuovo. Ciò che è stato inserito è conservato.
 timer_port-lost_title = { link_lost_title }
 timer_port-lost_advice = { link_lost_advice }
@@ -1095,10 +1095,11 @@ timer_closed_advice = Premere Connetti per continuare. Ciò che è stato inserit
 
 alike_title = Ogni risposta a { $request } è danneggiata nello stesso modo.
 alike_advice = Non è rumore: il timer o il suo adattatore forma queste risposte in un modo che non è noto. Con Esperto attivo nelle opzioni, aprire Linea e premere «{ line_copyReport }». Inviare il rapporto ai curatori del progetto (github.com/sidus-timer/sidus-timer/issues).
+alike_part = Solo da guardare: { $values }. Tutto il resto non è noto.
 
 ## Messages that are not about errors.
 
-notes_back_title = Le modifiche sono tornate.
+notes_back_title = Le modifiche sono di nuovo qui.
 notes_back_advice = Confrontarle con ciò che il timer contiene, poi scriverle o annullarle.
 notes_back-uncertain_title = { notes_back_title }
 notes_back-uncertain_advice = Non è noto se sono state scritte. Connettersi al timer e leggerlo prima di volare.
@@ -1107,7 +1108,7 @@ notes_moved_advice = { timer_changed_advice }
 notes_timer-moved_title = { timer_changed_title }
 notes_timer-moved_advice = { timer_changed_advice }
 notes_kept_title = Le modifiche sono conservate su questo dispositivo.
-notes_kept_advice = Non corrispondono a ciò che è stato letto ora. Tornano quando si rilegge quella memoria; le elenca anche la pagina iniziale.
+notes_kept_advice = Non sono adatte a ciò che è stato letto ora. Tornano quando si rilegge quella memoria; le elenca anche la pagina iniziale.
 notes_other-kind_title = Ora c’è un altro tipo di timer.
 notes_other-kind_advice = { timer_other-timer_advice }
 notes_write-completed_title = La scrittura interrotta è completa.
@@ -1117,12 +1118,13 @@ notes_nothing-written_advice = {""}
 notes_not-backed-up_title = { write_unkept_title }
 notes_not-backed-up_advice = { keeping_notKept }
 notes_select-unanswered_title = Il timer non ha risposto alla selezione di una memoria.
-notes_select-unanswered_advice = Alle altre richieste risponde. Riprovare, o provare senza checksum corretto.
+notes_select-unanswered_advice = Alle altre richieste risponde. Riprovare, o inviare la richiesta senza checksum corretto.
 notes_backed-up_title = Tutte le memorie sono state lette, e di ognuna è conservato un backup.
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_advice = Nulla è stato scritto. Le differenze sono segnate. Annulla mostra ciò che il timer contiene.
+notes_made-laid_title = La tabella mostra il programma aperto qui, non ciò che il timer contiene.
+notes_made-laid_advice = Nulla è stato scritto. Le differenze sono segnate. «{ undo }» mostra ciò che il timer contiene.
 notes_unexpected_title = Qualcosa è andato storto in questa pagina.
 notes_unexpected_advice = Non è stato inviato altro. Ricaricare la pagina. Ciò che è stato inserito è conservato.
 
@@ -1193,7 +1195,7 @@ memoryNames_named = { $memory } «{ $name }»
 ## What an earlier job left behind on a timer.
 
 recovery_title = Una scrittura precedente è stata interrotta.
-recovery_when = È iniziata una scrittura in { $memory } ({ $time }).
+recovery_when = Scrittura in { $memory }, inizio: { $time }.
 recovery_nothing =
     { $missing ->
         [one] Il timer contiene ciò che conteneva prima: nulla è stato scritto, manca { $missing } modifica.
@@ -1206,8 +1208,8 @@ recovery_part =
     }
 recovery_foreign =
     { $count ->
-        [one] { $count } valore nel timer non è né di prima né di quella scrittura. È un altro timer, o qualcos’altro lo ha cambiato?
-       *[other] { $count } valori nel timer non sono né di prima né di quella scrittura. È un altro timer, o qualcos’altro li ha cambiati?
+        [one] { $count } valore nel timer non è né di prima né di quella scrittura. È un altro timer, o qualcos’altro ha cambiato il timer?
+       *[other] { $count } valori nel timer non sono né di prima né di quella scrittura. È un altro timer, o qualcos’altro ha cambiato il timer?
     }
 recovery_sure = Questa pagina non distingue i timer dello stesso tipo. Continuare solo se è il timer di quella scrittura.
 recovery_finish = Finisci la scrittura…
@@ -1216,7 +1218,7 @@ recovery_leave = Lascia così
 recovery_otherTimer = È un altro timer
 recovery_sameTimer = È lo stesso timer: mostra che cosa si doveva scrivere
 recovery_compare = Confronta
-recovery_before = Prima
+recovery_before = Com’era
 recovery_elsewhere = Una scrittura in { $memory } di un timer di questo tipo è stata interrotta. Leggere { $memory } per vedere che cosa contiene.
 recovery_left = Il lavoro sulle memorie è stato interrotto. Ora il prossimo volo è con { $current }. Prima era con { $original }.
 recovery_mayFly = Il prossimo volo potrebbe essere con { $memory }: la selezione è stata interrotta.
@@ -1271,8 +1273,8 @@ share_paste_notLink = Non è un link a un programma.
 
 ## A DT for trimming that is about to be flown. The page asks before the pilot disconnects, and at a contest round.
 
-shortDt_held = DT di { $memory } è { $dt }.
-shortDt_heldHere = DT è { $dt }.
+shortDt_held = Il DT di { $memory } è { $dt }.
+shortDt_heldHere = Il DT è { $dt }.
 shortDt_ask =
     { $remembered ->
         [true] Rimetterlo a { $back }?
@@ -1280,14 +1282,14 @@ shortDt_ask =
     }
 shortDt_putBack =
     { $remembered ->
-        [true] Rimetti DT a { $back }…
-       *[false] Imposta DT a { $back }…
+        [true] Rimetti il DT a { $back }…
+       *[false] Imposta il DT a { $back }…
     }
-shortDt_disconnect = Disconnetti con { $memory }, DT{"\u00a0"}{ $dt }
-shortDt_disconnectHere = Disconnetti con DT{"\u00a0"}{ $dt }
-shortDt_blocked = Qualcosa che è stato inserito non si può ancora scrivere. Correggerlo prima di rimettere DT.
-shortDt_settings_limit = Un DT è breve sotto
-shortDt_settings_hint = Un DT più breve è rosso, e la pagina chiede prima di disconnettersi. Con 0 s non chiede mai.
+shortDt_disconnect = Disconnetti così: { $memory }, DT{"\u00a0"}{ $dt }
+shortDt_disconnectHere = Disconnetti così: DT{"\u00a0"}{ $dt }
+shortDt_blocked = Qualcosa che è stato inserito non si può ancora scrivere. Correggerlo prima di rimettere il DT.
+shortDt_settings_limit = Un DT è breve se è meno di
+shortDt_settings_hint = Un DT più breve è rosso, e la pagina chiede prima di disconnettersi. Con il limite a 0 s non chiede mai.
 
 ## The start, before anything was read.
 
@@ -1431,7 +1433,7 @@ parts_again = Riprova
 
 ## Which model it is.
 
-whichModel_recognition_same = È { $model }, come visto { $when }.
+whichModel_recognition_same = È { $model }, con i valori dell’ultima volta ({ $when }).
 whichModel_recognition_like =
     { $count ->
         [one] È simile a { $model }, { $count } valore è diverso. È { $model }?
@@ -1481,16 +1483,16 @@ write_unkept_advice = Questa memoria è ancora com’era. Continuare senza backu
 write_sideBySide = Valori: { $names }
 write_withoutCopy = Continua senza backup
 write_safety = L’elica è smontata o il modello è tenuto fermo, e il timer non è armato.
-write_acknowledge = Ho letto questo e voglio scriverlo comunque.
+write_acknowledge = Ho letto questo e voglio scrivere comunque.
 write_stillToTick = Ancora da spuntare: { $ticks }.
 write_ticks_model = altro modello
 write_ticks_warnings = avvisi
 write_ticks_safety = elica
-write_move_why = Questo timer sembra mantenere le posizioni solo dove si trovano i servi. Se i servi non si muovono, probabilmente non manterrà queste.
-write_move_label = Muovere i servi a ogni funzione prima di memorizzarne le posizioni.
-write_move_hint = Tenere saldo il modello, con nulla che li ostacoli.
+write_move_why = Questo timer sembra mantenere le posizioni solo per la funzione in cui si trovano i servi. Se i servi non si muovono, probabilmente non manterrà queste.
+write_move_label = Portare i servi a ogni funzione prima di memorizzare le sue posizioni.
+write_move_hint = Tenere saldo il modello. Nulla deve ostacolare i servi.
 write_move_notHeld_title = Il timer ha confermato le posizioni, ma non le ha mantenute.
-write_move_notHeld_advice = Probabilmente questo timer le mantiene solo dove si trovano i servi. Scrivere di nuovo, lasciando muovere i servi a ogni funzione.
+write_move_notHeld_advice = Probabilmente questo timer le mantiene solo per la funzione in cui si trovano i servi. Scrivere di nuovo, lasciando che i servi vadano a ogni funzione.
 write_move_again = Scrivi di nuovo…
 write_start =
     { $count ->
@@ -1514,14 +1516,14 @@ write_readBack = Riletto
 write_differs_title = Il timer non ha preso tutti i valori.
 write_differs_advice = Il timer è stato riletto. Qui contiene altri valori:
 write_unknown_title = Non è certo che cosa contiene il timer.
-write_unknown_advice = Non è stato possibile rileggere il timer per intero. Rileggere, poi scrivere ciò che è ancora diverso. Le modifiche sono conservate.
+write_unknown_advice = Non è stato possibile rileggere il timer per intero. Rileggere, poi scrivere ciò che è ancora diverso. Le modifiche fatte qui sono conservate.
 write_cut = La scrittura è stata interrotta: { $memory }.
 write_strayed_title = { $memory } è diventata corrente durante la scrittura.
 write_strayed_advice = Alcuni valori potrebbero essere ora in { $memory }. Leggerla, e controllarla tutta prima di volare con essa.
 write_refused = Nulla è stato scritto.
 write_status_differs = diverso
 write_status_unknown = non noto
-write_putBack = cambiato da sé, rimesso
+write_putBack = cambiato dal timer stesso, rimesso com’era
 
 ## What the parts of the page that are loaded first say.
 
@@ -1564,7 +1566,7 @@ times_units_s = s
 times_units_min = min
 times_figure = { $text } { $unit }
 times_asSeconds = { $seconds }{" "}s, { $clock }
-times_meaning = Che cosa significa: { $field }
+times_meaning = Che cosa si intende: { $field }
 header_firmware = firmware { $firmware }
 header_simulated = simulato
 header_connect = Connetti
@@ -1605,10 +1607,10 @@ program_write =
     }
 program_picture = Grafico
 program_table = Tabella
-program_blocked = Non si può ancora scrivere. { $field }: { $why }
+program_blocked = Non si può ancora scrivere nulla. { $field }: { $why }
 program_findings = Controlli
 program_noFindings = Nulla di insolito.
-program_absolute = Contato dal lancio. Non è noto se questo timer conta dal lancio o dalla funzione precedente.
+program_absolute = Mostrato a partire dal lancio. Non è noto se questo timer conta dal lancio o dalla funzione precedente.
 program_severity_error = Non scrivibile
 program_severity_serious = Grave
 program_severity_warning = Insolito
@@ -1658,12 +1660,12 @@ settle_title = Chiarisci con il timer
 settle_lead = Non tutto è noto su come parlano questi timer. In quindici minuti questo timer chiarisce ciò che è ancora aperto. Ogni valore provato viene rimesso com’era. Tenere a portata di mano il programmatore portatile.
 settle_safe = L’elica è smontata o il motore è scollegato, e il timer non è armato.
 settle_danger = Ora qualcosa può muoversi. L’elica è smontata, o il motore scollegato? Guardare ancora una volta.
-settle_blocked = Prima chiarire ciò che dice la fascia qui sopra, e tenere o rimettere com’era ciò che è stato provato.
+settle_blocked = Prima risolvere ciò che dice l’avviso in cima alla pagina, e tenere ciò che è stato provato o rimettere com’era.
 settle_readIt = Leggi il timer
 settle_which = Quale mostra il programmatore portatile?
-settle_tryHint = Muovere i servi e attendere che siano fermi. Poi provare una posizione: viene cambiata e rimessa entro pochi secondi. Osservare i servi.
+settle_tryHint = Muovere i servi con i pulsanti e attendere che siano fermi. Poi provare una posizione: viene cambiata e rimessa com’era entro pochi secondi. Osservare i servi.
 settle_tryIt = Prova una posizione
-settle_moved = La vecchia posizione è tornata: è stata letta. Si è mosso un servo quando è stata provata quella nuova?
+settle_moved = La vecchia posizione è tornata: la rilettura lo conferma. Si è mosso un servo quando è stata provata quella nuova?
 settle_ask = Chiedi con quattro zeri
 settle_unknown = Non lo so
 settle_send = Invia il file con questo modulo
