@@ -16,8 +16,8 @@ bench_here = servos aquí
 bench_waits = Espera a «Escribir».
 bench_bring = Llevar los servos a { $slot }
 bench_follow = Los servos siguen las posiciones
-bench_followHint = Primero la página lee el temporizador y conserva una copia de seguridad. Después, cada posición que se cambia en la fila donde están los servos se almacena al momento, y su servo se mueve.
-bench_followingNow = Los servos siguen: una posición que se cambia en la fila donde están se almacena al momento.
+bench_followHint = Primero la página lee el temporizador y conserva una copia de seguridad. Después, cada posición que se cambia en la fila donde están los servos se almacena al momento en el temporizador, y su servo se mueve.
+bench_followingNow = Los servos siguen: una posición que se cambia en la fila donde están se almacena al momento en el temporizador.
 bench_stopFollowing = Dejar de seguir
 bench_followPending = Hay cambios anteriores que esperan a «Escribir».
 bench_ended_over = Los servos ya no siguen las posiciones.
@@ -48,10 +48,10 @@ bench_triedAndWaiting =
 bench_triedIn = Se han probado posiciones en { $memory }.
 bench_decide = ¿Dejar lo que se ha probado, o reponer lo que el temporizador contenía antes?
 bench_keep = Dejarlo así
-bench_putBack = Reponerlo…
+bench_putBack = Reponer lo anterior…
 bench_unlock = Mantener pulsado: UNLOCK
-bench_unlockHold = Siga pulsando
-bench_unlockHint = La hélice puede arrancar. Sujete el modelo, aparte las manos de la hélice, y después pulse y mantenga pulsado.
+bench_unlockHold = No suelte
+bench_unlockHint = La hélice puede arrancar. Sujete el modelo, mantenga las manos lejos de la hélice, y después pulse sin soltar.
 bench_experimental = Experimental
 bench_jumpHint = Salta a la función que sigue a un DT anticipado. Su efecto exacto no está documentado: los servos pueden moverse.
 bench_jump = Saltar…
@@ -112,7 +112,7 @@ flights_form_unreadable_not-a-time = No es un tiempo: introduzca segundos como 1
 flights_form_unreadable_too-fine = { unreadable_too-fine }
 flights_form_unreadable_not-a-date = No es una fecha.
 flights_form_range = De { $min } a { $max } { $unit }.
-flights_form_shortDt = En este vuelo DT era { $dt }.
+flights_form_shortDt = En este vuelo el DT era { $dt }.
 flights_score_open = Puntuación
 flights_score_maximum = Máximo de cada manga
 flights_score_none = Sin un máximo, cada resultado cuenta entero.
@@ -154,12 +154,12 @@ findings_position-as-read = Leído como { $value }, por encima del último paso,
 findings_time-falls = Llega antes que la función de arriba ({ $previous }).
 findings_time-repeats = El mismo tiempo que la función de arriba, { $previous }.
 findings_position-never-reached = El mismo tiempo que la función de arriba, { $previous }. Nunca se alcanzan las posiciones de la función de arriba.
-findings_motor-stop-after-dt = El motor se para después de DT ({ $dt }): el modelo baja con el motor en marcha.
+findings_motor-stop-after-dt = El motor se para después del DT ({ $dt }): el modelo baja con el motor en marcha.
 findings_motor-run-long = El motor funciona más tiempo que { $limit }, el límite para F1Q.
 findings_time-outside-manual = El manual admite de { $min } a { $max }.
 findings_time-too-fine = El manual indica incrementos de { $step }: el temporizador puede redondear.
 findings_dt-short = Más corto que { $limit }.
-findings_dt-moves-nothing = En DT no se mueve ningún servo: el temporizador no hace bajar el modelo.
+findings_dt-moves-nothing = Al llegar el DT no se mueve ningún servo: el temporizador no hace bajar el modelo.
 findings_throttle-unusual = Más de { $limit } es inusual. No se conoce la unidad.
 findings_class-unknown = No se conoce la clase «{ $timerClass }»: no se han comprobado sus reglas.
 
@@ -167,7 +167,7 @@ findings_class-unknown = No se conoce la clase «{ $timerClass }»: no se han co
 
 unreadable_empty = Vacío: introduzca un valor.
 unreadable_not-a-time = No es un tiempo: introduzca segundos como 12,5, o minutos como 2:05.
-unreadable_too-fine = Más fino que una centésima de segundo.
+unreadable_too-fine = Más preciso que una centésima de segundo.
 unreadable_not-a-whole-number = Debe ser un número entero.
 unreadable_ambiguous = Se puede leer de varias maneras: elija una.
 
@@ -271,7 +271,7 @@ edits_cells =
     }
 edits_change = { $field }: { $from } → { $to }
 edits_field_putBack = Reponer { $field }
-edits_field_putBackTo = Reponer { $field } a { $figure }
+edits_field_putBackTo = Devolver { $field } a { $figure }
 edits_sheet_title = Teclas para { $field }
 edits_sheet_erase = Borrar la última cifra
 edits_sheet_putBack = Reponer
@@ -326,7 +326,7 @@ edits_shift_from =
 edits_shift_by = Cuánto, en segundos
 edits_shift_earlier = Adelantar
 edits_shift_later = Retrasar
-edits_shift_moveDt = Mover también DT
+edits_shift_moveDt = Mover también el DT
 edits_shift_function = función { $number }
 edits_shift_functionRange = funciones { $first } a { $last }
 edits_shift_functions = funciones { $numbers }
@@ -464,7 +464,7 @@ guide_nav = Páginas de ayuda
 
 firstSteps_1 = Leer: pulse Conectar, despierte el temporizador, acerque el cabezal de infrarrojos. Leer no cambia nada ni mueve nada.
 firstSteps_2 = Escribir: introduzca los valores nuevos, pulse Escribir, mire cada diferencia. «Verificado» significa: el temporizador se ha leído de nuevo y contiene lo que usted quiere.
-firstSteps_3 = Volar: arriba se ve con qué memoria será el próximo vuelo, y su DT. La página no necesita red, y nada sale de este dispositivo.
+firstSteps_3 = Volar: en la parte de arriba de la página se ve con qué memoria será el próximo vuelo, y su DT. La página no necesita red, y nada sale de este dispositivo.
 
 ## The values of a program, with unit and range.
 
@@ -472,15 +472,15 @@ values_function_text = Una etapa del vuelo: a su tiempo, cada servo va a su posi
 values_function_range = Normalmente salida, nueve funciones y DT.
 values_time_text = Cuándo empieza una función, contado desde el lanzamiento. Introduzca 12,5 o 2:05. En F1B y F1E no se sabe desde dónde cuenta el temporizador.
 values_time_range = Según los manuales. F1Q: de 0,1 a 99,9 s. F1B: de 0,01 a 9,99 s para las funciones 1 y 2, después de 0,1 a 99,9 s. F1E: no se conoce.
-values_after_text = El tiempo desde la función anterior. Todas las funciones posteriores se desplazan con él, DT no.
+values_after_text = El tiempo desde la función anterior. Todas las funciones posteriores se desplazan con él, el DT no.
 values_position_name = Posición
-values_position_text = Dónde está un servo. El ángulo de un paso depende del servo y de la transmisión: pruébelo en el banco.
+values_position_text = Dónde está un servo. El ángulo de un paso depende del servo y del varillaje: pruébelo en el banco.
 values_position_range = De 0 a 130 pasos.
 values_motorStop_text = F1Q: cuándo se para el motor, contado desde el lanzamiento. Ningún servo se mueve con él.
 values_motorStop_range = Según el manual, de 0,1 a 99,9 s, en incrementos de 0,1 s.
 values_dt_text = El destermalizador: cuándo hace bajar el modelo, contado desde el lanzamiento. En rojo si es más corto que su límite.
 values_dt_range = De 1 a 720 s según el manual. No se pueden enviar más de 10:55 min.
-values_idleThrottle_text = F1Q: probablemente la velocidad a la que gira el motor mientras se mantiene pulsado el interruptor de salida.
+values_idleThrottle_text = F1Q: probablemente la velocidad a la que gira el motor mientras se mantiene pulsado el interruptor de lanzamiento.
 values_idleThrottle_range = La página supone de 0 a 100. No se conoce la unidad.
 values_memory_text = Un temporizador tiene varias memorias, cada una con un programa. La seleccionada es la del próximo vuelo. Para mirar otra, se selecciona y se vuelve; si eso se interrumpe, la página dice cuál puede ser la del próximo vuelo.
 values_memory_range = Normalmente cuatro, de M1 a M4. Los temporizadores más antiguos tienen cinco.
@@ -494,13 +494,13 @@ checklist_items_surfaces = Ala, estabilizador y timón están bien sujetos y en 
 checklist_items_battery = La batería está cargada y su conector está metido hasta el fondo.
 checklist_items_dtSeen = He visto el servo moverse a la posición de DT.
 checklist_items_radioDt = He probado el DT por radio, si lo hay.
-checklist_items_switch = He pulsado cinco veces el interruptor de salida, y cada vez ha vuelto a su sitio.
+checklist_items_switch = He pulsado cinco veces el interruptor de lanzamiento, y cada vez ha vuelto a su sitio.
 checklist_items_propeller = La hélice está bien sujeta y gira libre. No hay nadie delante.
 checklist_known_now = Próximo vuelo: { $memory }, DT{"\u00a0"}{ $dt }, leído { $time }.
 checklist_known_onceAt = En la última lectura, { $time }: { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_once = En la última lectura: { $memory }, DT{"\u00a0"}{ $dt }.
-checklist_known_not = No se sabe qué contiene { $memory }. Lea el temporizador antes de volar.
-checklist_known_nothing = No se ha leído ningún temporizador. Conéctelo para ver aquí su memoria y su DT.
+checklist_known_not = No se sabe qué contiene { $memory }. Léala antes de volar.
+checklist_known_nothing = No se ha leído ningún temporizador. Conecte para ver aquí la memoria del próximo vuelo y su DT.
 checklist_known_unwritten =
     { $count ->
         [one] { $count } cambio aún no está en el temporizador.
@@ -520,27 +520,27 @@ troubles_symptoms_noAnswer_title = El temporizador no responde
 troubles_symptoms_noAdapter_title = La página no encuentra el adaptador
 troubles_symptoms_refused_title = El adaptador no se abre
 troubles_symptoms_wrongValues_title = Los valores parecen incorrectos
-troubles_symptoms_wrongValues_steps_1 = Mire arriba: ¿qué memoria se muestra, y cuál es la del próximo vuelo?
+troubles_symptoms_wrongValues_steps_1 = Mire en la parte de arriba de la página: ¿qué memoria se muestra, y cuál es la del próximo vuelo?
 troubles_symptoms_wrongValues_steps_2 = Pulse «{ program_read }».
 troubles_symptoms_wrongValues_steps_3 = ¿Bajan los tiempos de fila en fila? Entonces la página pregunta cómo leerlos.
 troubles_symptoms_wrongValues_steps_4 = En F1B y F1E, compare los tiempos con el programador portátil.
 troubles_symptoms_cutOff_title = La escritura se ha interrumpido
-troubles_symptoms_cutOff_steps_1 = No vuele aún este modelo. Conecte: la página lee el temporizador y después ofrece terminar la escritura o volver atrás.
-troubles_symptoms_cutOff_steps_2 = Lo que el temporizador contenía antes está en Memorias, Copias de seguridad.
-troubles_symptoms_noDt_title = DT no llega, o llega a destiempo
-troubles_symptoms_noDt_steps_1 = Mire arriba: se ve con qué memoria será el próximo vuelo, y su DT. Otra memoria tiene otro DT.
-troubles_symptoms_noDt_steps_2 = ¿El interruptor de salida vuelve cada vez a su sitio? Mientras está pulsado, la secuencia no empieza y DT no llega.
-troubles_symptoms_noDt_steps_3 = ¿La batería está cargada, y su conector metido hasta el fondo? Si el temporizador no funciona, DT no llega.
-troubles_symptoms_noDt_steps_4 = Sujete bien el modelo y pulse la fila DT en la vista Banco. ¿El servo va a su posición, y suelta lo que retiene?
-troubles_symptoms_noDt_steps_5 = Quite la hélice y deje que el temporizador llegue hasta el final. No vuele antes de haber visto el servo moverse al tiempo de DT.
+troubles_symptoms_cutOff_steps_1 = No vuele aún este modelo. Conecte el temporizador: la página lo lee, y después ofrece terminar la escritura o escribir los valores de antes.
+troubles_symptoms_cutOff_steps_2 = Lo que el temporizador contenía antes está en la vista «{ views_names_memories }», «{ backups_title }».
+troubles_symptoms_noDt_title = El DT no llega, o llega a destiempo
+troubles_symptoms_noDt_steps_1 = Mire en la parte de arriba de la página: se ve con qué memoria será el próximo vuelo, y su DT. Otra memoria tiene otro DT.
+troubles_symptoms_noDt_steps_2 = ¿El interruptor de lanzamiento vuelve cada vez a su sitio? Mientras está pulsado, la secuencia no empieza y el DT no llega.
+troubles_symptoms_noDt_steps_3 = ¿La batería está cargada, y su conector metido hasta el fondo? Si el temporizador no está en marcha, el DT no llega.
+troubles_symptoms_noDt_steps_4 = Sujete bien el modelo y pulse la fila DT en la vista «{ views_names_bench }». ¿El servo va a la posición de DT, y suelta lo que retiene?
+troubles_symptoms_noDt_steps_5 = Quite la hélice y deje que el temporizador llegue hasta el final. No vuele antes de haber visto el servo moverse cuando llega el tiempo de DT.
 troubles_symptoms_noMove_title = Un servo no se mueve
-troubles_symptoms_noMove_steps_1 = Sujete el modelo y pulse su fila en el banco. ¿No se mueve nada? Mire conector y batería. ¿Se mueve allí, pero no en vuelo? Tiene la misma posición que la función anterior.
-troubles_symptoms_noMove_steps_2 = ¿Va a otro sitio que el que dice la tabla? Un temporizador puede almacenar una posición solo para la función en la que están los servos. Entonces la página ofrece mover los servos mientras escribe.
-troubles_symptoms_noMove_steps_3 = ¿Zumba, o se para demasiado pronto? Puede que la transmisión lo bloquee: pruebe un movimiento más pequeño.
+troubles_symptoms_noMove_steps_1 = Sujete el modelo y pulse en la vista «{ views_names_bench }» la fila de la función en la que el servo debe moverse. ¿No se mueve nada? Revise conector y batería. ¿Se mueve allí, pero no en vuelo? Entonces tiene la misma posición que en la función anterior.
+troubles_symptoms_noMove_steps_2 = ¿Va a un sitio distinto del que dice la tabla? Puede que algunos temporizadores almacenen una posición solo para la función en la que están los servos. Entonces la página ofrece mover los servos mientras escribe.
+troubles_symptoms_noMove_steps_3 = ¿Zumba, o se para demasiado pronto? Puede que el varillaje lo bloquee: pruebe un movimiento más pequeño.
 troubles_symptoms_noMotor_title = El motor no arranca
-troubles_symptoms_noMotor_steps_1 = Después de un vuelo, el temporizador bloquea el motor. Para liberarlo, sujete el modelo y aparte las manos de la hélice: puede arrancar. Después mantenga pulsado el botón «{ bench_unlock }» en la vista Banco.
-troubles_symptoms_noMotor_steps_2 = ¿El interruptor de salida ha vuelto a su sitio? Mientras está pulsado, el motor solo gira al ralentí.
-troubles_symptoms_noMotor_steps_3 = ¿El paro de motor es lo bastante largo? Con 0,1 s, el motor se para nada más arrancar.
+troubles_symptoms_noMotor_steps_1 = Después de un vuelo, el temporizador bloquea el motor. Para liberarlo, sujete el modelo y mantenga las manos lejos de la hélice: puede arrancar. Después mantenga pulsado el botón «{ bench_unlock }» en la vista «{ views_names_bench }».
+troubles_symptoms_noMotor_steps_2 = ¿El interruptor de lanzamiento ha vuelto a su sitio? Mientras está pulsado, el motor solo gira al ralentí.
+troubles_symptoms_noMotor_steps_3 = ¿El paro de motor está puesto lo bastante tarde? Con 0,1 s, el motor se para nada más arrancar.
 troubles_symptoms_noLibrary_title = Mis modelos y programas no están aquí
 troubles_symptoms_noLibrary_steps_1 = Vacíe el campo de búsqueda, pulse Archivo.
 troubles_symptoms_noLibrary_steps_2 = Cada navegador, perfil y dirección tiene su propia biblioteca; una ventana privada la borra.
@@ -585,7 +585,7 @@ aside_title =
         [one] No se ha podido leer { $count } registro. Se ha apartado, no borrado.
        *[other] No se han podido leer { $count } registros. Se han apartado, no borrado.
     }
-aside_write = Incluye la nota de una escritura interrumpida: lea el temporizador antes de volar.
+aside_write = Está incluida la nota de una escritura interrumpida: lea el temporizador antes de volar.
 aside_save = Guardar en un archivo
 
 ## “2 models, 1 program”: only kinds that there are.
@@ -631,12 +631,12 @@ framed_open = Abrir Sidus Timer en su propia pestaña
 
 ## What is known about the content of a timer, and what is not.
 
-knowledge_title = Contenido incierto
+knowledge_title = Incierto
 knowledge_uncertain = No se sabe qué contiene { $memory }: { $values }.
-knowledge_noFly = No vuele antes de leer el temporizador.
-knowledge_since = Se interrumpió una escritura ({ $time }).
+knowledge_noFly = No vuele antes de leerla.
+knowledge_since = Se interrumpió una escritura (inicio: { $time }).
 knowledge_thisMemory = la memoria actual
-knowledge_memoryOf = { $memory } de { $timer }
+knowledge_memoryOf = { $memory } ({ $timer })
 knowledge_timer_here = { $name } { $firmware }
 knowledge_timer_simulated = { $name } { $firmware } simulado
 knowledge_otherTimer_here = otro { $name } { $firmware }
@@ -666,7 +666,7 @@ knowledge_ofSetting =
     }
 knowledge_changed = { $name }, cambiado
 knowledge_ofModel = { $name } de { $model }
-knowledge_made = Programa nuevo, aún en ningún temporizador
+knowledge_made = Programa nuevo, aún no está en un temporizador
 knowledge_unknown = No se sabe qué contiene { $memory }
 knowledge_unfinished =
     { $count ->
@@ -958,7 +958,7 @@ aboutTimer_assumptions_bigEndianTimes = Los dos bytes de cada tiempo están inte
 aboutTimer_assumptions_servoFirst = { aboutTimer_quirkNames_servo-first }
 aboutTimer_assumptions_memoriesFromOne = { aboutTimer_quirkNames_memories-from-one }
 aboutTimer_assumptions_bareChecksumRequests = «Seleccionar memoria» y «escribir ralentí» se envían sin una suma de control correcta
-aboutTimer_assumptions_positionsNeedMove = Las posiciones solo se mantienen donde están los servos
+aboutTimer_assumptions_positionsNeedMove = Las posiciones solo se mantienen para la función en la que están los servos
 
 ## Which memory flies next, and what is known about the others.
 
@@ -966,7 +966,7 @@ nextFlight_badge = próximo vuelo
 nextFlight_onScreen = Esta es { $memory }.
 nextFlight_named = { $memory }, próximo vuelo
 nextFlight_other = Próximo vuelo con { $memory }.
-nextFlight_last = { $memory } era la memoria actual cuando el temporizador respondió por última vez. Será la del próximo vuelo si nada más la ha cambiado.
+nextFlight_last = { $memory } era la memoria actual cuando el temporizador respondió por última vez. Será la del próximo vuelo si entretanto no se ha seleccionado otra.
 nextFlight_original = Al conectar era { $original }.
 nextFlight_originalUnknown = No se sabe cuál era al conectar.
 nextFlight_unknown = No se sabe con qué memoria será el próximo vuelo.
@@ -1002,7 +1002,7 @@ memories_plans_screen =
 memories_plans_copy = { $to } contendrá los tiempos y posiciones de { $from }, recién leídos. Antes se hace una copia de seguridad de lo que { $to } contiene ahora.
 memories_plans_restore = Esto escribe en { $names } la copia de seguridad ({ $time }). Antes se hace otra de lo que hay ahora.
 memories_atEnd = Al final, el próximo vuelo será de nuevo con { $current }.
-memories_refused = { $memory }: no se puede escribir nada, porque ningún programa puede enviar estos valores.
+memories_refused = { $memory }: no se puede escribir nada, porque ningún software puede enviar estos valores.
 memories_untouched = No se ha escrito nada en { $memory }.
 memories_stopped = Lo que aún no se había escrito está como estaba.
 
@@ -1013,7 +1013,7 @@ overview_copyTo = Copiar a…
 overview_compareWith = Comparar con { $memory }
 overview_readAt = leída { $time }
 overview_notCertain = Incierta: se interrumpió una escritura en ella. Se muestra como era antes de esa escritura.
-overview_edited = Se muestra y se copia como la contiene el temporizador, sin sus cambios.
+overview_edited = Se muestra y se copia como la contiene el temporizador, sin los cambios hechos aquí.
 overview_same = Contienen lo mismo.
 overview_differs =
     { $count ->
@@ -1060,28 +1060,28 @@ timer_bad-reply_advice = Inténtelo de nuevo. Si vuelve a ocurrir: Ajustes, Expe
 timer_unstable_title = La línea tiene demasiado ruido para fiarse.
 timer_unstable_advice = Acerque más el cabezal de infrarrojos, fuera del sol, e inténtelo de nuevo.
 timer_crowded_title = Puede haber más de un temporizador en el haz.
-timer_crowded_advice = Aparte otros temporizadores y programadores, y lea de nuevo.
+timer_crowded_advice = Mantenga lejos otros temporizadores y programadores, y lea de nuevo.
 timer_other-memory_title = La memoria actual no es la de la pantalla.
 timer_other-memory_advice = Lea de nuevo antes de escribir.
 timer_memory-unknown_title = Este temporizador no dice qué memoria es la actual.
-timer_memory-unknown_advice = Por eso esta página no puede mirar otra memoria y volver. Puede leer y escribir la actual.
-timer_memory-left_title = La memoria del próximo vuelo puede haber cambiado.
+timer_memory-unknown_advice = Por eso esta página no puede mirar otra memoria y volver. Se puede leer y escribir la actual.
+timer_memory-left_title = Puede que la memoria del próximo vuelo ya no sea la misma.
 timer_memory-left_advice = Esta página no ha podido volver a la que era la actual. Conecte de nuevo y elija la memoria correcta para el próximo vuelo antes de volar.
 timer_other-timer_title = Este no es el temporizador que respondió antes.
 timer_other-timer_advice = La página lo lee. Mire qué contiene antes de escribir.
 timer_stale_title = El temporizador no contiene lo que se mostraba.
 timer_stale_advice = No se ha escrito nada. Mire qué cambiaría ahora una escritura.
-timer_changed_title = El temporizador contiene otros valores que antes.
-timer_changed_advice = Otra cosa lo ha cambiado, o este es otro temporizador. Sus cambios se conservan: mire la diferencia antes de escribir.
+timer_changed_title = El temporizador contiene valores distintos de los de antes.
+timer_changed_advice = Otra cosa lo ha cambiado, o este es otro temporizador. Los cambios hechos aquí se conservan: mire las diferencias antes de escribir.
 timer_stood-still_title = Esta página se quedó parada durante el trabajo.
-timer_stood-still_advice = No se ha enviado nada más: mientras tanto puede haber otro temporizador. Lea de nuevo.
+timer_stood-still_advice = No se ha enviado nada más: ahora puede haber otro temporizador. Lea de nuevo.
 timer_too-slow_title = Este temporizador responde demasiado despacio.
 timer_too-slow_advice = Sus respuestas tardan más de 3 segundos, así que esta página no puede distinguir a qué pregunta corresponde cada una. No se ha enviado nada más. Pruebe otro adaptador, o un cable en lugar de Bluetooth.
 timer_undecided_title = { byteOrder_title }
 timer_undecided_advice = { byteOrder_advice }
 timer_serious_title = La revisión ha encontrado algo grave.
 timer_serious_advice = { timer_stale_advice }
-timer_busy_title = Algo en esta página u ordenador usa el adaptador.
+timer_busy_title = Algo en esta página o en este ordenador usa el adaptador.
 timer_busy_advice = No se ha enviado nada. Desconecte y conecte de nuevo. Lo que ha introducido se conserva.
 timer_port-lost_title = { link_lost_title }
 timer_port-lost_advice = { link_lost_advice }
@@ -1094,10 +1094,11 @@ timer_closed_advice = Pulse Conectar para seguir. Lo que ha introducido se conse
 
 alike_title = Cada respuesta a { $request } está dañada de la misma manera.
 alike_advice = Eso no es ruido: el temporizador o su adaptador forma estas respuestas de una manera que no se conoce. Con Experto activado en los ajustes, abra Línea y pulse «{ line_copyReport }». Envíe el informe a los responsables del proyecto (github.com/sidus-timer/sidus-timer/issues).
+alike_part = Solo para mirar: { $values }. Todo lo demás no se conoce.
 
 ## Messages that are not about errors.
 
-notes_back_title = Sus cambios han vuelto.
+notes_back_title = Sus cambios están de nuevo aquí.
 notes_back_advice = Compárelos con lo que contiene el temporizador, y después escríbalos o deshágalos.
 notes_back-uncertain_title = { notes_back_title }
 notes_back-uncertain_advice = No se sabe si se han escrito. Conecte el temporizador y léalo antes de volar.
@@ -1116,12 +1117,13 @@ notes_nothing-written_advice = {""}
 notes_not-backed-up_title = { write_unkept_title }
 notes_not-backed-up_advice = { keeping_notKept }
 notes_select-unanswered_title = El temporizador no respondió al seleccionar una memoria.
-notes_select-unanswered_advice = Responde a otras peticiones. Inténtelo de nuevo, o pruebe sin una suma de control correcta.
+notes_select-unanswered_advice = Responde a otras peticiones. Inténtelo de nuevo, o envíe la petición sin una suma de control correcta.
 notes_backed-up_title = Se han leído todas las memorias, y se conserva una copia de seguridad de cada una.
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_advice = No se ha escrito nada. Lo que difiere está marcado. Deshacer muestra lo que contiene el temporizador.
+notes_made-laid_title = La tabla muestra el programa abierto aquí, no lo que contiene el temporizador.
+notes_made-laid_advice = No se ha escrito nada. Lo que difiere está marcado. «{ undo }» muestra lo que contiene el temporizador.
 notes_unexpected_title = Algo ha ido mal en esta página.
 notes_unexpected_advice = No se ha enviado nada más. Vuelva a cargar la página. Lo que ha introducido se conserva.
 
@@ -1192,7 +1194,7 @@ memoryNames_named = { $memory } «{ $name }»
 ## What an earlier job left behind on a timer.
 
 recovery_title = Se interrumpió una escritura anterior.
-recovery_when = Empezó una escritura en { $memory } ({ $time }).
+recovery_when = Escritura en { $memory }, inicio: { $time }.
 recovery_nothing =
     { $missing ->
         [one] El temporizador contiene lo que contenía antes: no se escribió nada, falta { $missing } cambio.
@@ -1270,23 +1272,23 @@ share_paste_notLink = Esto no es un enlace a un programa.
 
 ## A DT for trimming that is about to be flown. The page asks before the pilot disconnects, and at a contest round.
 
-shortDt_held = DT de { $memory } es { $dt }.
-shortDt_heldHere = DT es { $dt }.
+shortDt_held = El DT de { $memory } es { $dt }.
+shortDt_heldHere = El DT es { $dt }.
 shortDt_ask =
     { $remembered ->
-        [true] ¿Reponerlo a { $back }?
-       *[false] ¿Ponerlo a { $back }?
+        [true] ¿Devolverlo a { $back }?
+       *[false] ¿Ponerlo en { $back }?
     }
 shortDt_putBack =
     { $remembered ->
-        [true] Reponer DT a { $back }…
-       *[false] Poner DT a { $back }…
+        [true] Devolver el DT a { $back }…
+       *[false] Poner el DT en { $back }…
     }
-shortDt_disconnect = Desconectar con { $memory }, DT{"\u00a0"}{ $dt }
-shortDt_disconnectHere = Desconectar con DT{"\u00a0"}{ $dt }
-shortDt_blocked = Algo que ha introducido aún no se puede escribir. Corríjalo antes de reponer DT.
-shortDt_settings_limit = Un DT es corto por debajo de
-shortDt_settings_hint = Un DT más corto está en rojo, y la página pregunta antes de desconectar. Con 0 s no pregunta nunca.
+shortDt_disconnect = Desconectar así: { $memory }, DT{"\u00a0"}{ $dt }
+shortDt_disconnectHere = Desconectar así: DT{"\u00a0"}{ $dt }
+shortDt_blocked = Algo que ha introducido aún no se puede escribir. Corríjalo antes de devolver el DT a su valor.
+shortDt_settings_limit = Un DT es corto si es menor de
+shortDt_settings_hint = Un DT más corto está en rojo, y la página pregunta antes de desconectar. Con el límite a 0 s no pregunta nunca.
 
 ## The start, before anything was read.
 
@@ -1429,7 +1431,7 @@ parts_again = Intentar de nuevo
 
 ## Which model it is.
 
-whichModel_recognition_same = Este es { $model }, tal como se vio { $when }.
+whichModel_recognition_same = Este es { $model }, con los valores de la última vez ({ $when }).
 whichModel_recognition_like =
     { $count ->
         [one] Se parece a { $model }, { $count } valor difiere. ¿Es { $model }?
@@ -1466,7 +1468,7 @@ write_nothing = No hay diferencias. El temporizador se lee de nuevo y se compara
 write_field = Valor
 write_from = Contiene
 write_to = Contendrá
-write_wasRead = Se leyó
+write_wasRead = Leído antes
 write_moved_model_title = Este temporizador parece ser ahora de otro modelo.
 write_moved_model_advice = No se ha escrito nada. Mire los nombres de los modelos.
 write_moved_edits_title = El programa ha cambiado desde que se mostró esto.
@@ -1480,11 +1482,11 @@ write_stillToTick = Falta marcar: { $ticks }.
 write_ticks_model = otro modelo
 write_ticks_warnings = avisos
 write_ticks_safety = hélice
-write_move_why = Este temporizador parece mantener las posiciones solo donde están sus servos. Si los servos no se mueven, probablemente no mantendrá estas.
-write_move_label = Mover los servos a cada función antes de almacenar sus posiciones.
-write_move_hint = Sujete bien el modelo, sin nada que les estorbe.
+write_move_why = Este temporizador parece mantener las posiciones solo para la función en la que están sus servos. Si los servos no se mueven, probablemente no mantendrá estas.
+write_move_label = Llevar los servos a cada función antes de almacenar las posiciones de esta.
+write_move_hint = Sujete bien el modelo. Nada debe estorbar a los servos.
 write_move_notHeld_title = El temporizador ha confirmado las posiciones, pero no las ha mantenido.
-write_move_notHeld_advice = Este temporizador probablemente las mantiene solo donde están sus servos. Escriba de nuevo, y deje que los servos se muevan a cada función.
+write_move_notHeld_advice = Este temporizador probablemente las mantiene solo para la función en la que están sus servos. Escriba de nuevo, y deje que los servos vayan a cada función.
 write_move_again = Escribir de nuevo…
 write_start =
     { $count ->
@@ -1505,17 +1507,17 @@ write_asItIs = como está
 write_insteadOf = en lugar de { $value }
 write_wanted = Por escribir
 write_readBack = Releído
-write_differs_title = El temporizador no ha tomado todos los valores.
+write_differs_title = El temporizador no ha aceptado todos los valores.
 write_differs_advice = El temporizador se ha releído. Aquí contiene otros valores:
 write_unknown_title = No se sabe con certeza qué contiene el temporizador.
-write_unknown_advice = No se ha podido releer el temporizador por completo. Lea de nuevo, y después escriba lo que aún difiere. Sus cambios se conservan.
+write_unknown_advice = No se ha podido releer el temporizador por completo. Lea de nuevo, y después escriba lo que aún difiere. Los cambios hechos aquí se conservan.
 write_cut = Se ha interrumpido la escritura: { $memory }.
 write_strayed_title = { $memory } ha pasado a ser la actual durante la escritura.
 write_strayed_advice = Algunos de los valores pueden estar ahora en { $memory }. Léala, y revísela entera antes de volar con ella.
 write_refused = No se ha escrito nada.
 write_status_differs = difiere
 write_status_unknown = no se conoce
-write_putBack = cambió por sí solo, repuesto
+write_putBack = lo cambió el temporizador, se ha repuesto
 
 ## What the parts of the page that are loaded first say.
 
@@ -1558,7 +1560,7 @@ times_units_s = s
 times_units_min = min
 times_figure = { $text } { $unit }
 times_asSeconds = { $seconds }{" "}s, { $clock }
-times_meaning = Qué significa: { $field }
+times_meaning = Qué quiere decir: { $field }
 header_firmware = firmware { $firmware }
 header_simulated = simulado
 header_connect = Conectar
@@ -1602,7 +1604,7 @@ program_table = Tabla
 program_blocked = Aún no se puede escribir nada. { $field }: { $why }
 program_findings = Revisión
 program_noFindings = Nada inusual.
-program_absolute = Contado desde el lanzamiento. No se sabe si este temporizador cuenta desde el lanzamiento o desde la función anterior.
+program_absolute = Mostrado desde el lanzamiento. No se sabe si este temporizador cuenta desde el lanzamiento o desde la función anterior.
 program_severity_error = No se puede escribir
 program_severity_serious = Grave
 program_severity_warning = Inusual
@@ -1641,15 +1643,15 @@ notKept = Este navegador no lo ha conservado: se pierde al cerrar esta página.
 ## The walk through the open questions of docs/protocol.md with a real timer.
 
 settle_title = Aclárelo con su temporizador
-settle_lead = No se sabe todo sobre cómo hablan estos temporizadores. En quince minutos, el suyo aclara lo que está abierto. Cada valor que se prueba se repone. Tenga a mano el programador portátil.
+settle_lead = No se sabe todo sobre cómo hablan estos temporizadores. En quince minutos, el suyo aclara lo que está abierto. Después de cada prueba se repone el valor de antes. Tenga a mano el programador portátil.
 settle_safe = La hélice está desmontada o el motor está desconectado, y el temporizador no está armado.
 settle_danger = Ahora puede moverse algo. ¿Está la hélice desmontada, o el motor desconectado? Mire otra vez.
-settle_blocked = Aclare primero lo que dice la banda de arriba, y deje o reponga lo que se ha probado.
+settle_blocked = Resuelva primero lo que dice el aviso de arriba, y deje lo que se ha probado o reponga lo anterior.
 settle_readIt = Leer el temporizador
 settle_which = ¿Cuál muestra el programador portátil?
-settle_tryHint = Mueva los servos y espere hasta que estén quietos. Después pruebe una posición: se cambia y se repone en pocos segundos. Observe los servos.
+settle_tryHint = Mueva los servos con los botones y espere hasta que estén quietos. Después pruebe una posición: se cambia y en pocos segundos se repone la de antes. Observe los servos.
 settle_tryIt = Probar una posición
-settle_moved = La posición de antes ha vuelto: se ha leído. ¿Se movió un servo al probar la nueva?
+settle_moved = La posición de antes ha vuelto: la relectura lo confirma. ¿Se movió un servo al probar la nueva?
 settle_ask = Preguntar con cuatro ceros
 settle_unknown = No lo sé
 settle_send = Enviar el archivo con este formulario
