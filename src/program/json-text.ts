@@ -40,7 +40,7 @@ function lineAndColumn(text: string, offset: number): { line: number; column: nu
 }
 
 const SPACE = /[ \n\r\t]*/y;
-const COMMA = /,?/y;
+const COMMA = /,/y;
 const WORD = /true|false|null|-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
 /** All but quotes, backslashes and control characters. */
 const PLAIN = /[ !#-[\]-\uffff]*/y;

@@ -7,7 +7,7 @@ describe('a text of JSON', () => {
     ['"\\u00e9\\u00E9"', 'éé'],
     ['"\\"\\\\\\/\\b\\f\\n\\r\\t"', '"\\/\b\f\n\r\t'],
     ['"a\\u0041b"', 'aAb'],
-    [' [ true , false , null , -1.5e2 ] ', [true, false, null, -150]],
+    [' [ true , false , null , -1.25e2 ] ', [true, false, null, -125]],
     ['[1e2, 1E+2, 1e-2]', [100, 100, 0.01]],
   ])('%s is read', (text, value) => {
     expect(readJson(text)).toEqual(value);
@@ -23,6 +23,8 @@ describe('a text of JSON', () => {
     ['{a: 1}', 2, 'a name must stand here'],
     ['{"a" 1}', 6, '“:” must stand here'],
     ['[1 2]', 4, '“]” must stand here'],
+    ['[020]', 3, '“]” must stand here'],
+    ['{"a": 1,}', 9, 'a name must stand here'],
     ['{"a": 1]', 8, '“}” must stand here'],
     ['[,]', 2, 'a value must stand here'],
     ['1 2', 3, 'something follows the end'],

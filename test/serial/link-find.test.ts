@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_SETTINGS, RATES, type SerialSettings } from '../../src/serial/index.js';
+import { DEFAULT_SETTINGS, RATES } from '../../src/serial/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { canBeOpened } from './bench.js';
 import { connectionOf, type LinkBench, type LinkBenchOptions, linkBench, portOf, sent, way } from './link-bench.js';
@@ -146,12 +146,6 @@ describe('the settings', () => {
     await connect(port, { ...DEFAULT_SETTINGS, dtr: true });
     expect(way(states)).toBe('opening > off (bad-settings)');
     expect(await canBeOpened(port)).toBe(true);
-  });
-
-  it('are reported as bad when they are missing', async () => {
-    const { connect, port, states } = linkBench();
-    await connect(port, {} as SerialSettings);
-    expect(way(states)).toBe('opening > off (bad-settings)');
   });
 
   it('are not reported as bad when the port is unplugged while DTR is set', async () => {
