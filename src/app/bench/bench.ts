@@ -1,4 +1,4 @@
-import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { batch, computed, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import type { JobContext } from '../timer/job-runner.js';
@@ -24,17 +24,16 @@ export class Bench {
   readonly done = signal<Done | null>(null);
   readonly stand: ServoStand;
   /** Whether an action may start: the timer does nothing else, and the pilot has said that it is safe. */
-  readonly ready: ReadonlySignal<boolean>;
+  readonly ready = computed(() => {
+    const { runner, safety, onScreen } = this.#parts;
+    // The servos move as the memory says that flies next, not as another one on the screen does.
+    return runner.ready.value && !runner.claimed.value && safety.confirmed.value && !onScreen.apart.value;
+  });
   readonly #parts: BenchParts;
 
   constructor(parts: BenchParts) {
     this.#parts = parts;
     this.stand = new ServoStand(parts);
-    const { runner, safety, onScreen } = parts;
-    // The servos move as the memory says that flies next, not as another one on the screen does.
-    this.ready = computed(
-      () => runner.ready.value && !runner.claimed.value && safety.confirmed.value && !onScreen.apart.value,
-    );
     parts.connection.subscribe(() => {
       // A doubtful result is shown until the next action, because the timer may come back before anybody reads it.
       if (this.done.peek()?.certain) this.done.value = null;

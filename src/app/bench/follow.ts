@@ -54,17 +54,23 @@ type FollowParts = BenchParts & Pick<Session, 'backups' | 'knowledge' | 'reader'
  */
 export class Follow {
   /** Whether the servos follow. */
-  readonly on: ReadonlySignal<boolean>;
+  readonly on = computed(() => this.#following.value !== null);
   /** Whether the servos follow and a position is still on its way. */
-  readonly isBehind: ReadonlySignal<boolean>;
+  readonly isBehind = computed(() => this.on.value && !this.#bench.ready.value);
   /** Whether the timer is being read and backed up, which comes before following. */
-  readonly starting: ReadonlySignal<boolean>;
+  readonly starting = computed(() => this.#start.value !== null && this.#unkept.value === null);
   /** Whether the backup could not be kept: the page asks whether to follow all the same. */
-  readonly unkept: ReadonlySignal<boolean>;
+  readonly unkept = computed(() => this.#unkept.value !== null);
   /** Whether the timer was read since following ended. */
-  readonly endRead: ReadonlySignal<boolean>;
+  readonly endRead = computed(() => {
+    const { fresh, baseline } = this.#parts.editor;
+    return fresh.value && baseline.value !== this.ended.value?.held;
+  });
   /** The functions with changed positions at which the servos do not stand. */
-  readonly awaited: ReadonlySignal<ReadonlySet<number>>;
+  readonly awaited: ReadonlySignal<ReadonlySet<number>> = computed(() => {
+    const slots = this.on.value ? this.#edits.pending().map(({ field }) => field.slot) : [];
+    return new Set(slots.filter((slot) => slot !== this.#bench.stand.at.value));
+  });
   /** Whether positions that were edited before following began wait for a write. */
   readonly hasEarlier: ReadonlySignal<boolean>;
   /** The positions that were tried and not yet kept or put back. */
@@ -93,15 +99,6 @@ export class Follow {
     this.#bench = bench;
     this.#edits = new FollowedEdits(editor);
     this.trials = parts.trials;
-    this.on = computed(() => this.#following.value !== null);
-    this.isBehind = computed(() => this.on.value && !bench.ready.value);
-    this.starting = computed(() => this.#start.value !== null && this.#unkept.value === null);
-    this.unkept = computed(() => this.#unkept.value !== null);
-    this.endRead = computed(() => editor.fresh.value && editor.baseline.value !== this.ended.value?.held);
-    this.awaited = computed(() => {
-      const slots = this.on.value ? this.#edits.pending().map(({ field }) => field.slot) : [];
-      return new Set(slots.filter((slot) => slot !== bench.stand.at.value));
-    });
     this.hasEarlier = this.#edits.hasEarlier;
     parts.connection.subscribe(() => void this.stop('over'));
     parts.safety.confirmed.subscribe((safe) => void (safe || this.stop('over')));
@@ -224,7 +221,7 @@ export class Follow {
   #watch(held: TimerProgram, bound: TimerConnection): void {
     const { connection, editor, nextFlight } = this.#parts;
     this.#unwatch();
-    const stop = effect(() => {
+    this.#unwatch = effect(() => {
       if (connection.value !== bound) return this.#unwatch();
       const now = editor.baseline.value;
       // A reading on a round trip through other memories does not say which one was current.
@@ -232,7 +229,6 @@ export class Follow {
       this.#unwatch();
       if (now.memory !== held.memory) this.ended.value = { reason: 'strayed', held, unlike: null };
     });
-    this.#unwatch = stop;
   }
 
   /** Decides what to do next, after each change and each finished command. */

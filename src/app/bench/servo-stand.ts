@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import type { Session } from '../work/session.js';
@@ -20,20 +20,19 @@ export type StandParts = Pick<Session, 'connection' | 'editor' | 'nextFlight' | 
  */
 export class ServoStand {
   /** The slot, from 0 (start) to NF (DT); null when it is not known. */
-  readonly at: ReadonlySignal<number | null>;
+  readonly at = computed(() => {
+    const { editor, nextFlight, connection, onScreen } = this.#parts;
+    const last = this.#last.value;
+    const held = editor.baseline.value;
+    if (!last || !held || nextFlight.open.value || connection.value !== last.connection) return null;
+    const isSame = onScreen.keyOf(held) === onScreen.keyOf(last.held);
+    return isSame && String(held.positions) === String(last.held.positions) ? last.slot : null;
+  });
   readonly #parts: StandParts;
   readonly #last = signal<Stand | null>(null, { name: 'stand' });
 
   constructor(parts: StandParts) {
     this.#parts = parts;
-    const { editor, nextFlight, connection, onScreen } = parts;
-    this.at = computed(() => {
-      const last = this.#last.value;
-      const held = editor.baseline.value;
-      if (!last || !held || nextFlight.open.value || connection.value !== last.connection) return null;
-      const isSame = onScreen.keyOf(held) === onScreen.keyOf(last.held);
-      return isSame && String(held.positions) === String(last.held.positions) ? last.slot : null;
-    });
   }
 
   /** The timer has acknowledged that the servos moved to a slot. */

@@ -21,31 +21,26 @@ type CompareParts = Pick<Session, 'editor' | 'opened' | 'standings' | 'library' 
 /** Compares any two programs: on the screen, in the timer, settings, backups. */
 export class Compare {
   /** Everything that can be compared, in the order of the list. */
-  readonly sides: ReadonlySignal<readonly Side[]>;
-  /** Null when there is nothing at all. */
-  readonly first: ReadonlySignal<Side | null>;
+  readonly sides: ReadonlySignal<readonly Side[]> = computed(() =>
+    sidesOf(this.#parts, [this.#pair.first.value, this.#pair.second.value]),
+  );
+  /** A program that is gone gives way to one that is there; null when there is nothing at all. */
+  readonly first = computed(() => chosen(this.sides.value, this.#pair.first.value));
   /** What the first program can be compared with: programs of its class and layout. */
-  readonly others: ReadonlySignal<readonly Side[]>;
+  readonly others = computed(() => {
+    const first = this.first.value;
+    const fits = (side: Side): boolean =>
+      first !== null && side.key !== first.key && isOfOneShape(side.program.identity, first.program.identity);
+    return this.sides.value.filter(fits);
+  });
   /** Null when there is nothing to compare with. */
-  readonly second: ReadonlySignal<Side | null>;
+  readonly second = computed(() => chosen(this.others.value, this.#pair.second.value));
   readonly #parts: CompareParts;
   readonly #pair: ComparedPair;
 
   constructor(parts: CompareParts, pair: ComparedPair) {
     this.#parts = parts;
     this.#pair = pair;
-    this.sides = computed(() => sidesOf(parts, [pair.first.value, pair.second.value]));
-    // A program that is gone gives way to one that is there.
-    this.first = computed(() => chosen(this.sides.value, this.#pair.first.value));
-    this.others = computed(() => {
-      const first = this.first.value;
-      return first
-        ? this.sides.value.filter(
-            (side) => side.key !== first.key && isOfOneShape(side.program.identity, first.program.identity),
-          )
-        : [];
-    });
-    this.second = computed(() => chosen(this.others.value, this.#pair.second.value));
   }
 
   chooseFirst(key: string): void {

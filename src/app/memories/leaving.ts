@@ -1,4 +1,4 @@
-import { effect, type ReadonlySignal, signal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import type { JobKind } from '../timer/job-runner.js';
 import type { Session } from '../work/session.js';
 import { putBackDt } from '../write/put-back.js';
@@ -18,12 +18,11 @@ type LeavingParts = Pick<Session, 'link' | 'timer' | 'runner' | 'nextFlight' | '
 
 /** Ends the connection only after the pilot knows which memory will fly and whether its DT is short. */
 export class Leaving {
+  // Only this model writes these.
   /** Set while the pilot is asked; `failed` after the way back to the memory that is meant has failed. */
-  readonly question: ReadonlySignal<'asked' | 'failed' | null>;
+  readonly question = signal<'asked' | 'failed' | null>(null, { name: 'leaving' });
   /** Whether the pilot wanted to leave, and the write on the screen puts DT back first. */
-  readonly puttingBack: ReadonlySignal<boolean>;
-  readonly #question = signal<'asked' | 'failed' | null>(null, { name: 'leaving' });
-  readonly #puttingBack = signal(false, { name: 'puttingBack' });
+  readonly puttingBack = signal(false, { name: 'puttingBack' });
   readonly #parts: LeavingParts;
   readonly #memories: Memories;
   readonly #write: WriteJob;
@@ -36,8 +35,6 @@ export class Leaving {
     this.#stopFollowing = stopFollowing;
     this.#memories = memories;
     this.#write = write;
-    this.question = this.#question;
-    this.puttingBack = this.#puttingBack;
     effect(() => {
       if (parts.link.state.value.status === 'off') this.answer('stay');
     });
@@ -60,7 +57,7 @@ export class Leaving {
 
   /** What the pilot says. */
   answer(answer: LeavingAnswer): void {
-    this.#question.value = null;
+    this.question.value = null;
     this.#answer(answer);
   }
 
@@ -84,7 +81,7 @@ export class Leaving {
   }
 
   #ask(failed: boolean): Promise<LeavingAnswer> {
-    this.#question.value = failed ? 'failed' : 'asked';
+    this.question.value = failed ? 'failed' : 'asked';
     return new Promise((resolve) => {
       this.#answer = resolve;
     });
@@ -96,9 +93,9 @@ export class Leaving {
     this.#answer = (answer) => {
       goesOn = answer === 'leave';
     };
-    this.#puttingBack.value = true;
+    this.puttingBack.value = true;
     await putBackDt(this.#parts, this.#write);
-    this.#puttingBack.value = false;
+    this.puttingBack.value = false;
     return goesOn;
   }
 

@@ -30,56 +30,53 @@ interface Walk {
  * It outlasts its view, and a timer that sleeps in the meantime.
  */
 export class Settle {
-  readonly #at = signal(0);
   readonly #walk = signal<Walk | null>(null);
   readonly #done = signal<ReadonlySet<Step['name']>>(new Set());
   /** The connection on which the person has said that no propeller can turn. */
   readonly #safeOn = signal<TimerConnection | null>(null);
   /** The steps for this timer. Before it was read, all of them. */
-  readonly steps: ReadonlySignal<readonly Step[]>;
-  readonly step: ReadonlySignal<Step>;
-  /** The number of the step, from 0. */
-  readonly at: ReadonlySignal<number> = this.#at;
+  readonly steps: ReadonlySignal<readonly Step[]> = computed(() => {
+    const seen = this.seen.value;
+    return STEPS.filter(({ isFor }) => !seen || !isFor || isFor(seen));
+  });
+  readonly step: ReadonlySignal<Step> = computed(() => this.steps.value[this.at.value] as Step);
+  /** The number of the step, from 0. Only this model writes it. */
+  readonly at = signal(0);
   /** What the line has shown; null before the timer was read. */
   readonly seen: ReadonlySignal<Seen | null> = computed(() => this.#walk.value?.seen ?? null);
   /** What the person has answered. */
   readonly said: ReadonlySignal<Said> = computed(() => this.#walk.value?.said ?? {});
   /** Whether what this step does on the wire is done, so that its question can be answered. */
-  readonly isDone: ReadonlySignal<boolean>;
+  readonly isDone = computed(() => !this.step.value.act || this.#done.value.has(this.step.value.name));
   /** What is settled with this timer by now. */
-  readonly answers: ReadonlySignal<Answers>;
-  readonly isSafe: ReadonlySignal<boolean>;
+  readonly answers: ReadonlySignal<Answers> = computed(() => {
+    const walk = this.#walk.value;
+    return walk ? joined(walk.before, conclude(walk.seen, walk.said)) : {};
+  });
+  readonly isSafe = computed(() => {
+    const { safety, connection } = this.#session;
+    const safeOn = this.#safeOn.value;
+    return safety.confirmed.value && safeOn !== null && safeOn === connection.value;
+  });
   /** Whether something else has to come to its end first. */
-  readonly isBlocked: ReadonlySignal<boolean>;
+  readonly isBlocked = computed(() => {
+    const { unfinished, trials } = this.#session;
+    return unfinished.value.length > 0 || trials.current.value !== null;
+  });
   /** Whether a step may send something. */
-  readonly ready: ReadonlySignal<boolean>;
+  readonly ready = computed(() => {
+    const { runner } = this.#session;
+    return runner.ready.value && !runner.claimed.value && this.isSafe.value && !this.isBlocked.value;
+  });
   readonly bench: Bench;
   readonly #session: Session;
   /** The newest entry of the line that was taken in. */
   #newest = 0;
 
   constructor(session: Session, bench: Bench) {
-    const { runner, safety, connection, unfinished, trials, link } = session;
+    const { connection, link } = session;
     this.#session = session;
     this.bench = bench;
-    this.steps = computed(() => {
-      const seen = this.seen.value;
-      return STEPS.filter(({ isFor }) => !seen || !isFor || isFor(seen));
-    });
-    this.step = computed(() => this.steps.value[this.#at.value] as Step);
-    this.isDone = computed(() => !this.step.value.act || this.#done.value.has(this.step.value.name));
-    this.answers = computed(() => {
-      const walk = this.#walk.value;
-      return walk ? joined(walk.before, conclude(walk.seen, walk.said)) : {};
-    });
-    this.isSafe = computed(() => {
-      const safeOn = this.#safeOn.value;
-      return safety.confirmed.value && safeOn !== null && safeOn === connection.value;
-    });
-    this.isBlocked = computed(() => unfinished.value.length > 0 || trials.current.value !== null);
-    this.ready = computed(
-      () => runner.ready.value && !runner.claimed.value && this.isSafe.value && !this.isBlocked.value,
-    );
     connection.subscribe((now) => {
       const kind = this.#walk.peek()?.kind;
       if (now && kind && kindKey(now.identity, link.simulated.peek()) !== kind) this.again();
@@ -97,18 +94,18 @@ export class Settle {
   /** Begins with the first step. What was settled stays. */
   again(): void {
     batch(() => {
-      this.#at.value = 0;
+      this.at.value = 0;
       this.#walk.value = null;
       this.#done.value = new Set();
     });
   }
 
   back(): void {
-    this.#at.value--;
+    this.at.value--;
   }
 
   next(): void {
-    this.#at.value++;
+    this.at.value++;
   }
 
   /** Takes the answer to the question of this step; null where the person does not know it. */

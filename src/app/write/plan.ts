@@ -44,6 +44,8 @@ export interface MemoryChange {
   readonly before: TimerProgram;
   readonly goal: TimerProgram;
   readonly changes: readonly Change[];
+  /** The values that no request can carry: with one of them nothing is written. */
+  readonly refusals: readonly Finding[];
 }
 
 /** What became of one memory that was to be written. */
@@ -174,16 +176,16 @@ export function changesBy(plan: MemoriesPlan, programs: readonly TimerProgram[])
             memory,
             idleThrottle: null,
           };
-    return { memory, before, goal };
+    return { before, goal };
   });
   if (!pairs.every(({ before, goal }) => sameKind(before.identity, goal.identity))) return null;
-  return pairs.map(({ memory, before, goal }) => {
-    const changes = differences(before, goal).filter(({ to }) => to !== null);
-    return { memory, before, goal, changes };
-  });
+  return pairs.map(({ before, goal }) => changeOf(before, goal));
 }
 
-/** The values that no request can carry. A position that stays as it is needs no request. */
-export function refusalsOf({ before, goal }: MemoryChange): readonly Finding[] {
-  return checkProgram(goal, { baseline: before }).filter(({ severity }) => severity === 'error');
+/** What a memory that holds one program needs to hold another one. A value that the goal does not know stays. */
+export function changeOf(before: TimerProgram, goal: TimerProgram): MemoryChange {
+  const changes = differences(before, goal).filter(({ to }) => to !== null);
+  // A position that stays as it is needs no request.
+  const refusals = checkProgram(goal, { baseline: before }).filter(({ severity }) => severity === 'error');
+  return { memory: goal.memory, before, goal, changes, refusals };
 }

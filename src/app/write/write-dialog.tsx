@@ -16,16 +16,7 @@ import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import { JobStep } from './dialog-steps.js';
 import { Difference } from './difference.js';
-import {
-  isOfScreen,
-  isOwn,
-  isPart,
-  type MemoriesPlan,
-  type MemoryChange,
-  type Plan,
-  type Review,
-  refusalsOf,
-} from './plan.js';
+import { isOfScreen, isOwn, isPart, type MemoriesPlan, type MemoryChange, type Plan, type Review } from './plan.js';
 import { StartButtons } from './start-buttons.js';
 import { UncertainNote } from './uncertain-note.js';
 import { ValueTable } from './value-table.js';
@@ -217,17 +208,17 @@ function Serious({ write, identity }: { readonly write: WriteJob; readonly ident
 /** The values that cannot be written, and why. Then nothing is. */
 function Refusals({ session, changes }: { readonly session: Session; readonly changes: readonly MemoryChange[] }) {
   const { memories: words, about } = messages.value;
-  const refused = changes.filter((change) => refusalsOf(change).length > 0);
+  const refused = changes.filter(({ refusals }) => refusals.length > 0);
   if (refused.length === 0) return null;
   return (
     <div class="notice bad" role="alert">
-      {refused.map((change) => (
-        <div key={change.memory}>
-          <p>{words.refused({ memory: whereText(session, change.memory, null) })}</p>
+      {refused.map(({ memory, goal, refusals }) => (
+        <div key={memory}>
+          <p>{words.refused({ memory: whereText(session, memory, null) })}</p>
           <ul>
-            {refusalsOf(change).map((finding) => {
+            {refusals.map((finding) => {
               const { field } = finding;
-              const what = field ? `${fieldName(change.goal.identity, field)} ${valueAt(change.goal, field)}` : '';
+              const what = field ? `${fieldName(goal.identity, field)} ${valueAt(goal, field)}` : '';
               return (
                 <li key={what}>
                   {about({ name: what })} {findingText(finding)}

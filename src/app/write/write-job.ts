@@ -6,6 +6,7 @@ import { type JobEnd, stoppedBy } from '../timer/job-runner.js';
 import type { Session } from '../work/session.js';
 import { NotedRoundTrip } from './noted-round-trip.js';
 import {
+  changeOf,
   changesBy,
   type Done,
   type EditsPlan,
@@ -20,7 +21,6 @@ import {
   type Outcome,
   type Plan,
   type Review,
-  refusalsOf,
   targetsOf,
   tripOf,
   type WriteStep,
@@ -37,15 +37,14 @@ const EDITS: EditsPlan = { kind: 'edits' };
  * backups. Shows the difference, writes it, and shows the result. Meanwhile nothing else is sent to the timer.
  */
 export class WriteJob {
-  readonly #current = signal<WriteStep | null>(null, { name: 'write' });
-  readonly #ticked = signal<ReadonlySet<Tick>>(new Set(), { name: 'ticked' });
+  // Only this model writes these.
   /** Null while its dialog is closed. */
-  readonly current: ReadonlySignal<WriteStep | null> = this.#current;
+  readonly current = signal<WriteStep | null>(null, { name: 'write' });
   /**
    * What the pilot has ticked for this write: `model`, to write values of one model into the timer of another;
    * `warnings`, that the serious findings are read.
    */
-  readonly ticked: ReadonlySignal<ReadonlySet<Tick>> = this.#ticked;
+  readonly ticked = signal<ReadonlySet<Tick>>(new Set(), { name: 'ticked' });
   /** Of what is on the screen. What is copied or restored was in a memory before. */
   readonly serious: ReadonlySignal<readonly Finding[]> = computed(() => {
     const { value } = this.current;
@@ -86,7 +85,7 @@ export class WriteJob {
     this.#parts = parts;
     effect(() => {
       const connection = parts.connection.value;
-      const shown = this.#current.peek();
+      const shown = this.current.peek();
       // The notice says why it is gone.
       if (shown?.step === 'review' && shown.connection !== connection) this.dismiss();
     });
@@ -105,7 +104,7 @@ export class WriteJob {
   async open(plan: Plan = this.#into(this.#parts.editor.working.peek()?.memory ?? null)): Promise<void> {
     // Edits of a memory that does not fly next need a round trip.
     const isLost = plan.kind === 'edits' && this.#parts.onScreen.apart.peek();
-    if (this.#current.value || !this.#parts.runner.ready.value || isLost) return;
+    if (this.current.value || !this.#parts.runner.ready.value || isLost) return;
     let step = await this.#compare(plan, null);
     while (step) {
       const said = await this.#ask(step);
@@ -140,14 +139,14 @@ export class WriteJob {
 
   /** Whether the dialog has to stay open, whatever key is pressed. */
   get held(): boolean {
-    const { value } = this.#current;
+    const { value } = this.current;
     if (value?.step === 'running') return !this.#parts.runner.job.value?.asking;
     return value?.step === 'done' && value.stays;
   }
 
   /** Leaves it. During a job, asks the job to stop instead. */
   dismiss(): void {
-    if (this.#current.value?.step === 'running') void this.#parts.runner.stop();
+    if (this.current.value?.step === 'running') void this.#parts.runner.stop();
     else {
       this.#show(null);
       this.#answer(false);
@@ -156,14 +155,14 @@ export class WriteJob {
 
   /** The pilot ticks it, or takes that back. Safety has its own tick, which lasts as long as the connection. */
   tick(what: Exclude<Tick, 'safety'>, isTicked: boolean): void {
-    const others = [...this.#ticked.peek()].filter((each) => each !== what);
-    this.#ticked.value = new Set(isTicked ? [...others, what] : others);
+    const others = [...this.ticked.peek()].filter((each) => each !== what);
+    this.ticked.value = new Set(isTicked ? [...others, what] : others);
   }
 
   /** Shows it, and waits for what the pilot says. */
   #ask(step: Review | Done): Promise<boolean | Plan> {
     batch(() => {
-      this.#ticked.value = new Set();
+      this.ticked.value = new Set();
       this.#parts.servoMoves.ask();
       this.#show(step);
     });
@@ -190,8 +189,7 @@ export class WriteJob {
     const before = editor.baseline.value;
     const working = editor.working.value;
     if (!connection || !before || !working) return null;
-    const goal = goalOf(plan, before, working);
-    const changes = [{ memory: goal.memory, before, goal, changes: differences(before, goal) }];
+    const changes = [changeOf(before, goalOf(plan, before, working))];
     return { step: 'review', plan, connection, changes, ...this.#whose(plan), moved };
   }
 
@@ -300,7 +298,7 @@ export class WriteJob {
   /** Shows a step, or closes the dialog. */
   #show(step: WriteStep | null): void {
     batch(() => {
-      this.#current.value = step;
+      this.current.value = step;
       this.#parts.runner.claim(step !== null);
     });
   }
@@ -313,5 +311,5 @@ function isUntouched({ ends }: Pick<Outcome, 'ends'>): boolean {
 
 /** Whether one of the memories cannot be written at all. */
 function isRefused({ changes }: Review): boolean {
-  return changes.some((change) => refusalsOf(change).length > 0);
+  return changes.some(({ refusals }) => refusals.length > 0);
 }
