@@ -1,9 +1,9 @@
 import { CodecError } from '../protocol/index.js';
 
 /*
- * `JSON.parse` does three things less than the reader below: it does not say where a fault stands (even one that is
- * found later, by the path of a value), takes a name that stands twice, and has no limit of depth. So the reader goes
- * through a text first. It makes no value.
+ * `JSON.parse` reads a text ten times as fast as the reader below, but does three things less: it does not say where a
+ * fault stands (even one that is found later, by the path of a value), takes a name that stands twice, and has no limit
+ * of depth. So it comes first, and whatever is wrong is left to the reader, which makes no value.
  */
 
 /** Deeper than anything that a pilot keeps. */
@@ -16,8 +16,37 @@ type Listener = (path: string, offset: number) => void;
 
 /** @throws CodecError `bad-file` (field `text` or `end`), `duplicate`, `too-large`; each with line and column. */
 export function readJson(text: string): unknown {
+  try {
+    const value: unknown = JSON.parse(text);
+    // A colon that is written as an escape is none of the text.
+    const isPlain = !text.includes('\\u003a') && !text.includes('\\u003A');
+    if (isPlain && colonsIn(value, 0) === colonsIn(text, 0)) return value;
+  } catch {
+    // The reader says where the fault stands.
+  }
   new JsonReader(text, null).read();
   return JSON.parse(text);
+}
+
+/**
+ * How many colons a value takes in a text: one for each name, and those inside names and texts. A name that stands
+ * twice leaves fewer of them than the text has.
+ * @throws Error when it is nested too deeply.
+ */
+function colonsIn(value: unknown, depth: number): number {
+  if (depth > DEEPEST) throw new Error('too deep');
+  let found = 0;
+  if (typeof value === 'string') {
+    for (let at = value.indexOf(':'); at >= 0; at = value.indexOf(':', at + 1)) found++;
+    return found;
+  }
+  if (typeof value !== 'object' || value === null) return 0;
+  if (Array.isArray(value)) for (const each of value) found += colonsIn(each, depth + 1);
+  else {
+    const parts = value as Readonly<Record<string, unknown>>;
+    for (const name of Object.keys(parts)) found += 1 + colonsIn(name, depth) + colonsIn(parts[name], depth + 1);
+  }
+  return found;
 }
 
 /**

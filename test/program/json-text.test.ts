@@ -48,6 +48,18 @@ describe('a text of JSON', () => {
     ]);
   });
 
+  it.each(['{"a": 1, "a": "\\u003a"}', '{"a": 1, "a": "\\u003A"}', '{"a": ":", "a": 1}'])(
+    '%s has a name twice',
+    (text) => {
+      expect(() => readJson(text)).toThrow('stands twice');
+    },
+  );
+
+  it('may have colons in its names and texts', () => {
+    const value = { 'a:b': ['::', { c: ':' }], d: 'e' };
+    expect(readJson(JSON.stringify(value))).toEqual(value);
+  });
+
   it('may be nested at most 32 deep', () => {
     expect(readJson(`${'['.repeat(32)}1${']'.repeat(32)}`)).toHaveLength(1);
     expect(refusalOf(() => readJson(`${'['.repeat(33)}1${']'.repeat(33)}`))).toEqual([
