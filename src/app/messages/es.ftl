@@ -634,7 +634,7 @@ framed_open = Abrir Sidus Timer en su propia pestaña
 knowledge_title = Incierto
 knowledge_uncertain = No se sabe qué contiene { $memory }: { $values }.
 knowledge_noFly = No vuele antes de leerla.
-knowledge_since = Se interrumpió una escritura (inicio: { $time }).
+knowledge_since = Escritura interrumpida (inicio: { $time }).
 knowledge_thisMemory = la memoria actual
 knowledge_memoryOf = { $memory } ({ $timer })
 knowledge_timer_here = { $name } { $firmware }
@@ -986,7 +986,7 @@ look_lead = Solo para mirar. Próximo vuelo con { $current }.
 look_edit = Editar { $memory }
 look_look = Mirar { $memory }
 look_hint = Esto selecciona { $memory }, la lee y vuelve a { $current }.
-look_fly = Elegir { $memory } para el próximo vuelo
+look_fly = Elegir { $memory } para el vuelo
 look_show = Mostrar { $memory }
 
 ## Jobs over several memories, and the backups.

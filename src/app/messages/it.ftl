@@ -635,7 +635,7 @@ framed_open = Apri Sidus Timer in una scheda propria
 knowledge_title = Incerto
 knowledge_uncertain = Non è noto che cosa contiene { $memory }: { $values }.
 knowledge_noFly = Non volare prima di averla letta.
-knowledge_since = È stata interrotta una scrittura (inizio: { $time }).
+knowledge_since = Scrittura interrotta (inizio: { $time }).
 knowledge_thisMemory = la memoria corrente
 knowledge_memoryOf = { $memory } ({ $timer })
 knowledge_timer_here = { $name } { $firmware }
@@ -987,7 +987,7 @@ look_lead = Solo da guardare. Prossimo volo con { $current }.
 look_edit = Modifica { $memory }
 look_look = Guarda { $memory }
 look_hint = Così { $memory } viene selezionata e letta, poi si torna a { $current }.
-look_fly = Scegli { $memory } per il prossimo volo
+look_fly = Scegli { $memory } per il volo
 look_show = Mostra { $memory }
 
 ## Jobs over several memories, and the backups.
