@@ -57,8 +57,7 @@ export function createModels({
   const session = createSession({ ...options, storage });
   keeping.onReturn(() => {
     void session.keptWork.bringBack();
-    session.knowledge.keepAgain();
-    void session.backups.save(...session.backups.waiting);
+    for (const each of [session.records, session.backups]) void each.keepAgain();
     void session.link.remember();
     void session.library.keepAgain();
   });

@@ -4,9 +4,9 @@ import { differences, type Flight, LIMITS, requireFlight, sameLayout, type Timer
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { changesSince } from '../editing/content.js';
 import { messages } from '../messages/index.js';
-import { changeTime } from '../records/collection.js';
 import { newId } from '../records/library.js';
 import { beginningOf } from '../records/plain-names.js';
+import { changeTime } from '../storage/collection.js';
 import type { SettingRecord } from '../storage/index.js';
 import type { Session } from '../work/session.js';
 import { putBackDt } from '../write/put-back.js';

@@ -1,7 +1,7 @@
 import type { TimerProgram } from '../../program/index.js';
-import type { Backup, Change, Keeper } from '../storage/index.js';
+import { byKey, Collection } from '../storage/collection.js';
+import type { Backup, Keeper } from '../storage/index.js';
 import { outdated } from './backup-thinning.js';
-import { Collection } from './collection.js';
 
 /** What timers held before they were written, newest first. Thinned by age, see `outdated`. */
 export class Backups extends Collection<Backup> {
@@ -13,11 +13,7 @@ export class Backups extends Collection<Backup> {
 
   /** @param modelOf gives the id of the connected timer's model; null when it is not known. */
   constructor(keeper: Keeper<Backup>, modelOf: () => string | null = () => null) {
-    super({
-      inOrder: (a, b) => (a.key < b.key ? 1 : -1),
-      read: () => keeper.all(),
-      change: (change, list) => changeIn(keeper, change, list),
-    });
+    super({ inOrder: (a, b) => byKey(b, a), keeper });
     this.#modelOf = modelOf;
   }
 
@@ -65,19 +61,4 @@ export class Backups extends Collection<Backup> {
   #thin(): void {
     void this.delete(...outdated(this.list.peek(), Date.now()).map(({ key }) => key));
   }
-}
-
-async function changeIn(keeper: Keeper<Backup>, change: Change<Backup>, list: Collection<Backup>): Promise<boolean> {
-  list.begin(change);
-  // What cannot be deleted now is deleted another time.
-  for (const key of change.gone ?? []) void keeper.remove(key).catch(() => {});
-  const kept = (change.put ?? []).map(async (backup) => {
-    const isKept = await keeper.save(backup).then(
-      () => true,
-      () => false,
-    );
-    list.ended({ put: [backup] }, isKept);
-    return isKept;
-  });
-  return (await Promise.all(kept)).every(Boolean);
 }

@@ -1,8 +1,8 @@
 import { batch, computed, type ReadonlySignal } from '@preact/signals';
 import type { Flight, Model, Setting } from '../../program/index.js';
 import { language } from '../messages/language.js';
+import { byKey, Collection, changeTime } from '../storage/collection.js';
 import type { Change, FlightRecord, LibraryChange, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
-import { Collection, changeTime } from './collection.js';
 import { withPlainNames } from './plain-names.js';
 import { versionsAfter } from './versions.js';
 
@@ -24,10 +24,6 @@ export function emptyModel(id: string, name: string, timerClass: string | null):
 /** By name, as the language of the page sorts. */
 const byName = computed(() => new Intl.Collator(language.value, { numeric: true }).compare);
 
-function byKey(a: { readonly key: string }, b: { readonly key: string }): number {
-  return a.key < b.key ? -1 : 1;
-}
-
 /**
  * What a pilot keeps: models, their settings, and the log of flights. Works without a timer. Stays on this device.
  * Models stand by name; settings and flights by date, the latest first.
@@ -47,19 +43,19 @@ export class Library {
     const later = { flush: () => this.flush() };
     this.models = new Collection({
       inOrder: (a, b) => byName.value(a.model.name, b.model.name) || byKey(a, b),
-      read: () => storage.models.all(),
+      keeper: storage.models,
       change: (models) => this.change({ models }),
       later,
     });
     this.settings = new Collection({
       inOrder: (a, b) => b.setting.at - a.setting.at || byKey(a, b),
-      read: () => storage.settings.all(),
+      keeper: storage.settings,
       change: (settings) => this.change({ settings }),
       later,
     });
     this.flights = new Collection({
       inOrder: (a, b) => b.flight.at - a.flight.at || byKey(a, b),
-      read: () => storage.flights.all(),
+      keeper: storage.flights,
       change: (flights) => this.change({ flights }),
       later,
     });

@@ -119,7 +119,7 @@ export class Knowledge {
         if (extent === 'foreign') continue;
         expected = true;
         const wasUnderWay = this.#leave(record.key);
-        if (extent === 'all' || record.tried) void this.#records.remove(record.key);
+        if (extent === 'all' || record.tried) void this.#records.delete(record.key);
         else if (record.seenAt === null) void this.#records.save({ ...record, seenAt: at });
         if (wasUnderWay) continue;
         if (record.tried) shown = 'tried';
@@ -159,7 +159,7 @@ export class Knowledge {
     // A write that a reading has explained can no longer be finished: the memory is about to hold something else.
     const over = this.#recordsOf(program).filter((record) => record.key !== key && record.seenAt !== null);
     batch(() => {
-      for (const record of over) void this.#records.remove(record.key);
+      for (const record of over) void this.#records.delete(record.key);
       this.#underWay.value = new Map(this.#underWay.value).set(key, false);
     });
     return await this.#records.save({
@@ -240,18 +240,8 @@ export class Knowledge {
   forget(key: string): Promise<void> {
     return batch(() => {
       this.#leave(key);
-      return this.#records.remove(key);
+      return this.#records.delete(key);
     });
-  }
-
-  /** Looks for what earlier pages have left behind. */
-  refresh(): Promise<void> {
-    return this.#records.refresh();
-  }
-
-  /** Tries again to keep the records that the browser has not kept. */
-  keepAgain(): void {
-    this.#records.keepAgain();
   }
 
   /** Cuts off changes whose result no reading has shown: their memories are uncertain from now on. */

@@ -60,9 +60,7 @@ export class InterruptedJobs {
     this.#knowledge = knowledge;
     this.#backups = backups;
     this.left = computed(() =>
-      records.list.value
-        .filter((record) => record.kind === 'memories')
-        .filter(({ key }) => key !== this.#underWay.value && !this.#notNow.value.has(key)),
+      records.roundTrips.value.filter(({ key }) => key !== this.#underWay.value && !this.#notNow.value.has(key)),
     );
     this.offer = computed(() => {
       const reading = this.#reading.value;
@@ -112,12 +110,12 @@ export class InterruptedJobs {
   /** The pilot has made a memory fly next: whatever an earlier round trip left, this is what is meant. */
   async chose(identity: Identity, simulated: boolean): Promise<void> {
     const trip = this.#roundTripOf(identity, simulated);
-    if (trip && !this.#notNow.peek().has(trip.key)) await this.#records.remove(trip.key);
+    if (trip && !this.#notNow.peek().has(trip.key)) await this.#records.delete(trip.key);
   }
 
   /** The memory from before the round trip is current again. */
   async wasRestored(identity: Identity, simulated: boolean): Promise<void> {
-    await this.#records.remove(kindKey(identity, simulated));
+    await this.#records.delete(kindKey(identity, simulated));
   }
 
   /**
@@ -129,7 +127,7 @@ export class InterruptedJobs {
     const trip = this.#roundTripOf(read.identity, simulated);
     // The pilot meant one of two memories to fly, and now reads which of them does.
     const isSettled = trip?.job === 'select' || trip?.original === current;
-    if (trip && isSettled) void this.#records.remove(trip.key);
+    if (trip && isSettled) void this.#records.delete(trip.key);
   }
 
   /**
@@ -158,7 +156,7 @@ export class InterruptedJobs {
 
   /** The simulated timers of this page know nothing about those of a page that was closed. */
   async forgetSimulated(): Promise<void> {
-    await this.#records.refresh();
+    await this.#records.load();
     const old = this.#records.list.value.filter(isSimulated);
     await Promise.all(old.map(({ key }) => this.#knowledge.forget(key)));
   }
@@ -181,6 +179,6 @@ export class InterruptedJobs {
 
   #roundTripOf(identity: Identity, simulated: boolean): UnfinishedRoundTrip | undefined {
     const kind = kindKey(identity, simulated);
-    return this.#records.list.value.filter((record) => record.kind === 'memories').find(({ key }) => key === kind);
+    return this.#records.roundTrips.value.find(({ key }) => key === kind);
   }
 }

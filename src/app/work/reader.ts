@@ -13,6 +13,7 @@ import type { Notices } from '../timer/notices.js';
 import { kindKey, programKey } from '../timer/record-keys.js';
 import type { Safety } from '../timer/safety.js';
 import type { Standings } from '../timer/standing.js';
+import type { UnfinishedRecords } from '../timer/unfinished.js';
 import type { Drafts } from './drafts.js';
 import type { InterruptedJobs } from './interrupted-jobs.js';
 import type { OnScreen } from './on-screen.js';
@@ -28,6 +29,7 @@ interface ReaderParts {
   readonly runner: JobRunner;
   readonly notices: Notices;
   readonly safety: Safety;
+  readonly records: UnfinishedRecords;
   readonly knowledge: Knowledge;
   readonly recovery: InterruptedJobs;
   readonly nextFlight: NextFlight;
@@ -188,7 +190,7 @@ export class Reader {
    */
   async #show(read: TimerProgram, { stillOn }: JobContext, which: 'current' | 'comes' | 'apart' = 'current') {
     const at = Date.now();
-    const { editor, onScreen, link, knowledge, recovery, nextFlight, notices, drafts } = this.#parts;
+    const { editor, onScreen, link, records, knowledge, recovery, nextFlight, notices, drafts } = this.#parts;
     const simulated = link.simulated.value;
     const wasSimulated = onScreen.simulated.value;
     const before = editor.working.value;
@@ -206,7 +208,7 @@ export class Reader {
     const [draft] = await Promise.all([
       // The screen may still show the earlier reading.
       stays || (same && (editor.dirty.value || !this.#isNew)) ? undefined : drafts.of(read, simulated),
-      knowledge.refresh(),
+      records.loadAgain(),
     ]);
     this.#isNew = false;
     stillOn();

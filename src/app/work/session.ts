@@ -48,8 +48,8 @@ export function createSession({ storage, ...sources }: SessionOptions) {
     const shown = editor.identity.value;
     return shown && { identity: shown, simulated: onScreen.simulated.value };
   });
-  const unfinished = new UnfinishedRecords(storage.unfinished);
-  const knowledge = new Knowledge(unfinished, atHand);
+  const records = new UnfinishedRecords(storage.unfinished);
+  const knowledge = new Knowledge(records, atHand);
   const library = new Library(storage);
   const recognition = new Recognition({ library, knowledge, link });
   const backups = new Backups(storage.backups, () => recognition.model.peek()?.id ?? null);
@@ -60,20 +60,20 @@ export function createSession({ storage, ...sources }: SessionOptions) {
     aside: new SetAside(storage.aside),
     drafts: new Drafts(storage.drafts),
   };
-  const recovery = new InterruptedJobs(unfinished, knowledge, backups);
+  const recovery = new InterruptedJobs(records, knowledge, backups);
   const safety = new Safety();
   const notices = new Notices(() => link.wait());
   const runner = new JobRunner({ link, safety, notices, knowledge, recovery });
   /** Whether no other connection can begin: something is in progress, or is waited for until the pilot stops it. */
   const engaged = computed(() => runner.busy.value || link.waiting.value);
   const nextFlight = new NextFlight();
-  const wire = { link, connection, engaged, runner, notices, safety, knowledge, recovery, nextFlight };
+  const wire = { link, connection, engaged, runner, notices, safety, records, knowledge, recovery, nextFlight };
   const origin = new Origin({ editor, library, recognition, connection });
   const standings = new Standings({ knowledge, editor, link, nextFlight, model: recognition.model });
   const onScreen: OnScreen = new OnScreen({ ...wire, ...kept, editor, origin });
   const shown = { editor, origin, standings, onScreen };
   const reader = new Reader({ ...wire, ...kept, ...shown });
-  const readRest = () => Promise.all([knowledge.refresh(), backups.load(), link.start()]);
+  const readRest = () => Promise.all([records.loadAgain(), backups.load(), link.start()]);
   const trials = new Trials(editor.baseline, (program) => onScreen.keyOf(program));
   effect(() => {
     const said = notices.current.value;

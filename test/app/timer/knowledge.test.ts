@@ -24,8 +24,8 @@ async function page(store = new MemoryStore(), { unfinished }: Pick<Storage, 'un
   const timer = signal<TimerAtHand | null>(Q);
   const records = new UnfinishedRecords(unfinished);
   const knowledge = new Knowledge(records, timer);
-  await knowledge.refresh();
-  return { knowledge, timer, store };
+  await records.load();
+  return { knowledge, records, timer, store };
 }
 
 /** A write that begins and is cut off. */
@@ -135,13 +135,13 @@ describe('a write', () => {
   it('may begin when the browser keeps nothing: then this page remembers it', async () => {
     const store = new MemoryStore();
     store.broken = true;
-    const { knowledge } = await page(store);
+    const { knowledge, records } = await page(store);
     expect(await knowledge.begin(BEFORE, GOAL)).toBe(false);
     knowledge.jobOver();
-    await knowledge.refresh();
+    await records.loadAgain();
     expect(knowledge.of(0).state).toBe('uncertain');
     knowledge.read(PART);
-    await knowledge.refresh();
+    await records.loadAgain();
     expect(knowledge.of(0).state).toBe('read');
   });
 
@@ -149,7 +149,7 @@ describe('a write', () => {
     vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
     onTestFinished(() => void vi.useRealTimers());
     const store = new MemoryStore();
-    const { knowledge } = await page(store, limited(store, { heard: () => {} }));
+    const { knowledge, records } = await page(store, limited(store, { heard: () => {} }));
     store.unfinished.save = () => new Promise(() => {});
     store.unfinished.all = () => new Promise(() => {});
     let kept: boolean | null = null;
@@ -160,10 +160,10 @@ describe('a write', () => {
     expect(kept).toBeNull();
     await vi.advanceTimersByTimeAsync(1);
     expect(kept).toBe(false);
-    const refreshed = knowledge.refresh();
+    const refreshed = records.loadAgain();
     await vi.advanceTimersByTimeAsync(5000);
     await refreshed;
-    const again = knowledge.refresh();
+    const again = records.loadAgain();
     await vi.advanceTimersByTimeAsync(250);
     await again;
     knowledge.jobOver();
@@ -301,7 +301,7 @@ describe('a slow reading of the storage', () => {
       come = resolve;
     });
     vi.spyOn(unfinished, 'all').mockImplementationOnce(() => coming.then(() => all));
-    const looking = one.knowledge.refresh();
+    const looking = one.records.loadAgain();
     return {
       ...one,
       arrive: async () => {

@@ -1,5 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import type { Change } from '../storage/index.js';
+import type { Change, Keeper } from './database.js';
 
 /** How long something removed can be put back, in milliseconds. */
 const UNDO_WAIT = 10_000;
@@ -15,13 +15,20 @@ export function changeTime(before: { readonly changedAt: number } | undefined): 
   return Math.min(LAST, Math.max(Date.now(), (before?.changedAt ?? 0) + 1));
 }
 
+export function byKey(a: { readonly key: string }, b: { readonly key: string }): number {
+  return a.key < b.key ? -1 : 1;
+}
+
 /** What a list needs of the storage. */
 export interface CollectionParts<T extends { readonly key: string }> {
-  readonly inOrder: (a: T, b: T) => number;
-  /** Reads all of its records from the storage. */
-  readonly read: () => Promise<readonly T[]>;
-  /** Changes the list, by its `begin` and `ended`, and the storage. @returns whether the storage has it all. */
-  readonly change: (change: Change<T>, list: Collection<T>) => Promise<boolean>;
+  /** Default: by key. */
+  readonly inOrder?: (a: T, b: T) => number;
+  readonly keeper: Keeper<T>;
+  /**
+   * Changes the list, by its `begin` and `ended`, and the storage. Default: each record by itself.
+   * @returns whether the storage has it all.
+   */
+  readonly change?: (change: Change<T>) => Promise<boolean>;
   /** Deletes for good what was removed from several lists, together. Default: each list for itself. */
   readonly later?: { timer?: ReturnType<typeof setTimeout>; readonly flush: () => void };
 }
@@ -39,7 +46,9 @@ export class Collection<T extends { readonly key: string }> {
   readonly #refused = signal<ReadonlySet<string>>(new Set());
   readonly #byKey = computed(() => new Map(this.list.value.map((record) => [record.key, record])));
   /** In their order, which may be that of a language, without removed ones. */
-  readonly list: ReadonlySignal<readonly T[]> = computed(() => [...this.#list.value].sort(this.#parts.inOrder));
+  readonly list: ReadonlySignal<readonly T[]> = computed(() =>
+    [...this.#list.value].sort(this.#parts.inOrder ?? byKey),
+  );
   /** Whether the storage has answered, whatever it said. */
   readonly loaded: ReadonlySignal<boolean> = this.#loaded;
   /** Whether the storage last failed to give its records: what is missing in the list may be there. */
@@ -51,9 +60,9 @@ export class Collection<T extends { readonly key: string }> {
   /** Those among them that the storage has refused. */
   readonly refused: ReadonlySignal<ReadonlySet<string>> = this.#refused;
   readonly #parts: CollectionParts<T>;
-  #loading: Promise<boolean> | null = null;
-  /** What has changed since the storage was asked, by key; null for deleted. */
-  readonly #since = new Map<string, T | null>();
+  #loading: Promise<void> | null = null;
+  /** What this page has changed, by key; null for deleted. The storage may not have it yet when it is read. */
+  readonly #changes = new Map<string, T | null>();
   readonly #later: NonNullable<CollectionParts<T>['later']>;
 
   constructor(parts: CollectionParts<T>) {
@@ -70,8 +79,15 @@ export class Collection<T extends { readonly key: string }> {
    * Where the browser keeps nothing there are none, until it answers again.
    */
   async load(): Promise<void> {
-    this.#loading ??= this.#read();
-    if (!(await this.#loading)) this.#loading = null;
+    if (!this.#loaded.peek() || this.#failed.peek()) await this.loadAgain();
+  }
+
+  /** Reads the stored records once more. */
+  loadAgain(): Promise<void> {
+    this.#loading ??= this.#read().finally(() => {
+      this.#loading = null;
+    });
+    return this.#loading;
   }
 
   /**
@@ -79,12 +95,30 @@ export class Collection<T extends { readonly key: string }> {
    * @returns whether the storage has all of them.
    */
   async save(...records: readonly T[]): Promise<boolean> {
-    return await this.#parts.change({ put: records }, this);
+    return await this.#change({ put: records });
   }
 
   /** Deletes some for good. */
   async delete(...keys: readonly string[]): Promise<void> {
-    if (keys.length > 0) await this.#parts.change({ gone: keys }, this);
+    if (keys.length > 0) await this.#change({ gone: keys });
+  }
+
+  async #change(change: Change<T>): Promise<boolean> {
+    const { keeper, change: together } = this.#parts;
+    if (together) return await together(change);
+    this.begin(change);
+    // What cannot be deleted now is deleted another time.
+    const gone = (change.gone ?? []).map((key) => keeper.remove(key).catch(() => {}));
+    const kept = (change.put ?? []).map(async (record) => {
+      const isKept = await keeper.save(record).then(
+        () => true,
+        () => false,
+      );
+      this.ended({ put: [record] }, isKept);
+      return isKept;
+    });
+    await Promise.all(gone);
+    return (await Promise.all(kept)).every(Boolean);
   }
 
   /** Removes some from the list, to be deleted for good a while later, unless somebody puts them back. */
@@ -117,8 +151,8 @@ export class Collection<T extends { readonly key: string }> {
     batch(() => {
       this.#note(gone, true);
       this.#note(saved, false);
-      for (const key of gone) this.#since.set(key, null);
-      for (const record of put) this.#since.set(record.key, record);
+      for (const key of gone) this.#changes.set(key, null);
+      for (const record of put) this.#changes.set(record.key, record);
       if (this.#removed.peek().length > 0)
         this.#removed.value = this.#removed.peek().filter(({ key }) => !changed.has(key));
       this.#show([...this.#list.peek().filter(({ key }) => !changed.has(key)), ...put]);
@@ -138,14 +172,17 @@ export class Collection<T extends { readonly key: string }> {
     return this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
   }
 
-  /** @returns whether the storage has answered. */
-  async #read(): Promise<boolean> {
-    this.#since.clear();
-    const kept = await this.#parts.read().catch(() => null);
+  /** Tries again to save what the storage does not have. */
+  async keepAgain(): Promise<void> {
+    await this.save(...this.waiting);
+  }
+
+  async #read(): Promise<void> {
+    const kept = await this.#parts.keeper.all().catch(() => null);
     batch(() => {
       if (kept) {
-        const records = new Map([...kept, ...this.waiting].map((record) => [record.key, record]));
-        for (const [key, record] of this.#since) {
+        const records = new Map(kept.map((record) => [record.key, record]));
+        for (const [key, record] of this.#changes) {
           if (record) records.set(key, record);
           else records.delete(key);
         }
@@ -154,7 +191,6 @@ export class Collection<T extends { readonly key: string }> {
       this.#loaded.value = true;
       this.#failed.value = kept === null;
     });
-    return kept !== null;
   }
 
   #show(records: readonly T[]): void {
