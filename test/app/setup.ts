@@ -17,7 +17,6 @@ afterAll(() => {
   vi.restoreAllMocks();
   vi.unstubAllGlobals();
   localStorage.clear();
-  sessionStorage.clear();
   const { documentElement: root, head, body } = document;
   for (const element of [root, head, body]) {
     for (const name of element.getAttributeNames()) element.removeAttribute(name);

@@ -84,10 +84,8 @@ function listen(services: Readonly<Record<string, Uses>>): void {
   }
 }
 
-/** Runs in the page before its own scripts: no fault touches the stored data, and nothing is kept for the tab. */
+/** Runs in the page before its own scripts: no fault touches the stored data. */
 function keepAWay(): void {
-  // It would stay in the tab, which is used again.
-  if (location.protocol !== 'about:') sessionStorage.clear();
   const open = IDBFactory.prototype.open.bind(indexedDB);
   window.keptTimes = () =>
     new Promise((resolve) => {
@@ -138,7 +136,6 @@ const SAID: Partial<Record<ServiceName, Sentence>> = {
   locks: [oneTab, null, 'request'],
   indexedDB: [notKept, null, 'open'],
   localStorage: [notKept, null, 'setItem', 'removeItem'],
-  sessionStorage: [notKept, null, 'setItem', 'removeItem'],
 };
 
 /**

@@ -61,16 +61,6 @@ function hearGaps(act: () => void, signal: AbortSignal): void {
   signal.addEventListener('abort', () => clearInterval(looking));
 }
 
-let isLeft = false;
-// Before anybody else hears of it, and saves what was typed last.
-addEventListener('pagehide', () => (isLeft = true), true);
-addEventListener('pageshow', () => (isLeft = false), true);
-
-/** Whether the page is being left. */
-export function isLeaving(): boolean {
-  return isLeft;
-}
-
 const warn = (event: Event): void => event.preventDefault();
 
 /** From now on the browser asks the pilot before the page is left, or does so no longer. */

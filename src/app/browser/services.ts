@@ -30,7 +30,6 @@ export const SERVICES = {
   // It answers with events; all of them come through `open`.
   indexedDB: { of: 'window', now: ['open'], later: [] },
   localStorage: { of: 'window', now: ['getItem', 'setItem', 'removeItem', 'key', 'length'], later: [] },
-  sessionStorage: { of: 'window', now: ['getItem', 'setItem', 'removeItem', 'key', 'length'], later: [] },
   BroadcastChannel: { of: 'window', made: true, now: ['postMessage', 'addEventListener'], later: [] },
   matchMedia: { of: 'window', made: true, now: [], later: [] },
   CloseWatcher: { of: 'window', made: true, now: ['addEventListener', 'destroy'], later: [] },

@@ -1,4 +1,3 @@
-import { isLeaving } from '../browser/lifecycle.js';
 import { type Change, changeShelves, deleteStorage, type Keeper, openStorage, Shelf, STORES } from './database.js';
 import { StorageQuestions, type StorageWatch } from './limit.js';
 import * as records from './records.js';
@@ -78,8 +77,8 @@ export function limited(storage: Storage, watch: StorageWatch): Storage {
     return [
       name,
       {
-        save: (record, now) => questions.ask(SHELF_CALLS.save, () => keeper.save(record, now), now),
-        remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key), isLeaving()),
+        save: (record, now) => questions.ask(SHELF_CALLS.save, () => keeper.save(record, now)),
+        remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key)),
         load: (key) => questions.ask(SHELF_CALLS.load, () => keeper.load(key)),
         all: () => questions.ask(SHELF_CALLS.all, () => keeper.all()),
       },
@@ -88,7 +87,7 @@ export function limited(storage: Storage, watch: StorageWatch): Storage {
   const changes = new StorageQuestions(watch, 'models', 'settings', 'flights');
   return {
     ...(Object.fromEntries(STORES.map(inTime)) as unknown as Shelves),
-    change: (change) => changes.ask('change', () => storage.change(change), isLeaving()),
+    change: (change) => changes.ask('change', () => storage.change(change)),
     erase: () => new StorageQuestions(watch, 'all').ask('change', () => storage.erase()),
   };
 }

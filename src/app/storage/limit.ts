@@ -1,4 +1,3 @@
-import { on } from '../browser/lifecycle.js';
 import { attempt, NoAnswer } from '../browser/services.js';
 
 /** How long the storage may take for one call, in milliseconds. */
@@ -25,57 +24,37 @@ export class StorageQuestions {
   readonly #watch: StorageWatch;
   readonly #shelves: readonly string[];
   #limit = LIMIT;
-  #changes: Promise<unknown> = Promise.resolve();
-  /** Sends those that wait for their turn, in their order. */
-  readonly #waiting = new Set<() => void>();
-  /** How many changes have been answered, each in its turn. */
+  /** How many changes have been answered. */
   #answers = 0;
 
   constructor(watch: StorageWatch, ...shelves: string[]) {
     this.#watch = watch;
     this.#shelves = shelves;
-    on('leave', () => this.#send());
   }
 
-  /**
-   * @param now at once, with the changes before it: the pilot leaves the page, and no answer may come any more.
-   * @throws the error of the browser, or NoAnswer.
-   */
-  async ask<T>(kind: StorageCall, work: () => Promise<T>, now = false): Promise<T> {
-    const limit = this.#limit;
-    // A late change must not undo a later one: changes go one by one, however long that takes.
-    const waits = kind === 'change' && !now;
-    const answer = new Promise<T>((resolve, reject) => {
-      const send = (): void => {
-        if (!this.#waiting.delete(send)) return;
-        const sent = async (): Promise<T> => work();
-        sent().then(resolve, reject);
-      };
-      this.#waiting.add(send);
-      if (waits) void this.#changes.then(send);
-      else if (kind === 'read') send();
-      else this.#send();
-    });
-    // Without the results: each would hold the one before, for as long as the page is open.
-    if (kind === 'change') this.#changes = Promise.allSettled([this.#changes, answer]).then(() => {});
+  /** @throws the error of the browser, or NoAnswer. */
+  async ask<T>(kind: StorageCall, work: () => Promise<T>): Promise<T> {
     const tell = (kept: boolean | null): void => {
       for (const shelf of this.#shelves) this.#watch.heard(shelf, kind, kept);
     };
     const settled = (kept: boolean): void => {
-      if (waits) this.#answers++;
+      if (kind === 'change') this.#answers++;
       this.#limit = LIMIT;
       tell(kept);
     };
+    const asked = async (): Promise<T> => work();
+    const answer = asked();
     answer.then(
       () => settled(true),
       () => settled(false),
     );
     try {
-      // Thousands of changes take long on any disk. The storage is slow only when it answers none of them.
+      // A browser does the changes of a shelf one by one, in their order, and thousands take long on any disk. The
+      // storage is slow only when it answers none of them.
       return await attempt(
         () => answer,
-        limit,
-        () => (waits ? this.#answers : 0),
+        this.#limit,
+        () => (kind === 'change' ? this.#answers : 0),
       );
     } catch (error) {
       if (error instanceof NoAnswer) {
@@ -84,9 +63,5 @@ export class StorageQuestions {
       }
       throw error;
     }
-  }
-  /** The pilot leaves the page: all that wait have their turn now, in their order. */
-  #send(): void {
-    for (const each of this.#waiting) each();
   }
 }

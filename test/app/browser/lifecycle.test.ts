@@ -1,5 +1,5 @@
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { isLeaving, type Moment, on } from '../../../src/app/browser/lifecycle.js';
+import { type Moment, on } from '../../../src/app/browser/lifecycle.js';
 
 const MOMENTS: readonly Moment[] = ['leave', 'hide', 'away', 'return', 'restore', 'wake'];
 
@@ -45,15 +45,6 @@ describe('what happens to the page', () => {
     dispatchEvent(new Event('pagehide'));
     dispatchEvent(new Event('pageshow'));
     expect(act).not.toHaveBeenCalled();
-  });
-
-  it('is known to be its end before anybody else hears of it', () => {
-    const seen: boolean[] = [];
-    const end = on('leave', () => seen.push(isLeaving()));
-    dispatchEvent(new Event('pagehide'));
-    end();
-    dispatchEvent(new Event('pageshow'));
-    expect([...seen, isLeaving()]).toEqual([true, false]);
   });
 
   it('includes a sleep of the computer, but no gap in the background', () => {
