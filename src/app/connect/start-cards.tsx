@@ -1,5 +1,4 @@
 import { useSignal } from '@preact/signals';
-import { useEffect } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
 import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
@@ -19,14 +18,13 @@ export function KeptCard({ session }: { readonly session: Session }) {
   const { newProgram, start } = messages.value;
   const { backups, drafts, library } = session;
   const making = useSignal(false);
-  useEffect(() => void drafts.load(), [drafts]);
   const { models: words } = start;
   const models = library.models.list.value.filter(({ model }) => !model.archived);
   const counts = new Map<string | null, number>();
   for (const { setting } of library.settings.list.value) {
     counts.set(setting.model, (counts.get(setting.model) ?? 0) + 1);
   }
-  const unfinished = drafts.list.value;
+  const unfinished = drafts.edited.value;
   return (
     <section class="stack panel start-card" aria-labelledby="models-title">
       <h2 id="models-title">{words.title}</h2>

@@ -23,9 +23,7 @@ export interface Keeper<T extends { readonly key: string }> {
   /** @param now the pilot leaves the page: saves at once, before everything that waits. */
   save(record: T, now?: boolean): Promise<void>;
   remove(key: string): Promise<void>;
-  /** Undefined when there is none. A stored record that cannot be read is set aside. */
-  load(key: string): Promise<T | undefined>;
-  /** All readable records, in the order of their keys. */
+  /** All readable records, in the order of their keys. Those that cannot be read are set aside. */
   all(): Promise<T[]>;
 }
 
@@ -217,17 +215,8 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     await changeShelves(this.#opened, { [this.#name]: { gone: [key] } }, this.#durability);
   }
 
-  async load(key: string): Promise<T | undefined> {
-    const stored: unknown = await (await this.#opened()).get(this.#name, key);
-    return stored === undefined ? undefined : (await this.#read([stored]))[0];
-  }
-
   async all(): Promise<T[]> {
-    return await this.#read(await (await this.#opened()).getAll(this.#name));
-  }
-
-  /** The readable records; sets the others aside. */
-  async #read(stored: readonly unknown[]): Promise<T[]> {
+    const stored: unknown[] = await (await this.#opened()).getAll(this.#name);
     const results = stored.map((record) => v.safeParse(this.#schema, record));
     const bad = stored.filter((_, i) => !results[i]?.success);
     if (bad.length > 0) await this.#setAside(bad);

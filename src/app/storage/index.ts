@@ -41,7 +41,6 @@ export interface Storage extends Shelves {
 export const SHELF_CALLS = {
   save: 'change',
   remove: 'change',
-  load: 'read',
   all: 'read',
 } as const satisfies Record<keyof Keeper<never>, 'read' | 'change'>;
 
@@ -79,7 +78,6 @@ export function limited(storage: Storage, watch: StorageWatch): Storage {
       {
         save: (record, now) => questions.ask(SHELF_CALLS.save, () => keeper.save(record, now)),
         remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key)),
-        load: (key) => questions.ask(SHELF_CALLS.load, () => keeper.load(key)),
         all: () => questions.ask(SHELF_CALLS.all, () => keeper.all()),
       },
     ];

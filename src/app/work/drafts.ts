@@ -1,41 +1,40 @@
-import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { computed, type ReadonlySignal } from '@preact/signals';
 import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
 import { changesSince } from '../editing/content.js';
 import type { EditorContent } from '../editing/editor.js';
+import { Collection } from '../storage/collection.js';
 import type { Draft, Keeper } from '../storage/index.js';
 import { programKey, workKey } from '../timer/record-keys.js';
-
-/** In place of a key, until the storage has said what it holds. */
-const EARLY = '';
 
 /**
  * What a pilot works on, with its undo history, by kind of timer and memory. It survives a reload or a crash where the
  * browser keeps anything; else it lasts as long as the page.
  */
 export class Drafts {
-  readonly #shelf: Keeper<Draft>;
-  readonly #open = new Map<string, Draft>();
-  /** The keys for which it is known what the storage held. */
-  readonly #seen = new Set<string>();
-  readonly #begun: Promise<void>;
-  #begin: () => void = () => {};
-  /** Work to keep once the storage has been asked for what it holds. */
-  #early: (() => void) | null = null;
-  #hasBegun = false;
-  #saving: Promise<unknown> = Promise.resolve();
-  /** The keys of drafts that this page has and the storage does not. */
-  readonly #unsaved = signal<ReadonlySet<string>>(new Set(), { name: 'unsaved' });
+  /** All that a pilot would miss, the latest first. */
+  readonly edited: ReadonlySignal<readonly Draft[]> = computed(() => this.#all.list.value.filter(isEdited));
   /** Whether everything that was typed would survive a reload. */
-  readonly kept: ReadonlySignal<boolean> = computed(() => this.#unsaved.value.size === 0);
+  readonly kept: ReadonlySignal<boolean> = computed(() => this.#all.unsaved.value.size === 0);
+  readonly #keeper: Keeper<Draft>;
+  readonly #all: Collection<Draft>;
+  /** The keys of the work that this page has had on the screen. */
+  readonly #own = new Set<string>();
 
-  readonly #list = signal<readonly Draft[]>([], { name: 'drafts' });
-  /** All drafts that can be shown, the latest first, as of the last look. */
-  readonly list: ReadonlySignal<readonly Draft[]> = this.#list;
-
-  constructor(shelf: Keeper<Draft>) {
-    this.#shelf = shelf;
-    this.#begun = new Promise((resolve) => {
-      this.#begin = resolve;
+  constructor(keeper: Keeper<Draft>) {
+    this.#keeper = keeper;
+    this.#all = new Collection({
+      inOrder: (a, b) => b.savedAt - a.savedAt,
+      keeper: {
+        all: () => this.#read(),
+        save: async (draft) => {
+          await this.#known();
+          await keeper.save(draft);
+        },
+        remove: async (key) => {
+          await this.#known();
+          await keeper.remove(key);
+        },
+      },
     });
   }
 
@@ -44,61 +43,40 @@ export class Drafts {
    * @param wanted asked once it is found, which may take time: whether there is still a place for it.
    */
   async latest(wanted: () => boolean): Promise<Draft | undefined> {
-    const found = (await this.#all()).find(isOpen);
-    const draft = found && wanted() ? this.take(found) : undefined;
-    this.#hasBegun = true;
-    this.#begin();
-    this.#early?.();
-    return draft;
+    await this.#all.load();
+    const found = this.#all.list.peek().find(isOpen);
+    return found && wanted() ? this.take(found) : undefined;
   }
 
   /** The stored work on a program like this one. */
   async of(program: TimerProgram, simulated: boolean): Promise<Draft | undefined> {
-    await this.#begun;
+    await this.#all.load();
     const key = programKey(program, simulated);
-    await this.#saving;
-    const own = this.#open.get(key) ?? (await this.#load(key).catch(() => undefined));
-    if (own) return this.take(own);
-    const other = (await this.#all()).find(
-      ({ madeAt, working, simulated: of }) => madeAt === undefined && programKey(working, of) === key,
-    );
-    return other && this.take(other);
-  }
-
-  /** Looks up what is kept. Where the browser keeps nothing there is none. */
-  async load(): Promise<void> {
-    this.#list.value = await this.#available();
-  }
-
-  async #available(): Promise<Draft[]> {
-    await this.#begun;
-    await this.#saving;
-    return (await this.#all()).filter(isEdited);
+    const isAlike = ({ madeAt, working, simulated: of }: Draft): boolean =>
+      madeAt === undefined && programKey(working, of) === key;
+    const found = this.#at(key) ?? this.#all.list.peek().find(isAlike);
+    return found && this.take(found);
   }
 
   /** A program that was made here leaves the screen, and is kept: see {@link Draft.shelved}. */
   shelve(madeAt: number): void {
-    const draft = [...this.#open.values()].find((each) => each.madeAt === madeAt);
+    const draft = this.#all.list.peek().find((each) => each.madeAt === madeAt);
     if (!draft) return;
     // Something that the library holds need not be kept twice.
-    if (!isEdited(draft)) return void this.remove(draft);
-    const shelved = { ...draft, shelved: true };
-    this.#open.set(draft.key, shelved);
-    this.#keep(shelved);
+    if (isEdited(draft)) void this.#all.save({ ...draft, shelved: true });
+    else void this.remove(draft);
   }
 
   /** The stored, unsaved changes of a setting. */
   async ofSetting(id: string): Promise<Draft | undefined> {
-    return (await this.#available()).find((draft) => draft.madeAt !== undefined && draft.of?.id === id);
+    await this.#all.load();
+    return this.edited.peek().find((draft) => draft.madeAt !== undefined && draft.of?.id === id);
   }
 
   /** Deletes a draft for good. */
   async remove({ key }: Draft): Promise<void> {
-    this.#list.value = this.#list.peek().filter((each) => each.key !== key);
-    this.#open.delete(key);
-    this.#note(key, true);
-    this.#then(() => this.#shelf.remove(key));
-    await this.#saving;
+    this.#own.delete(key);
+    await this.#all.delete(key);
   }
 
   /**
@@ -106,104 +84,77 @@ export class Drafts {
    * not be overwritten, or because an earlier version kept the work of each tab apart.
    */
   take(draft: Draft): Draft {
-    const key = workKey(draft.working, draft.simulated, draft.madeAt);
-    const own = { ...draft, key };
-    if (draft.key === key) {
-      this.#seen.add(key);
-    } else {
+    const own = { ...draft, key: workKey(draft.working, draft.simulated, draft.madeAt) };
+    if (draft.key !== own.key) {
       // Other edits may be there.
-      this.#seen.delete(key);
-      this.#then(async () => {
-        await this.#save(own);
-        await this.#shelf.remove(draft.key);
-      });
+      this.#own.delete(own.key);
+      void this.#put(own).then(async (isKept) => isKept && (await this.#all.delete(draft.key)));
     }
-    this.#open.set(key, own);
+    this.#own.add(own.key);
     return own;
   }
 
-  /** All drafts, the latest first; none where the browser does not give them. */
-  async #all(): Promise<Draft[]> {
-    const all = await this.#shelf.all().catch((): Draft[] => []);
-    return all.sort((a, b) => b.savedAt - a.savedAt);
-  }
-
   /** Keeps the content of the screen while it has anything to bring back or to undo; forgets it when it has not. */
-  readonly keep = (content: EditorContent & Pick<Draft, 'model' | 'apart'>, simulated: boolean): void => {
-    if (!this.#hasBegun) {
-      this.#early = () => this.keep(content, simulated);
-      this.#note(EARLY, false);
-      return;
-    }
-    this.#early = null;
-    this.#note(EARLY, true);
+  keep(content: EditorContent & Pick<Draft, 'model' | 'apart'>, simulated: boolean): void {
     const key = workKey(content.working, simulated, content.madeAt);
     const draft: Draft = { key, ...content, savedAt: Date.now(), simulated };
-    if (isOpen(draft) || draft.history?.past.length || draft.history?.future.length) {
-      this.#open.set(key, draft);
-      this.#keep(draft);
-    } else if (this.#open.delete(key)) {
-      this.#note(key, true);
-      this.#then(() => this.#shelf.remove(key));
-    }
-  };
+    const { past = [], future = [] } = draft.history ?? {};
+    if (isOpen(draft) || past.length + future.length > 0) void this.#put(draft);
+    else if (this.#own.has(key)) void this.remove(draft);
+  }
 
   /**
    * The pilot leaves the page, or may leave it: keeps at once what was waiting, because a timer may never fire again.
    */
   flush(): void {
-    for (const key of this.#unsaved.peek()) {
-      const draft = this.#open.get(key);
-      // Does not overwrite something that was never read.
-      if (draft && this.#seen.has(key)) void this.#shelf.save(draft, true).catch(() => {});
-    }
+    // Does not overwrite something that was never read.
+    if (!this.#isKnown) return;
+    for (const draft of this.#all.waiting) void this.#keeper.save(draft, true).catch(() => {});
   }
 
   /** Tries again to keep what the browser has not kept. */
-  keepAgain(): void {
-    for (const key of this.#unsaved.peek()) {
-      const draft = this.#open.get(key);
-      if (draft) this.#keep(draft);
-    }
+  keepAgain(): Promise<void> {
+    return this.#all.keepAgain();
   }
 
-  #keep(draft: Draft): void {
-    this.#note(draft.key, false);
-    this.#then(async () => {
-      // A newer draft has taken its place before its turn came, so it is not saved.
-      if (this.#open.get(draft.key) !== draft) return;
-      await this.#save(draft);
-      if (this.#open.get(draft.key) === draft) this.#note(draft.key, true);
-    });
+  get #isKnown(): boolean {
+    return this.#all.loaded.peek() && !this.#all.failed.peek();
   }
 
-  #note(key: string, isSaved: boolean): void {
-    if (this.#unsaved.peek().has(key) !== isSaved) return;
-    const unsaved = new Set(this.#unsaved.peek());
-    if (isSaved) unsaved.delete(key);
-    else unsaved.add(key);
-    this.#unsaved.value = unsaved;
+  /** @throws while it is not known what the storage holds: it must not be overwritten. `Keeping` reports it. */
+  async #known(): Promise<void> {
+    await this.#all.load();
+    if (!this.#isKnown) throw new Error('the drafts were never read');
   }
 
-  async #load(key: string): Promise<Draft | undefined> {
-    const draft = await this.#shelf.load(key);
-    this.#seen.add(key);
-    return draft;
+  /** What nobody has seen, and has the place of work of this page, gets another one. */
+  async #read(): Promise<Draft[]> {
+    const stored = await this.#keeper.all();
+    const hidden = stored.filter((each) => hides(this.#at(each.key), each)).map(elsewhere);
+    for (const each of hidden) await this.#keeper.save(each);
+    return [...stored, ...hidden];
   }
 
-  /** When the browser failed to give a draft, it must not be overwritten: it gets another place. */
-  async #save(draft: Draft): Promise<void> {
-    const unseen = this.#seen.has(draft.key) ? undefined : await this.#load(draft.key);
-    if (unseen && isEdited(unseen) && !sameWork(unseen, draft)) {
-      await this.#shelf.save({ ...unseen, key: `${unseen.key}/${Math.floor(unseen.savedAt)}` });
-    }
-    await this.#shelf.save(draft);
+  /** Puts work of this page in its place. @returns whether the browser has kept it. */
+  #put(draft: Draft): Promise<boolean> {
+    const there = this.#at(draft.key);
+    const isUnseen = !this.#own.has(draft.key) && hides(draft, there);
+    this.#own.add(draft.key);
+    return this.#all.save(...(there && isUnseen ? [elsewhere(there)] : []), draft);
   }
 
-  /** One after another. `Keeping` reports what the browser does not keep. */
-  #then(work: () => Promise<unknown>): void {
-    this.#saving = this.#saving.then(work).catch(() => {});
+  #at(key: string): Draft | undefined {
+    return this.#all.list.peek().find((each) => each.key === key);
   }
+}
+
+/** Whether one draft in the place of the other would lose something. */
+function hides(draft: Draft | undefined, other: Draft | undefined): boolean {
+  return draft !== undefined && other !== undefined && isEdited(other) && !sameWork(other, draft);
+}
+
+function elsewhere(draft: Draft): Draft {
+  return { ...draft, key: `${draft.key}/${Math.floor(draft.savedAt)}` };
 }
 
 function sameWork(a: Draft, b: Draft): boolean {

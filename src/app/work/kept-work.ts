@@ -94,7 +94,7 @@ export class KeptWork {
   async #bringBack(): Promise<void> {
     const { readRest, aside, library, drafts } = this.#parts;
     await Promise.all([this.#bringBackEdits(), readRest()]);
-    drafts.keepAgain();
+    void drafts.keepAgain();
     // It may be long, and nothing waits for it.
     void library.load();
     await aside.load();

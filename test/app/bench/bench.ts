@@ -41,11 +41,6 @@ class MemoryShelf<T extends { readonly key: string }> implements Keeper<T> {
     this.records.delete(key);
   }
 
-  async load(key: string): Promise<T | undefined> {
-    this.#store.touch();
-    return this.records.get(key);
-  }
-
   async all(): Promise<T[]> {
     this.#store.touch();
     return [...this.records.values()];

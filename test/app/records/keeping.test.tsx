@@ -83,7 +83,7 @@ describe('a backup that is deleted', () => {
 
 it('when the storage works again, all is read at most once a second while one call fails', async () => {
   const store = new FaultyStore();
-  store.fail('drafts.load', 'refuses');
+  store.fail('drafts.all', 'refuses');
   const bench = await connectedBench({ store });
   bench.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
   await idle(1000);

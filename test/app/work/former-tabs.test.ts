@@ -37,8 +37,7 @@ describe('the work of two tabs of an earlier version', () => {
     await idle();
     expect(bench.editor.textOf(S1)).toBe('8');
     expect(kept(bench)).toEqual([7, 8]);
-    await run(bench.session.drafts.load());
-    const other = bench.session.drafts.list.value.find(({ working }) => working.positions[0]?.[2] === 7);
+    const other = bench.session.drafts.edited.value.find(({ working }) => working.positions[0]?.[2] === 7);
     if (!other) throw new Error('it is lost');
     bench.session.onScreen.showKept(other);
     await idle();

@@ -60,8 +60,7 @@ describe('a program that was made here', () => {
     bench.editor.undo();
     expect([bench.editor.changes.value, bench.editor.working.value]).toEqual([[], held]);
     expect(notice(bench), 'nothing is loaded over it any more').toBeUndefined();
-    await bench.session.drafts.load();
-    expect(bench.session.drafts.list.value.map(({ working }) => working.positions[1]?.[3])).toEqual([70]);
+    expect(bench.session.drafts.edited.value.map(({ working }) => working.positions[1]?.[3])).toEqual([70]);
   });
 
   it('is loaded over the earlier edits of that memory, which undo brings back', async () => {
@@ -107,8 +106,7 @@ describe('a program that was made here', () => {
     expect(bench.editor.working.value).toBeNull();
     const again = await reloaded(bench);
     expect(again.editor.working.value, 'a closed program stays closed after a reload').toBeNull();
-    await again.session.drafts.load();
-    const list = again.session.drafts.list.value;
+    const list = again.session.drafts.edited.value;
     expect(list.map(({ working }) => working.identity.timerClass).sort()).toEqual(['E', 'Q']);
     const first = list.find(({ working }) => working.identity.timerClass === 'Q');
     if (!first) throw new Error('it is gone');
@@ -123,12 +121,10 @@ describe('a program that was made here', () => {
   it('is deleted for good', async () => {
     const bench = await made();
     bench.session.onScreen.closeProgram();
-    await bench.session.drafts.load();
-    const [draft] = bench.session.drafts.list.value;
+    const [draft] = bench.session.drafts.edited.value;
     if (!draft) throw new Error('it is not kept');
     await bench.session.drafts.remove(draft);
-    await bench.session.drafts.load();
-    expect([kept(bench), bench.session.drafts.list.value]).toEqual([[], []]);
+    expect([kept(bench), bench.session.drafts.edited.value]).toEqual([[], []]);
   });
 
   it('never takes the place of a timer that is connected', async () => {
