@@ -59,26 +59,6 @@ class Screen {
 }
 
 describe('undo and redo', () => {
-  it('go back and forth by whole steps, each with its name', () => {
-    const screen = new Screen().do('a').do('b').do('c');
-    expect([screen.undo().state, screen.names]).toEqual(['b', [['b', 'a'], ['c']]]);
-    expect([screen.undo().undo().state, screen.names]).toEqual(['start', [[], ['a', 'b', 'c']]]);
-    expect([screen.redo().state, screen.names]).toEqual(['a', [['a'], ['b', 'c']]]);
-    expect(screen.redo().redo().state).toBe('c');
-  });
-
-  it('do nothing at the ends', () => {
-    expect([undo(EMPTY_HISTORY, 'x'), redo(EMPTY_HISTORY, 'x')]).toEqual([null, null]);
-    const screen = new Screen().do('a');
-    expect(screen.redo().state).toBe('a');
-    expect(screen.undo().undo().state).toBe('start');
-  });
-
-  it('forget what could be redone when something else is done', () => {
-    const screen = new Screen().do('a').do('b').undo().do('c');
-    expect([screen.names, screen.redo().state, screen.undo().undo().state]).toEqual([[['c', 'a'], []], 'c', 'start']);
-  });
-
   it('come back to the present state, also when that changed without a step', () => {
     const screen = new Screen().do('a');
     screen.state = 'a, tidied';
@@ -97,36 +77,11 @@ describe('undo and redo', () => {
 });
 
 describe('steps of one group', () => {
-  it('are one step with the last name, back to where the first began', () => {
-    const screen = new Screen().do('a').do('b1', 'b').do('b2', 'b').do('b3', 'b');
-    expect(screen.names[0]).toEqual(['b3', 'a']);
-    expect([screen.undo().state, screen.redo().state]).toEqual(['a', 'b3']);
-  });
-
-  it.each([
-    ['the field is left', (screen: Screen) => screen.leave()],
-    ['another group comes between', (screen: Screen) => screen.do('x', 'other')],
-    ['a separate step comes between', (screen: Screen) => screen.do('x')],
-    ['something is undone', (screen: Screen) => screen.do('x').undo()],
-    ['something is redone', (screen: Screen) => screen.undo().redo()],
-  ])('end when %s', (_, between) => {
-    const screen = between(new Screen().do('a1', 'a')).do('a2', 'a');
-    expect(screen.names[0].slice(0, 1)).toEqual(['a2']);
-    expect(screen.undo().state).not.toBe('start');
-  });
-
   it('are no step when they end where they began', () => {
     const screen = new Screen().do('a').do('b', 'b').do('a', 'b');
     const settled = settle(screen.history, (state) => state === screen.state);
     expect([settled.past.map(({ state }) => state), settled.open]).toEqual([['start'], null]);
     expect(settle(screen.history, (state) => state === 'b').past).toHaveLength(2);
-  });
-
-  it('disappear as a whole when they are cancelled', () => {
-    const screen = new Screen().do('a').do('b1', 'b').do('b2', 'b').abandon();
-    expect([screen.state, screen.names]).toEqual(['a', [['a'], []]]);
-    expect(screen.abandon().state).toBe('a');
-    expect(screen.do('c', 'c').leave().abandon().state).toBe('c');
   });
 });
 
@@ -136,13 +91,6 @@ describe('a history', () => {
     for (let step = 0; step < MAX_STEPS + 5; step++) screen.do(String(step));
     for (let step = 0; step < MAX_STEPS + 5; step++) screen.undo();
     expect([screen.state, screen.history.future.length]).toEqual(['4', MAX_STEPS]);
-  });
-
-  it('is plain data, and goes on after it was stored', () => {
-    const screen = new Screen().do('a').do('b').undo().do('c1', 'c');
-    screen.history = settle(JSON.parse(JSON.stringify(screen.history)));
-    expect(screen.do('c2', 'c').names[0]).toEqual(['c2', 'c1', 'a']);
-    expect(screen.undo().undo().undo().state).toBe('start');
   });
 
   it('can have its states replaced, all of them', () => {
@@ -204,8 +152,7 @@ function commandOf(act: Act): fc.Command<Model, Screen> {
       if (typeof act === 'string') turns[act](model, screen);
       else edit(model, screen, act.state, act.group);
       expect(screen.state).toBe(model.states[model.at]);
-      const { past, future } = screen.history;
-      expect([past.length, future.length]).toEqual([model.at, model.states.length - 1 - model.at]);
+      expect(screen.names).toEqual([model.states.slice(1, model.at + 1).reverse(), model.states.slice(model.at + 1)]);
     },
     toString: () => JSON.stringify(act),
   };
