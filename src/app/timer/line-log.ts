@@ -21,18 +21,17 @@ export interface LineCounts {
 const NOTHING: LineCounts = { out: 0, in: 0, damaged: 0, errors: 0 };
 
 /**
- * The last entries of the line: a ring of {@link KEPT} entries that never grows. Adding always costs the same. The list
- * is made only when somebody looks, and the screen is told once for all entries that come together.
+ * The last {@link KEPT} entries of the line. The screen is told once for all entries that come together.
  */
 export class LineLog {
   /** Newest last. */
   readonly entries: ReadonlySignal<readonly LineRecord[]> = computed(() => {
     this.#version.value;
-    return [...this.#ring.slice(this.#oldest), ...this.#ring.slice(0, this.#oldest)];
+    return this.#kept;
   });
   readonly counts: ReadonlySignal<LineCounts> = computed(() => {
     this.#version.value;
-    return { ...this.#counts };
+    return this.#counts;
   });
   /** The number of the newest entry of all time; 0 before the first. */
   readonly newest: ReadonlySignal<number> = computed(() => {
@@ -42,10 +41,8 @@ export class LineLog {
   /** Whether anything was ever on the line. */
   readonly used: ReadonlySignal<boolean> = computed(() => this.newest.value > 0);
   readonly #version = signal(0, { name: 'line' });
-  readonly #ring: LineRecord[] = [];
+  #kept: readonly LineRecord[] = [];
   readonly #record: (entry: LineEntry) => LineRecord;
-  /** The place of the oldest entry once the ring is full; the next entry replaces it. */
-  #oldest = 0;
   #newest = 0;
   #counts = NOTHING;
   #asked: LineRecord | undefined;
@@ -60,20 +57,14 @@ export class LineLog {
   readonly add = (entry: LineEntry): void => {
     const record = this.#record(entry);
     this.#newest = record.number;
-    if (this.#ring.length < KEPT) {
-      this.#ring.push(record);
-    } else {
-      this.#ring[this.#oldest] = record;
-      this.#oldest = (this.#oldest + 1) % KEPT;
-    }
+    this.#kept = [...this.#kept.slice(1 - KEPT), record];
     this.#counts = counted(this.#counts, record);
     this.#noteIntroduction(record);
     this.#tell();
   };
 
   clear(): void {
-    this.#ring.length = 0;
-    this.#oldest = 0;
+    this.#kept = [];
     this.#counts = NOTHING;
     this.#tell();
   }

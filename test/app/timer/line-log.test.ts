@@ -35,16 +35,6 @@ describe('the log of the line', () => {
     expect(log.newest.value).toBe(1234);
   });
 
-  it('keeps its order at every size near that of the ring', async () => {
-    for (const size of [0, 1, 499, 500, 501, 999, 1000, 1001]) {
-      const log = new LineLog();
-      for (let i = 0; i < size; i++) log.add(sent({ name: 'GETMEMORY' }));
-      await told();
-      const first = Math.max(0, size - 500) + 1;
-      expect(numbers(log.entries.value)).toEqual(Array.from({ length: Math.min(size, 500) }, (_, i) => first + i));
-    }
-  });
-
   it('updates the screen once for all that came together', async () => {
     const log = new LineLog();
     let drawn = 0;
@@ -81,15 +71,6 @@ describe('the log of the line', () => {
     await told();
     expect(numbers(log.entries.value)).toEqual([3]);
     expect(log.entries.value[0]?.layout.identity, 'the identity of the timer is still known').toEqual(B536);
-  });
-
-  it('keeps the order also after it was full and then cleared', async () => {
-    const log = new LineLog();
-    for (let i = 0; i < 600; i++) log.add(sent({ name: 'GETMEMORY' }));
-    log.clear();
-    for (let i = 0; i < 300; i++) log.add(sent({ name: 'GETMEMORY' }));
-    await told();
-    expect(numbers(log.entries.value)).toEqual(Array.from({ length: 300 }, (_, i) => 601 + i));
   });
 
   it('remembers with each entry what was known of the timer at that time', async () => {
