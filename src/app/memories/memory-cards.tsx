@@ -1,7 +1,7 @@
 import { useId } from 'preact/hooks';
-import type { TimerProgram } from '../../program/index.js';
-import { clockText, figureText, messages } from '../messages/index.js';
-import { keyFields, keyName } from '../messages/key-figures.js';
+import { fieldKey, type TimerProgram } from '../../program/index.js';
+import { clockText, fieldInSentence, figureText, messages } from '../messages/index.js';
+import { keyFields } from '../messages/key-figures.js';
 import { moreMessages } from '../messages/more.js';
 import { memoryName } from '../messages/names.js';
 import type { Scale } from '../timeline/scale.js';
@@ -112,9 +112,9 @@ function Figures({ session, known, program: { identity } }: FiguresProps) {
         const texts = values.map((value) => figureText(identity, field, value));
         // DT comes first.
         const isShort = at === 0 && values.every((value) => value < session.editor.shortDt.value);
-        const name = isShort ? names.shortDt : (keyName(identity, field) ?? '');
+        const name = isShort ? names.shortDt : fieldInSentence(identity, field);
         return (
-          <span key={keyName(identity, field)} class={isShort ? 'bad-text' : ''}>
+          <span key={fieldKey(field)} class={isShort ? 'bad-text' : ''}>
             {name} {texts.join(` ${look.or} `)}
           </span>
         );

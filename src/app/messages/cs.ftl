@@ -656,7 +656,6 @@ knowledge_timer_here = časovač { $name } { $firmware }
 knowledge_timer_simulated = simulovaný časovač { $name } { $firmware }
 knowledge_otherTimer_here = jiný časovač { $name } { $firmware }
 knowledge_otherTimer_simulated = jiný simulovaný časovač { $name } { $firmware }
-knowledge_dt = DT
 knowledge_motorStop = stop motoru
 knowledge_either = { $name } je { $before }, nebo { $goal }
 knowledge_list =

@@ -641,7 +641,6 @@ knowledge_timer_here = { $name } { $firmware }
 knowledge_timer_simulated = simulierter { $name } { $firmware }
 knowledge_otherTimer_here = anderer { $name } { $firmware }
 knowledge_otherTimer_simulated = anderer simulierter { $name } { $firmware }
-knowledge_dt = DT
 knowledge_motorStop = Motorstopp
 knowledge_either = { $name } ist { $before } oder { $goal }
 knowledge_list =

@@ -699,7 +699,6 @@ knowledge_timer_simulated = the simulated { $name } { $firmware }
 # While another timer of the same kind is connected.
 knowledge_otherTimer_here = another { $name } { $firmware }
 knowledge_otherTimer_simulated = another simulated { $name } { $firmware }
-knowledge_dt = DT
 knowledge_motorStop = motor stop
 knowledge_either = { $name } is { $before } or { $goal }
 # $named: how some values are not certain. $more: how many others are not.

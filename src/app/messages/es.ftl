@@ -641,7 +641,6 @@ knowledge_timer_here = { $name } { $firmware }
 knowledge_timer_simulated = { $name } { $firmware } simulado
 knowledge_otherTimer_here = otro { $name } { $firmware }
 knowledge_otherTimer_simulated = otro { $name } { $firmware } simulado
-knowledge_dt = DT
 knowledge_motorStop = paro de motor
 knowledge_either = { $name } es { $before } o { $goal }
 knowledge_list =

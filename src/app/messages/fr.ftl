@@ -642,7 +642,6 @@ knowledge_timer_here = { $name } { $firmware }
 knowledge_timer_simulated = { $name } { $firmware } simulée
 knowledge_otherTimer_here = autre { $name } { $firmware }
 knowledge_otherTimer_simulated = autre { $name } { $firmware } simulée
-knowledge_dt = DT
 knowledge_motorStop = arrêt moteur
 knowledge_either = { $name } = { $before } ou { $goal }
 knowledge_list =

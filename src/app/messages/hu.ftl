@@ -579,7 +579,6 @@ knowledge_timer_here = { $name } { $firmware }
 knowledge_timer_simulated = szimulált { $name } { $firmware }
 knowledge_otherTimer_here = másik { $name } { $firmware }
 knowledge_otherTimer_simulated = másik szimulált { $name } { $firmware }
-knowledge_dt = DT
 knowledge_motorStop = motorleállítás
 knowledge_either = { $name }: { $before } vagy { $goal }
 knowledge_list = { $named }; és még { $more }{"\u00a0"}érték bizonytalan

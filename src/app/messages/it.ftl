@@ -642,7 +642,6 @@ knowledge_timer_here = { $name } { $firmware }
 knowledge_timer_simulated = { $name } { $firmware } simulato
 knowledge_otherTimer_here = un altro { $name } { $firmware }
 knowledge_otherTimer_simulated = un altro { $name } { $firmware } simulato
-knowledge_dt = DT
 knowledge_motorStop = stop motore
 knowledge_either = { $name } è { $before } o { $goal }
 knowledge_list =

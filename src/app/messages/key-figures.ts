@@ -1,6 +1,6 @@
-import { type ProgramField, slotKind, type TimerProgram, valueAt } from '../../program/index.js';
+import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { figureText, messages } from './index.js';
+import { fieldInSentence, figureText } from './index.js';
 
 /** A figure that a pilot looks at first. */
 export interface KeyFigure {
@@ -17,21 +17,12 @@ export function keyFields({ timerClass, functions }: Identity): ProgramField[] {
   return timerClass === 'Q' ? [dt, { kind: 'time', slot: 0 }] : [dt];
 }
 
-/** The name of such a field inside a sentence: “DT”, “motor stop”; null for any other field. */
-export function keyName(identity: Identity, field: ProgramField): string | null {
-  const { knowledge: words } = messages.value;
-  if (field.kind !== 'time') return null;
-  const kind = slotKind(identity, field.slot);
-  if (kind === 'dt') return words.dt;
-  return kind === 'start' && identity.timerClass === 'Q' ? words.motorStop : null;
-}
-
 /** The key figures of a program. */
 export function keyFigures(program: TimerProgram): readonly KeyFigure[] {
   const { identity } = program;
   return keyFields(identity).map((field) => ({
     field,
-    label: keyName(identity, field) ?? '',
+    label: fieldInSentence(identity, field),
     text: figureText(identity, field, valueAt(program, field) ?? 0),
   }));
 }

@@ -641,7 +641,6 @@ knowledge_timer_here = de { $name } { $firmware }
 knowledge_timer_simulated = de gesimuleerde { $name } { $firmware }
 knowledge_otherTimer_here = een andere { $name } { $firmware }
 knowledge_otherTimer_simulated = een andere gesimuleerde { $name } { $firmware }
-knowledge_dt = DT
 knowledge_motorStop = motorstop
 knowledge_either = { $name } is { $before } of { $goal }
 knowledge_list =

@@ -656,7 +656,6 @@ knowledge_timer_here = timer { $name } { $firmware }
 knowledge_timer_simulated = symulowany timer { $name } { $firmware }
 knowledge_otherTimer_here = inny timer { $name } { $firmware }
 knowledge_otherTimer_simulated = inny symulowany timer { $name } { $firmware }
-knowledge_dt = DT
 knowledge_motorStop = stop silnika
 knowledge_either = { $name } to { $before } albo { $goal }
 knowledge_list =

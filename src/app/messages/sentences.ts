@@ -265,7 +265,6 @@ export interface PageSentences {
       readonly here: (params: { readonly name: Text; readonly firmware: Text }) => string;
       readonly simulated: (params: { readonly name: Text; readonly firmware: Text }) => string;
     };
-    readonly dt: string;
     readonly motorStop: string;
     readonly either: (params: { readonly name: Text; readonly before: Text; readonly goal: Text }) => string;
     readonly list: (params: { readonly more: number; readonly named: Text }) => string;

@@ -661,7 +661,6 @@ knowledge_timer_here = { $name } { $firmware }
 knowledge_timer_simulated = симульований { $name } { $firmware }
 knowledge_otherTimer_here = інший { $name } { $firmware }
 knowledge_otherTimer_simulated = інший симульований { $name } { $firmware }
-knowledge_dt = DT
 knowledge_motorStop = зупинка двигуна
 knowledge_either = { $name } — { $before } або { $goal }
 knowledge_list =

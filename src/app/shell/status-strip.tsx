@@ -8,8 +8,8 @@ import type { SaveSetting } from '../library/save-setting.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
 import { MemoryChoice } from '../memories/memory-choice.js';
-import { figureText, messages } from '../messages/index.js';
-import { keyFields, keyName } from '../messages/key-figures.js';
+import { fieldInSentence, figureText, messages } from '../messages/index.js';
+import { keyFields } from '../messages/key-figures.js';
 import { memoryName, timerName } from '../messages/names.js';
 import type { Preferences } from '../records/preferences.js';
 import { possibleValues } from '../timer/known.js';
@@ -228,7 +228,7 @@ function Figure({ session, identity, field, onPress }: FigureProps) {
     return sure === 'once' && editor.madeAt.value === null && !session.connection.value ? 'past' : '';
   }).value;
   const [figure, unit] = isValid ? text.split(' ') : [strip.notValid, ''];
-  const name = isShort && isValid ? program.shortDt : keyName(identity, field);
+  const name = isShort && isValid ? program.shortDt : fieldInSentence(identity, field);
   return (
     <button type="button" onClick={onPress}>
       <span key={`${name} ${figure} ${unit}`} class={`strip-figure ${isShort || !isValid ? 'bad' : look}`}>

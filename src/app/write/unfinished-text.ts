@@ -1,7 +1,7 @@
-import type { Change, PartOfWrite } from '../../program/index.js';
+import { type Change, fieldKey, type PartOfWrite } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { changeText, fieldInSentence, figureText, messages } from '../messages/index.js';
-import { keyName } from '../messages/key-figures.js';
+import { keyFields } from '../messages/key-figures.js';
 import { memoryName, timerName } from '../messages/names.js';
 import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
 import { isSimulated } from '../timer/knowledge.js';
@@ -116,7 +116,8 @@ export function uncertainText(one: UnfinishedWrite, timer: string | null): strin
   const { knowledge: words } = messages.value;
   const { identity, memory } = one.before;
   const open = openValues(one);
-  const keyed = open.filter(({ field }) => keyName(identity, field) !== null);
+  const keys = keyFields(identity).map(fieldKey);
+  const keyed = open.filter(({ field }) => keys.includes(fieldKey(field)));
   const named = keyed.length > 0 ? keyed : open.slice(0, NAMED);
   const values = named.map(({ field, from, to }) => {
     return words.either({

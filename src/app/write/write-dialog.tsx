@@ -4,8 +4,8 @@ import { fieldKey, type Model, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 import { eitherOf } from '../messages/either.js';
-import { dateText, fieldName, figureText, findingText, messages } from '../messages/index.js';
-import { keyFields, keyName } from '../messages/key-figures.js';
+import { dateText, fieldInSentence, fieldName, figureText, findingText, messages } from '../messages/index.js';
+import { keyFields } from '../messages/key-figures.js';
 import { moreMessages } from '../messages/more.js';
 import { memoryName } from '../messages/names.js';
 import type { Crossing } from '../records/crossing.js';
@@ -101,7 +101,7 @@ function KeyFigures({ session, change }: ChangeProps) {
         const isBad = at === 0 && session.shortDt.isShort(goal);
         return (
           <span key={fieldKey(field)} class={isBad ? 'bad-text' : undefined}>
-            <span class="hint key-name">{isBad ? program.shortDt : keyName(identity, field)}</span>{' '}
+            <span class="hint key-name">{isBad ? program.shortDt : fieldInSentence(identity, field)}</span>{' '}
             <strong>{figureText(identity, field, to)}</strong>{' '}
             <small>{from === to ? words.asItIs : words.insteadOf({ value: figureText(identity, field, from) })}</small>
           </span>
