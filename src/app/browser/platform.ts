@@ -77,19 +77,6 @@ function systemOf({ userAgent, userAgentData, maxTouchPoints = 0 }: Nameplate): 
 /** Why a browser has no Web Serial, where its name tells more than that. */
 export type UnsupportedReason = 'brave' | 'ios' | 'android';
 
-/**
- * The first versions with all or a part of Web Serial on Android. The sentence takes them from here;
- * `docs/using-the-page.md` and `docs/connection.md` say the same.
- */
-export const FIRST_VERSIONS = {
-  /** Chrome, all of Web Serial. */
-  android: 148,
-  /** Chrome, over Bluetooth only. */
-  androidBluetooth: 138,
-  /** Android itself, for an adapter on a cable. */
-  androidCable: 17,
-} as const;
-
 /** @returns null when the name does not tell: an old browser, an unknown one, or one that should have it. */
 export function whyUnsupported({ system, browser }: Platform): UnsupportedReason | null {
   if (system === 'ios' || system === 'android') return system;

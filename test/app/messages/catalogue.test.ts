@@ -2,7 +2,6 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { FluentBundle, FluentNumber } from '@fluent/bundle';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { FIRST_VERSIONS } from '../../../src/app/browser/platform.js';
 import { say, sentencesOf } from '../../../src/app/messages/catalogue.js';
 import { findingText } from '../../../src/app/messages/index.js';
 import { checkProgram } from '../../../src/program/index.js';
@@ -202,16 +201,6 @@ it.each(LANGUAGES)('every sentence in %s is said as Fluent says it', (language) 
       expect(said, id).toBe(bundle.formatPattern(pattern ?? '', Object.fromEntries(figures)));
     }
   }
-});
-
-it('the first versions of browsers are those that the page asks for', () => {
-  const { android, androidBluetooth, androidCable } = FIRST_VERSIONS;
-  const said = { android, androidBluetooth, androidCable, lastBluetoothOnly: android - 1 };
-  expect(Object.entries(en.firstVersions).sort()).toEqual(
-    Object.entries(said)
-      .map(([name, version]) => [name, String(version)])
-      .sort(),
-  );
 });
 
 it('the language of the tests has longer words in brackets', () => {
