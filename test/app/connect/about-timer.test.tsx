@@ -68,7 +68,7 @@ describe('what the line says of the timer', () => {
     await press('Connect');
     expect(screen.getByText(messages.value.alike.title({ request: 'GETSERVOPOS' }))).toBeTruthy();
     const said = screen.getByText(/^For looking only/).textContent.replaceAll('\u00a0', ' ');
-    expect(said).toMatch(/Motor stop 10\.0 s.*Function 1 time .*DT 3:00 min\.$/);
+    expect(said).toMatch(/Motor stop 10\.0 s.*Function 1 time .*DT 3:00 min\. All else is not known\.$/);
     expect(session.editor.baseline.value).toBeNull();
     expect(timer.core.content.times[10]).toBe(18_000);
     expect(screen.queryByText(messages.value.timer.unstable.title)).toBeNull();
