@@ -1,6 +1,7 @@
-import { onTestFinished, vi } from 'vitest';
+import { expect, onTestFinished, vi } from 'vitest';
 import { platformOf } from '../../../src/app/browser/platform.js';
 import { plugRecording } from '../../../src/app/connect/simulated-timer.js';
+import { setValues } from '../../../src/app/editing/edit.js';
 import { createModels, type ModelOptions } from '../../../src/app/models.js';
 import {
   type AsideRecord,
@@ -20,6 +21,7 @@ import {
 import '../../../src/app/records/recognition-rule.js';
 import type { Plan } from '../../../src/app/write/plan.js';
 import { MockSerial } from '../../../src/mock-serial/index.js';
+import type { ProgramField } from '../../../src/program/index.js';
 import { Adapter, type TimerOptions } from '../../serial/bench.js';
 
 /** Keeps records during the test, in place of a shelf of the browser's storage. */
@@ -134,6 +136,30 @@ export async function connectedBench(options: BenchOptions = {}): Promise<AppBen
   const bench = await appBench(options);
   await run(bench.session.timer.connect());
   return bench;
+}
+
+/** The same, and the pilot has said that it is safe. */
+export async function safeBench(options: BenchOptions = {}): Promise<AppBench> {
+  const app = await connectedBench(options);
+  app.session.safety.confirm();
+  app.timer.core.answered.length = 0;
+  return app;
+}
+
+/** Servos that follow. @param at where they were moved to before; null for nowhere. */
+export async function following(options: BenchOptions = {}, at: number | null = 4): Promise<AppBench> {
+  const app = await safeBench(options);
+  if (at !== null) await run(app.bench.moveTo(at));
+  await run(app.follow.start());
+  expect(app.follow.on.value).toBe(true);
+  app.timer.core.answered.length = 0;
+  return app;
+}
+
+/** Changes these values in one step. */
+export function set({ editor }: AppBench, ...values: [ProgramField, number][]): void {
+  const edits = values.map(([field, value]) => ({ field, value }));
+  editor.apply(setValues({ code: 'change', params: {} }, edits));
 }
 
 /**

@@ -1,5 +1,4 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { setValues } from '../../../src/app/editing/edit.js';
 import { stepValue } from '../../../src/app/editing/edits.js';
 import { FrameForm } from '../../../src/app/line/frame-form.js';
 import { possibleValues } from '../../../src/app/timer/known.js';
@@ -7,35 +6,12 @@ import { RepeatPress } from '../../../src/app/ui/repeat-press.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import type { Request } from '../../../src/protocol/index.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';
-import { type AppBench, type BenchOptions, connectedBench, goOn, idle, review, run } from './bench.js';
+import { type AppBench, following, goOn, idle, review, run, safeBench, set } from './bench.js';
 
 const position = (servo: number, slot: number): ProgramField => ({ kind: 'position', servo, slot });
 const S2 = position(1, 4);
 
 afterEach(() => localStorage.clear());
-
-/** A bench whose pilot has said that it is safe. */
-async function safeBench(options: BenchOptions = {}): Promise<AppBench> {
-  const app = await connectedBench(options);
-  app.session.safety.confirm();
-  app.timer.core.answered.length = 0;
-  return app;
-}
-
-/** Servos that follow. @param at where they were moved to before. */
-async function following(options: BenchOptions = {}, at: number | null = 4): Promise<AppBench> {
-  const app = await safeBench(options);
-  if (at !== null) await run(app.bench.moveTo(at));
-  await run(app.follow.start());
-  expect(app.follow.on.value).toBe(true);
-  app.timer.core.answered.length = 0;
-  return app;
-}
-
-function set({ editor }: AppBench, ...values: [ProgramField, number][]): void {
-  const edits = values.map(([field, value]) => ({ field, value }));
-  editor.apply(setValues({ code: 'change', params: {} }, edits));
-}
 
 /** What stores or moves, in its order: 'S4.1=70' stores, 'M4' moves. */
 function told({ timer }: AppBench): string[] {

@@ -147,10 +147,11 @@ describe('on a page without traffic', () => {
 
   it('a recording is loaded, and another file is refused', async () => {
     await panelOf(await appBench());
-    await load('field.txt', 'no recording');
-    expect(await screen.findByRole('alert')).toBeTruthy();
     await load('field.txt', ...RECORDING);
     expect(await screen.findByText(words.recording({ name: 'field.txt', entries: 3 }))).toBeTruthy();
+    await load('other.txt', 'no recording');
+    expect((await screen.findByRole('alert')).textContent).toContain(words.noRecording);
+    expect(screen.getByText(words.recording({ name: 'field.txt', entries: 3 })), 'the first file stays').toBeTruthy();
     expect(rows()).toHaveLength(3);
     expect(button(words.replay).disabled).toBe(false);
     fireEvent.click(button(words.back));

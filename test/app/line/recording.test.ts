@@ -134,19 +134,6 @@ describe('a recording', () => {
     await silent;
   });
 
-  it('is shown in place of the line until the pilot goes back, and a bad file changes nothing', async () => {
-    const view = new LineView(new LineLog());
-    await view.load(new File([`${HEADING}0.000 > 00 00 00 00 00 03 6b 6b 45`], 'field.txt'));
-    expect(view.recording.value?.name).toBe('field.txt');
-    expect(view.shown.value.map(({ frame }) => frame?.code)).toEqual([0x6b]);
-    await view.load(new File(['no'], 'no.txt'));
-    expect(view.fault.value).toEqual({ line: null });
-    expect(view.recording.value?.name, 'the first file stays open').toBe('field.txt');
-    view.dismissFault();
-    view.back();
-    expect([view.fault.value, view.recording.value, view.shown.value.length]).toEqual([null, null, 0]);
-  });
-
   it('shows the newest rows when it is long, older ones on a click, and finds all', async () => {
     const lines = Array.from(
       { length: 1200 },

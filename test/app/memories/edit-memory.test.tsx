@@ -73,6 +73,7 @@ describe('another memory than the one that flies next, in the table', () => {
     await lookAt('M3');
     await press('Edit M3');
     expect([field('DT time').value, app.editor.undoStep.value]).toEqual(['4:00', null]);
+    expect(app.session.notices.current.value).toEqual({ kind: 'note', code: 'kept' });
     await type('DT time', '2:00');
     app.timer.core.answered.length = 0;
     await lookAt('M1, flies next');
@@ -101,7 +102,9 @@ describe('another memory than the one that flies next, in the table', () => {
       { kind: 'note', code: 'moved' },
     ]);
     const asked = app.timer.core.answered.map(({ name }) => name);
-    expect(asked.slice(asked.lastIndexOf('SETMEMORY')), 'M1 is not read for it').not.toContain('GETTIMERS');
+    const back = asked.slice(asked.lastIndexOf('SETMEMORY'));
+    expect(back, 'after going back, the timer is asked which memory is current').toContain('GETMEMORY');
+    expect(back, 'M1 is not read for it').not.toContain('GETTIMERS');
     app.timer.core.memories[2]?.positions[2]?.splice(5, 1, 44);
     await press('Write 1 change…');
     expect(dialog().getByText(en.notes.moved.title)).toBeTruthy();

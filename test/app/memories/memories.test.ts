@@ -2,18 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { takeGoal } from '../../../src/app/memories/finish-write.js';
 import type { Plan } from '../../../src/app/write/plan.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
-import {
-  type AppBench,
-  asked,
-  type BenchOptions,
-  connectedBench,
-  goOn,
-  idle,
-  reloaded,
-  review,
-  run,
-  selected,
-} from '../bench/bench.js';
+import { type AppBench, type BenchOptions, connectedBench, goOn, idle, review, run, selected } from '../bench/bench.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 
@@ -86,18 +75,6 @@ describe('the memories at a glance', () => {
     expect(session.standing.value.sure).toBe('now');
     expect(session.notices.current.value).toEqual({ kind: 'note', code: 'moved' });
   });
-
-  it('are forgotten for the next timer, because it may be another', async () => {
-    const made = await bench();
-    await run(made.memories.backUp());
-    expect(known(made)).toEqual(['read', 'read', 'read', 'read']);
-    made.adapter.unplug();
-    await idle();
-    made.adapter.replug();
-    await idle();
-    expect(made.session.connection.value).not.toBeNull();
-    expect(known(made)).toEqual(['unread', 'read', 'unread', 'unread']);
-  });
 });
 
 describe('backing up all memories', () => {
@@ -115,23 +92,6 @@ describe('backing up all memories', () => {
     expect([made.timer.core.memory, selected(made).at(-1)]).toEqual([1, 1]);
     expect([contents(made), made.store.unfinished.records.size]).toEqual([before, 0]);
     expect([made.editor.working.value?.memory, made.session.runner.busy.value]).toEqual([1, false]);
-  });
-
-  it('notes the memory to go back to before another is selected', async () => {
-    const made = await bench();
-    const noted: unknown[] = [];
-    made.timer.core.onAnswer = ({ name }) => {
-      if (name === 'SETMEMORY') noted.push([...made.store.unfinished.records.values()][0]);
-    };
-    await run(made.memories.backUp());
-    expect(noted[0]).toMatchObject({ kind: 'memories', original: 1 });
-  });
-
-  it('leaves the edits as they are', async () => {
-    const made = await bench();
-    made.editor.type(S1, '7');
-    await run(made.memories.backUp());
-    expect([made.editor.textOf(S1), made.editor.changes.value.length]).toEqual(['7', 1]);
   });
 
   it('goes back when stopped, and does not say that all were kept', async () => {
@@ -220,64 +180,6 @@ describe('copying a memory', () => {
     await job(made, { kind: 'copy', from: 1, to: 3 });
     expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
     expect(made.editor.textOf(S1)).toBe('7');
-  });
-});
-
-describe('a browser that does not keep everything', () => {
-  const full = () => Promise.reject(new DOMException('The storage is full.', 'QuotaExceededError'));
-
-  it.each<[answer: boolean, held: unknown]>([
-    [true, [[3, 'verified']]],
-    [false, undefined],
-  ])('asks before it writes without a copy: %s', async (answer, held) => {
-    const made = await bench();
-    const before = contents(made);
-    made.store.backups.save = full;
-    made.session.safety.confirm();
-    await review(made, { kind: 'copy', from: 1, to: 3 });
-    made.write.goOn();
-    await idle(4000);
-    expect([made.session.runner.job.value?.asking, contents(made)]).toEqual([true, before]);
-    made.session.runner.answer(answer);
-    await asked(made);
-    expect(ends(made)).toEqual(held);
-    expect(contents(made)[3]).toEqual(answer ? before[1] : before[3]);
-    expect([made.timer.core.memory, made.session.knowledge.uncertain.value]).toEqual([1, []]);
-  });
-});
-
-describe('what is about to be written', () => {
-  const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
-
-  it('is shown with what the other memory holds, from a fresh reading', async () => {
-    const made = await bench();
-    made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
-    await review(made, COPY);
-    expect(made.write.current.value).toMatchObject({
-      step: 'review',
-      changes: [
-        {
-          memory: 3,
-          changes: [
-            { field: { kind: 'time', slot: 10 }, from: 36_000, to: 21_000 },
-            { field: S1, from: 53, to: 51 },
-          ],
-        },
-      ],
-    });
-    expect([made.timer.core.memory, selected(made)]).toEqual([1, [3, 1]]);
-  });
-
-  it('does not overwrite what has changed since then, and says so', async () => {
-    const made = await bench();
-    made.session.safety.confirm();
-    await review(made, COPY);
-    made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
-    const before = contents(made);
-    await goOn(made);
-    expect(made.write.current.value).toMatchObject({ step: 'review', moved: 'timer' });
-    expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
-    expect(made.session.knowledge.uncertain.value).toEqual([]);
   });
 });
 
@@ -476,19 +378,6 @@ describe('a plug that is pulled in the middle', () => {
     await run(made.session.reader.selectMemory(3));
     await run(takeGoal(made.session));
     expect([made.editor.textOf(S1), made.editor.working.value?.idleThrottle]).toEqual(['51', 30]);
-  });
-
-  it('is still known after a reload', async () => {
-    const made = await bench();
-    made.timer.core.onAnswer = ({ name }) => {
-      if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.adapter.unplug();
-    };
-    await run(made.memories.backUp());
-    const after = await reloaded(made);
-    await run(after.session.timer.connect());
-    expect(after.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { original: 1 }, current: 2 });
-    await run(after.session.reader.selectMemory(1));
-    expect([after.session.recovery.offer.value, after.store.unfinished.records.size]).toEqual([null, 0]);
   });
 });
 

@@ -61,30 +61,6 @@ describe('the memories', () => {
     expect(field('DT time').value).toBe('3:00');
   });
 
-  it('are opened in the table by Edit, which goes back', async () => {
-    const app = await connected();
-    await type('DT time', '5:00');
-    await lookAt('M3');
-    app.timer.core.answered.length = 0;
-    await press('Edit M3');
-    const asked = app.timer.core.answered.map(({ name }) => name);
-    expect([selected(app), app.timer.core.memory]).toEqual([[2, 0], 0]);
-    expect(
-      asked.slice(asked.lastIndexOf('SETMEMORY')),
-      'after going back, the timer is asked which memory is current',
-    ).toContain('GETMEMORY');
-    expect(field('DT time').value).toBe('4:00');
-    expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
-    expect([app.session.notices.current.value, app.session.nextFlight.word.value]).toEqual([
-      { kind: 'note', code: 'kept' },
-      null,
-    ]);
-    app.timer.core.answered.length = 0;
-    await press('Show M1');
-    expect(app.timer.core.answered, 'M1 was read').toEqual([]);
-    expect(field('DT time').value, 'the edits of M1 are still there').toBe('5:00');
-  });
-
   it('take no typing into the old one while another is read', async () => {
     const { session } = await connected();
     const parts = [field('DT time'), field('Function 2, S1'), screen.getByRole('group', { name: /^Servo positions/ })];

@@ -64,17 +64,6 @@ describe('with a short DT in the timer', () => {
     expect([times[10], positions[1]?.[4], app.editor.changes.value.length]).toEqual([16_500, 55, 1]);
   });
 
-  it('lets the pilot fly with it or stay', async () => {
-    const app = await connected();
-    await writeDt(app, '20 s');
-    await press('Disconnect');
-    await press('Cancel');
-    expect([status(app), screen.queryByRole('dialog')]).toEqual(['on', null]);
-    await press('Disconnect');
-    await press('Disconnect with DT\u00a020\u00a0s');
-    expect([status(app), app.timer.core.content.times[10]]).toEqual(['off', 2000]);
-  });
-
   it('is remembered for each memory, through a reload', async () => {
     const first = await connected();
     await writeDt(first, '4:00');

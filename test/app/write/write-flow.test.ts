@@ -242,25 +242,6 @@ describe('a write', () => {
     expect([core.content.times[10], bench.editor.changes.value]).toEqual([24000, []]);
   });
 
-  it('goes with the connection when the plug is pulled before it begins', async () => {
-    const bench = await reviewed();
-    bench.adapter.unplug();
-    await idle();
-    await goOn(bench);
-    expect(bench.write.current.value, 'the difference is no longer shown').toBeNull();
-    expect(bench.session.link.state.value).toMatchObject({ status: 'away', unplugged: true });
-    expect([sets(bench), bench.editor.changes.value.length]).toEqual([[], 3]);
-  });
-
-  it('says so when an unexpected error comes', async () => {
-    const bench = await reviewed();
-    const { client } = bench.session.connection.value ?? {};
-    if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
-    await goOn(bench);
-    expect(bench.write.current.value).toMatchObject({ stays: true, stopped: { code: 'unexpected' } });
-    expect(bench.editor.textOf(S1)).toBe('7');
-  });
-
   it('into another memory than the one on the screen is refused', async () => {
     const bench = await reviewed();
     bench.timer.core.memory = 2;
@@ -559,33 +540,13 @@ describe('where this device keeps no copy of what the timer holds', () => {
 });
 
 describe('what a write leaves unknown', () => {
-  it('is everything sent when the cable was pulled before the answer, until a fresh reading', async () => {
-    const bench = await reviewed();
-    bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
-    await goOn(bench);
-    bench.timer.core.onAnswer = undefined;
-    const { knowledge } = bench.session;
-    expect(knowledge.uncertain.value).toMatchObject([{ before: { memory: 0 } }]);
-    bench.write.dismiss();
-    bench.editor.revertAll();
-    await run(bench.session.timer.disconnect());
-    const after = await reloaded(bench);
-    expect(after.session.knowledge.uncertain.value).toHaveLength(1);
-    expect(bench.timer.core.content.times[10]).toBe(24000);
-    await run(after.session.timer.connect());
-    expect(after.session.knowledge.uncertain.value).toEqual([]);
-    expect(after.session.knowledge.of(0)).toMatchObject({
-      state: 'read',
-      program: { times: after.timer.core.content.times },
-    });
-  });
-
   it('is anything after an unexpected error', async () => {
     const bench = await reviewed();
     const { client } = bench.session.connection.value ?? {};
     if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
     await goOn(bench);
-    expect(bench.session.knowledge.of(0).state).toBe('uncertain');
+    expect(bench.write.current.value).toMatchObject({ stays: true, stopped: { code: 'unexpected' } });
+    expect([bench.session.knowledge.of(0).state, bench.editor.textOf(S1)]).toEqual(['uncertain', '7']);
   });
 
   it('is nothing after a verified write', async () => {

@@ -120,18 +120,6 @@ describe('writing the program on the screen to another memory', () => {
     expect(app.timer.core.memories[2]?.times[0]).toBe(30_000);
   });
 
-  it('writes nothing where M3 holds what no program can send', async () => {
-    const app = await connected();
-    (app.timer.core.content.positions[1] as number[])[3] = 200;
-    await press(en.program.read);
-    await press('Write…');
-    await choose('M3');
-    expect(text()).toContain(en.memories.refused({ memory: 'M3' }));
-    fireEvent.click(dialog().getByRole('checkbox', { name: /^The propeller is off/ }));
-    await press(/^Write \d+ changes?$/);
-    expect(sets(app)).not.toContain('SETSERVO');
-  });
-
   it('shows it once more when the program has changed, or M3', async () => {
     const app = await reviewed();
     app.session.safety.confirm();
