@@ -49,6 +49,13 @@ export async function press(name: string | RegExp): Promise<void> {
   await idle();
 }
 
+/** In the dialog of a write: ticks that it is safe, unless that was said before, and starts it. */
+export async function startWrite(): Promise<void> {
+  const safety = screen.getByRole<HTMLInputElement>('checkbox', { name: /^The propeller is off/ });
+  if (!safety.checked) fireEvent.click(safety);
+  await press(/^(Write \d+ changes?|Read back.*)$/);
+}
+
 /** Looks at a memory, by its name for screen readers: “M1, flies next” for the current one. */
 export async function lookAt(name: string | RegExp): Promise<void> {
   fireEvent.click(screen.getByRole('radio', { name }));

@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { ProgramField } from '../../../src/program/index.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, type BenchOptions, idle, reloaded, run, selected, sets } from '../bench/bench.js';
-import { connected, drawn, field, goTo, lookAt, press, type } from '../screen.js';
+import { connected, drawn, field, goTo, lookAt, press, startWrite, type } from '../screen.js';
 
 beforeEach(() => localStorage.clear());
 
@@ -23,12 +23,6 @@ const dialog = () => within(screen.getByRole('dialog'));
 const dtOf = ({ timer }: AppBench) => timer.core.memories.slice(0, 3).map(({ times }) => times[10]);
 /** Which memory is on the screen, and which one flies next by what the page says. */
 const where = ({ session }: AppBench) => [session.onScreen.memory.value, session.nextFlight.memory.value];
-
-async function confirm(): Promise<void> {
-  const safety = dialog().queryByRole<HTMLInputElement>('checkbox', { name: /^The propeller is off/ });
-  if (safety && !safety.checked) fireEvent.click(safety);
-  await press(/^Write \d+ changes?$/);
-}
 
 describe('another memory than the one that flies next, in the table', () => {
   it('is said in words above every view, and is as it was read in the timer', async () => {
@@ -50,7 +44,7 @@ describe('another memory than the one that flies next, in the table', () => {
     await type('DT time', '2:00');
     await press('Write 1 change…');
     expect(dialog().getByText(/^M3 will hold .* At the end M1 flies next again\.$/)).toBeTruthy();
-    await confirm();
+    await startWrite();
     expect(screen.getByRole('dialog').textContent.replaceAll('\u00a0', ' ')).toMatch(
       /Verified\..*M3 verified \d\d:\d\d · DT 2:00 min .* 1 change/,
     );
@@ -108,7 +102,7 @@ describe('another memory than the one that flies next, in the table', () => {
     app.timer.core.memories[2]?.positions[2]?.splice(5, 1, 44);
     await press('Write 1 change…');
     expect(dialog().getByText(en.notes.moved.title)).toBeTruthy();
-    await confirm();
+    await startWrite();
     expect(app.timer.core.memories[2]?.positions[2]?.[5], 'what else has changed there stays').toBe(44);
     expect([dtOf(app)[2], app.editor.conflicts.value.size]).toEqual([12_000, 0]);
   });
@@ -119,7 +113,7 @@ describe('another memory than the one that flies next, in the table', () => {
     fireEvent.click(dialog().getByRole('radio', { name: 'M1' }));
     await idle();
     expect(dialog().getByText(/^M1 will hold the times and positions on the screen/)).toBeTruthy();
-    await confirm();
+    await startWrite();
     expect([dtOf(app), app.timer.core.memory, where(app)]).toEqual([[24_000, 21_000, 24_000], 0, [2, 0]]);
     await press('Close');
     await press('Show M1');
@@ -172,7 +166,7 @@ describe('what is said of the next flight, while M3 is in the table', () => {
     await goTo('program');
     expect(screen.queryByRole('button', { name: /^Flying this/ })).toBeNull();
     await press('Write 1 change…');
-    await confirm();
+    await startWrite();
     expect([app.write.verified.value, flights.flyable.value?.memory]).toEqual([null, 0]);
     await press('Close');
     await press('Disconnect');
@@ -192,7 +186,7 @@ describe('what is said of the next flight, while M3 is in the table', () => {
     expect(dialog().getByText(/DT of M1 is 20 s/)).toBeTruthy();
     fireEvent.click(dialog().getByRole('button', { name: /3:00/ }));
     await idle();
-    await confirm();
+    await startWrite();
     expect(dtOf(app)).toEqual([18_000, 21_000, 24_000]);
     expect(where(app)).toEqual([0, 0]);
   });
@@ -265,7 +259,7 @@ describe('while M3 is in the table', () => {
     await idle();
     await press(en.program.connectAndWrite);
     expect(dialog().getByText(/^M3 will hold/)).toBeTruthy();
-    await confirm();
+    await startWrite();
     expect([dtOf(after), after.timer.core.memory]).toEqual([[18_000, 21_000, 12_000], 0]);
   });
 
@@ -381,7 +375,7 @@ describe('a job on M3 that is cut', () => {
     await type('Function 4, S2', '33');
     await press('Write 2 changes…');
     app.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && app.adapter.unplug();
-    await confirm();
+    await startWrite();
     app.timer.core.onAnswer = undefined;
     app.write.dismiss();
     app.adapter.replug();
@@ -393,7 +387,7 @@ describe('a job on M3 that is cut', () => {
     await press('Edit M3');
     expect(where(app)).toEqual([2, 0]);
     await press(en.recovery.finish);
-    await confirm();
+    await startWrite();
     expect([dtOf(app), app.timer.core.memories[2]?.positions[1]?.[4], app.timer.core.memory]).toEqual([
       [18_000, 21_000, 12_000],
       33,
@@ -411,7 +405,7 @@ describe('a job on M3 that is cut', () => {
       isWritten ||= name === 'SETTIMERS';
       if (isWritten && name === 'GETSERVOPOS') app.timer.core.sleep();
     };
-    await confirm();
+    await startWrite();
     app.timer.core.onAnswer = undefined;
     app.timer.core.press();
     await idle();
@@ -427,7 +421,7 @@ describe('a job on M3 that is cut', () => {
     await type('DT time', '5:00');
     await press('Write 1 change…');
     app.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && app.adapter.unplug();
-    await confirm();
+    await startWrite();
     app.timer.core.onAnswer = undefined;
     app.write.dismiss();
     app.timer.core.memories[0]?.times.splice(10, 1, 18_000);
@@ -439,7 +433,7 @@ describe('a job on M3 that is cut', () => {
     expect(where(app)).toEqual([2, 0]);
     await press(en.recovery.finish);
     expect(where(app)).toEqual([0, 0]);
-    await confirm();
+    await startWrite();
     expect(dtOf(app)).toEqual([30_000, 21_000, 24_000]);
   });
 });
@@ -460,7 +454,7 @@ describe('a timer', () => {
     app.editor.type(DT, '2:00');
     await idle();
     await press('Write 1 change…');
-    await confirm();
+    await startWrite();
     expect([app.timer.core.memories[254]?.times[10], app.timer.core.memory]).toEqual([12_000, 0]);
   });
 });

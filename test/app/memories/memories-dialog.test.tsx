@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import type { Backup } from '../../../src/app/storage/index.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
-import { connected, press } from '../screen.js';
+import { connected, press, startWrite } from '../screen.js';
 
 const dialog = (name: string) => within(screen.getByRole('dialog', { name }));
 const figures = () => document.querySelector('.key-figures')?.textContent.replaceAll('\u00a0', ' ');
@@ -15,12 +15,6 @@ async function reviewed(): Promise<AppBench> {
   app.timer.core.memories[2]?.times.splice(10, 1, 36_000);
   await press('Copy M1 to M3');
   return app;
-}
-
-async function write(): Promise<void> {
-  screen.getByRole('checkbox', { name: /^The propeller is off/ }).click();
-  await idle(0);
-  await press(/^(Write \d+ change|Read back)/);
 }
 
 describe('copying a memory', () => {
@@ -39,7 +33,7 @@ describe('copying a memory', () => {
       ['Value', 'Timer holds', 'Will hold'],
       ['DT', '6:00 min', '3:00 min'],
     ]);
-    await write();
+    await startWrite();
     expect(lines()).toMatch(/M3 verified \d\d:\d\d · DT 3:00 min · motor stop 10\.0 s · 1 change/);
     expect(dialog('Copy M1 to M3').getByRole('status').textContent).toBe('M1 flies next.');
     expect(timer.core.memories[2]?.times[10]).toBe(18_000);
@@ -62,7 +56,7 @@ describe('copying a memory', () => {
     const refused = within(screen.getByRole('dialog')).getByRole('alert').textContent;
     expect(refused).toContain(en.memories.refused({ memory: 'M3' }));
     expect(refused).toContain(`Function 3, S2 200: ${en.findings['position-out-of-range']({ min: '0', max: '130' })}`);
-    await write();
+    await startWrite();
     expect(screen.getByRole('button', { name: /^Write \d+ changes$/ })).toHaveProperty('disabled', true);
     expect(timer.core.memories[2]).toEqual(held);
     expect(timer.core.answered.filter(({ name }) => name === 'SETSERVO' || name === 'SETTIMERS')).toEqual([]);
@@ -73,7 +67,7 @@ describe('copying a memory', () => {
     for (const memory of [0, 2]) (timer.core.memories[memory]?.positions[1] as number[])[3] = 200;
     await press('Copy M1 to M3');
     expect(within(screen.getByRole('dialog')).queryByRole('alert')).toBeNull();
-    await write();
+    await startWrite();
     expect(timer.core.memories[2]).toEqual(timer.core.memories[0]);
   });
 
@@ -82,7 +76,7 @@ describe('copying a memory', () => {
     timer.core.memories.splice(1, 1, structuredClone(timer.core.content));
     await press('Copy M1 to M2');
     expect(screen.getByText(en.write.nothing)).toBeTruthy();
-    await write();
+    await startWrite();
     expect(lines()).toContain('· 0 changes');
   });
 
@@ -136,7 +130,7 @@ describe('copying a memory', () => {
   it('says after an interruption what is not known, and which memory flies next, if that is known', async () => {
     const { timer, adapter } = await reviewed();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
-    await write();
+    await startWrite();
     expect(lines()).toContain(`${en.write.unknown.title} ${en.knowledge.noFly}`);
     expect(screen.getByRole('dialog').textContent.replaceAll('\u00a0', ' ')).toContain(
       'It is not known what M3 holds: DT is 6:00 min or 3:00 min. Do not fly before it is read.',

@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, idle, MemoryStore, reloaded } from '../bench/bench.js';
-import { button, connected, late, opened, press, type } from '../screen.js';
+import { button, connected, late, opened, press, startWrite, type } from '../screen.js';
 
 const SENTENCE = 'It is not known what M1 holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
 const ELSEWHERE = SENTENCE.replace('M1', 'M1 of the F1Q 536');
@@ -19,8 +19,7 @@ function described(name: string): string[] {
 
 async function write(): Promise<void> {
   await press('Write…');
-  fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
-  await press(/^Write 1 change$/);
+  await startWrite();
 }
 
 /** DT 6:00 is written, and the cable is pulled before the answer: the timer holds 6:00. */
@@ -101,8 +100,7 @@ describe('after a write whose answer never came', () => {
     expect(said).toContain('The timer holds what it held before: nothing was written, 1 change is missing.');
     expect([said?.includes(en.write.unknown.title), said?.includes(en.link.lost.title)]).toEqual([false, false]);
     await press('Write again…');
-    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
-    await press(/^Write 1 change$/);
+    await startWrite();
     expect(screen.getByRole('alert').textContent).toContain('Verified.');
     expect(bench.timer.core.content.times[10]).toBe(36_000);
   });

@@ -2,7 +2,7 @@ import { fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, describe, expect, it } from 'vitest';
 import { en } from '../../tools/en.js';
 import { type AppBench, idle, sets } from '../bench/bench.js';
-import { connected, field, key, press, type } from '../screen.js';
+import { connected, field, key, press, startWrite, type } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
@@ -13,11 +13,6 @@ const kept = ({ session }: AppBench) => session.backups.list.value.map(({ progra
 async function choose(memory: string): Promise<void> {
   fireEvent.click(dialog().getByRole('radio', { name: memory }));
   await idle();
-}
-
-async function confirm(): Promise<void> {
-  fireEvent.click(dialog().getByRole('checkbox', { name: /^The propeller is off/ }));
-  await press(/^Write \d+ changes?$/);
 }
 
 /** DT of M1 is changed to 4:00, and the dialog shows what that would change in M3, where DT is 6:00. */
@@ -69,7 +64,7 @@ describe('writing the program on the screen to another memory', () => {
     ).toBeTruthy();
     expect(document.querySelector('.key-figures')?.textContent).toContain('DT 4:00');
     expect([...dialog().getAllByRole('row')].at(-1)?.textContent.replaceAll('\u00a0', ' ')).toBe('DT6:00 min4:00 min');
-    await confirm();
+    await startWrite();
     expect(text()).toMatch(/Verified\..*M3 verified \d\d:\d\d · DT 4:00 min · motor stop 10\.0 s · 1 change/);
     expect(dialog().getByRole('status').textContent).toBe('M1 flies next.');
     const { timer, editor, session, store } = app;
@@ -93,7 +88,7 @@ describe('writing the program on the screen to another memory', () => {
     await choose('M1');
     expect(text()).toContain(en.write.lead({ memory: 'M1' }));
     expect([...dialog().getAllByRole('row')].at(-1)?.textContent.replaceAll('\u00a0', ' ')).toBe('DT2:00 min4:00 min');
-    await confirm();
+    await startWrite();
     expect([timer.core.memories[0]?.times[10], timer.core.memories[2]?.times[10]]).toEqual([24_000, 36_000]);
   });
 
@@ -112,8 +107,7 @@ describe('writing the program on the screen to another memory', () => {
     await press('Write 1 change…');
     await choose('M3');
     expect(text()).toContain(en.write.acknowledge);
-    fireEvent.click(dialog().getByRole('checkbox', { name: /^The propeller is off/ }));
-    await press(/^Write \d+ changes?$/);
+    await startWrite();
     expect(sets(app)).not.toContain('SETTIMERS');
     fireEvent.click(dialog().getByRole('checkbox', { name: en.write.acknowledge }));
     await press(/^Write \d+ changes?$/);
@@ -142,8 +136,7 @@ describe('writing the program on the screen to another memory', () => {
     await press('Write 1 change…');
     await choose('M3');
     expect(text()).toContain('The idle throttle stays as it is.');
-    fireEvent.click(dialog().getByRole('checkbox', { name: /^The propeller is off/ }));
-    await press(/^(Write \d+ changes?$|Read back)/);
+    await startWrite();
     expect([app.timer.core.idleThrottle, app.editor.changes.value.length]).toEqual([30, 1]);
   });
 
