@@ -39,7 +39,7 @@ function settingOf(id: string, model: string, program: TimerProgram): Setting {
   return { id, model, name: id, note: '', tags: [], at: THEN, program, from: 'typed', archived: false };
 }
 
-function modelOf(name: string, held: TimerProgram): ModelRecord {
+export function modelOf(name: string, held: TimerProgram): ModelRecord {
   const model = { ...emptyModel(name, name, 'Q'), memoryNames: [`${name} one`, `${name} two`] };
   return { key: name, changedAt: 1, verified: [{ program: held, at: THEN }], model };
 }
@@ -60,6 +60,11 @@ export async function lancerBench(store: MemoryStore = twoModels()): Promise<App
   bench.timer.core.memories.splice(0, bench.timer.core.memories.length, ...structuredClone(LANCER));
   await run(bench.session.library.load());
   return bench;
+}
+
+/** The timer of the Magpie is under the head in place of the other one, and nobody has noticed yet. */
+export function exchange({ timer: { core } }: AppBench): void {
+  core.memories.splice(0, core.memories.length, ...structuredClone(MAGPIE));
 }
 
 /** The same, with the timer of the Lancer connected and read. */

@@ -1,53 +1,20 @@
 import { fireEvent, screen } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import type { Backup, ModelRecord } from '../../../src/app/storage/index.js';
-import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
-import { exampleMemories } from '../../../src/simulator/index.js';
-import { MODEL, SETTING } from '../../program/library-examples.js';
-import { type AppBench, appBench, goOn, idle, MemoryStore, reloaded, review, run } from '../bench/bench.js';
+import type { ModelRecord } from '../../../src/app/storage/index.js';
+import type { Model } from '../../../src/program/index.js';
+import { type AppBench, goOn, idle, reloaded, review, run } from '../bench/bench.js';
 import { drawn } from '../screen.js';
-
-const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
-const S2: ProgramField = { kind: 'position', servo: 1, slot: 4 };
-type Content = { times: number[]; positions: number[][] };
-const LANCER = exampleMemories('Q').map(({ times, positions }) => ({ times, positions }) as Content);
-const MAGPIE = LANCER.map(({ times, positions }) => ({
-  times: times.map((time) => time + 5),
-  positions: positions.map((row) => row.map((position, slot) => position + 1 + (slot % 3))),
-}));
-
-function programOf({ times, positions }: Content): TimerProgram {
-  return { identity: IDENTITY, memory: 0, times, positions, idleThrottle: 30 };
-}
-
-function record(name: string, content: Content): ModelRecord {
-  const verified = [{ program: programOf(content), at: 1_795_000_000_000 }];
-  return { key: name, changedAt: 1, verified, model: { ...MODEL, id: name, name, memoryNames: ['calm'] } };
-}
-
-/** A backup of the Magpie. */
-const BACKUP: Backup = {
-  key: '2026-11-20T10:00:00.000Z/0',
-  savedAt: 1_795_000_000_000,
-  reason: 'write',
-  program: programOf(MAGPIE[0] as Content),
-  simulated: false,
-  model: 'Magpie',
-};
-
-function hold({ timer: { core } }: AppBench, memories: readonly Content[]): void {
-  core.memories.splice(0, core.memories.length, ...structuredClone([...memories]));
-}
-
-/** The timer of the Lancer is connected; the Magpie is known, too. */
-async function lancer(store = new MemoryStore()): Promise<AppBench> {
-  store.models.records.set('Lancer', record('Lancer', LANCER[0] as Content));
-  store.models.records.set('Magpie', record('Magpie', MAGPIE[0] as Content));
-  const bench = await appBench({ store, identity: IDENTITY });
-  hold(bench, LANCER);
-  await run(bench.session.timer.connect());
-  return bench;
-}
+import {
+  BACKUP,
+  exchange,
+  LANCER_HELD,
+  lancerConnected as lancer,
+  lancerBench,
+  modelOf,
+  S2,
+  twoModels,
+  WIND,
+} from '../two-models.js';
 
 function shown({ write }: AppBench) {
   const step = write.current.value;
@@ -74,7 +41,7 @@ describe('a write into the timer of the model that the values are of', () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     const magpie = bench.session.recognition.choices.value.find(({ name }) => name === 'Magpie');
-    bench.session.recognition.say(magpie as typeof MODEL);
+    bench.session.recognition.say(magpie as Model);
     await review(bench);
     expect(shown(bench)).toMatchObject({ from: undefined, model: 'Magpie' });
   });
@@ -122,11 +89,7 @@ describe('a write into the timer of another model', () => {
   });
 
   it('needs a tick when a backup of another model was loaded before the timer came', async () => {
-    const store = new MemoryStore();
-    store.models.records.set('Lancer', record('Lancer', LANCER[0] as Content));
-    store.models.records.set('Magpie', record('Magpie', MAGPIE[0] as Content));
-    const bench = await appBench({ store, identity: IDENTITY });
-    hold(bench, LANCER);
+    const bench = await lancerBench();
     bench.session.onScreen.showBackup(BACKUP);
     await run(bench.session.timer.connect());
     await review(bench);
@@ -135,9 +98,7 @@ describe('a write into the timer of another model', () => {
 
   it('needs a tick when a setting of another model was opened over it', async () => {
     const bench = await lancer();
-    const program = programOf(MAGPIE[0] as Content);
-    await run(bench.session.library.keepSetting({ ...SETTING, id: 'calm', model: 'Magpie', program }).then(() => {}));
-    await run(bench.session.opened.show(bench.session.library.settings.get('calm')?.setting as typeof SETTING));
+    await run(bench.session.opened.show(WIND));
     await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
     bench.write.dismiss();
@@ -150,7 +111,7 @@ describe('a write into the timer of another model', () => {
   it('needs a tick when the timer was exchanged during the changes and the connection did not notice', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
-    hold(bench, MAGPIE);
+    exchange(bench);
     await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Lancer', to: ['Magpie'], model: 'Magpie' });
   });
@@ -160,7 +121,7 @@ describe('a write into the timer of another model', () => {
     bench.editor.type(S2, '77');
     await review(bench);
     bench.session.safety.confirm();
-    hold(bench, MAGPIE);
+    exchange(bench);
     await goOn(bench);
     expect(sets(bench)).toBe(0);
     expect(shown(bench)).toMatchObject({ moved: 'timer', from: 'Lancer', to: ['Magpie'], model: 'Magpie' });
@@ -171,7 +132,7 @@ describe('a write into the timer of another model', () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
     await run(bench.session.timer.disconnect());
-    hold(bench, MAGPIE);
+    exchange(bench);
     await run(bench.session.timer.connect());
     await review(bench);
     expect(shown(bench)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
@@ -182,7 +143,7 @@ describe('a write into the timer of another model', () => {
     bench.editor.type(S2, '77');
     await idle();
     const again = await reloaded(bench);
-    hold(again, MAGPIE);
+    exchange(again);
     await run(again.session.timer.connect());
     await review(again);
     expect(shown(again)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
@@ -204,8 +165,8 @@ describe('a write into the timer of another model', () => {
   });
 
   it('names all candidates, and needs no tick when the model is one of them', async () => {
-    const store = new MemoryStore();
-    store.models.records.set('Twin', record('Twin', LANCER[0] as Content));
+    const store = twoModels();
+    store.models.records.set('Twin', modelOf('Twin', LANCER_HELD));
     const bench = await lancer(store);
     bench.session.onScreen.showBackup(BACKUP);
     await review(bench);
