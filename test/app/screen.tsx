@@ -1,9 +1,9 @@
-import { act, fireEvent, render, screen, within } from '@testing-library/preact';
+import { act, cleanup, fireEvent, render, screen, within } from '@testing-library/preact';
 import { onTestFinished } from 'vitest';
 import { App } from '../../src/app/app.js';
 import type { View } from '../../src/app/shell/views.js';
 import { en } from '../tools/en.js';
-import { type AppBench, appBench, type BenchOptions, idle } from './bench/bench.js';
+import { type AppBench, appBench, type BenchOptions, idle, reloaded } from './bench/bench.js';
 
 let page: AppBench;
 
@@ -26,6 +26,14 @@ export async function connected(options: BenchOptions = {}): Promise<AppBench> {
   await press('Connect');
   table();
   return bench;
+}
+
+/** The page is loaded again: see `reloaded`. */
+export async function loadedAgain(bench: AppBench): Promise<AppBench> {
+  cleanup();
+  const after = await drawn(await reloaded(bench));
+  await idle();
+  return after;
 }
 
 /** Goes to a view, as a click on its link does. */

@@ -1,11 +1,10 @@
-import { act, fireEvent, render, screen, within } from '@testing-library/preact';
+import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
-import { App } from '../../../src/app/app.js';
 import type { View } from '../../../src/app/shell/views.js';
 import { HOLD } from '../../../src/app/ui/press-and-hold.js';
 import { en } from '../../tools/en.js';
-import { late } from '../screen.js';
-import { type AppBench, appBench, type BenchOptions, idle } from './bench.js';
+import { connected, late, press as pressed, type as typed } from '../screen.js';
+import { type AppBench, type BenchOptions, idle } from './bench.js';
 
 let app: AppBench;
 
@@ -17,15 +16,12 @@ function show(view: View): void {
 /** A button, in whichever of the two views it stands. */
 async function press(name: string | RegExp): Promise<void> {
   if (!screen.queryByRole('button', { name })) show(app.models.views.shown.value === 'bench' ? 'program' : 'bench');
-  fireEvent.click(screen.getByRole('button', { name }));
-  await idle();
+  await pressed(name);
 }
 
 /** The whole screen with the bench open, and the pilot's word that it is safe. */
 async function opened(options: BenchOptions = {}): Promise<AppBench> {
-  app = await appBench(options);
-  render(<App models={app.models} />);
-  await press('Connect');
+  app = await connected(options);
   show('bench');
   fireEvent.click(within(panel()).getByRole('checkbox', { name: /propeller is off/ }));
   await idle(0);
@@ -47,12 +43,7 @@ function unlocks({ timer }: AppBench): number {
 
 async function type(name: string, text: string): Promise<void> {
   show('program');
-  const input = screen.getByRole<HTMLInputElement>('textbox', { name });
-  fireEvent.focus(input);
-  fireEvent.input(input, { target: { value: text } });
-  fireEvent.blur(input);
-  await idle();
-  await late();
+  await typed(name, text);
 }
 
 async function flip(): Promise<void> {

@@ -1,9 +1,9 @@
-import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
+import { fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { ProgramField } from '../../../src/program/index.js';
 import { en } from '../../tools/en.js';
-import { type AppBench, type BenchOptions, idle, reloaded, run, selected, sets } from '../bench/bench.js';
-import { connected, drawn, field, goTo, lookAt, press, startWrite, type } from '../screen.js';
+import { type AppBench, type BenchOptions, idle, run, selected, sets } from '../bench/bench.js';
+import { connected, field, goTo, loadedAgain, lookAt, press, startWrite, type } from '../screen.js';
 
 beforeEach(() => localStorage.clear());
 
@@ -21,6 +21,14 @@ const top = () => document.querySelector('.top')?.textContent?.replaceAll('\u00a
 const said = () => document.querySelector('.changes strong')?.textContent?.replaceAll('\u00a0', ' ');
 const dialog = () => within(screen.getByRole('dialog'));
 const dtOf = ({ timer }: AppBench) => timer.core.memories.slice(0, 3).map(({ times }) => times[10]);
+/** A frame by hand that stores nothing, which waits for a yes. */
+function ask({ line: { form }, session }: AppBench) {
+  session.safety.confirm();
+  form.type('4e');
+  form.ask();
+  return form;
+}
+
 /** Which memory is on the screen, and which one flies next by what the page says. */
 const where = ({ session }: AppBench) => [session.onScreen.memory.value, session.nextFlight.memory.value];
 
@@ -236,9 +244,7 @@ describe('while M3 is in the table', () => {
     const app = await editing();
     await type('DT time', '2:00');
     await idle();
-    cleanup();
-    const after = await drawn(await reloaded(app));
-    await idle();
+    const after = await loadedAgain(app);
     expect([field('DT time').value, after.session.onScreen.apart.value]).toEqual(['2:00', true]);
     await goTo('help');
     expect(document.querySelector('.known-now')?.textContent).toBe(en.checklist.known.nothing);
@@ -254,9 +260,7 @@ describe('while M3 is in the table', () => {
     const app = await editing();
     await type('DT time', '2:00');
     await idle();
-    cleanup();
-    const after = await drawn(await reloaded(app));
-    await idle();
+    const after = await loadedAgain(app);
     await press(en.program.connectAndWrite);
     expect(dialog().getByText(/^M3 will hold/)).toBeTruthy();
     await startWrite();
@@ -267,9 +271,7 @@ describe('while M3 is in the table', () => {
     const app = await editing();
     await type('DT time', '2:00');
     await idle();
-    cleanup();
-    const after = await drawn(await reloaded(app));
-    await idle();
+    const after = await loadedAgain(app);
     Object.assign(after.timer.core.identity, { firmware: '537' });
     await press(en.program.connectAndWrite);
     expect([screen.queryByRole('dialog'), selected(after)]).toEqual([null, []]);
@@ -288,11 +290,7 @@ describe('while M3 is in the table', () => {
   it('a frame by hand makes it old, and every other memory but M1, which is read', async () => {
     const app = await editing();
     await run(app.memories.readOnce(1));
-    const { form } = app.line;
-    app.session.safety.confirm();
-    form.type('4e');
-    form.ask();
-    await run(form.confirm());
+    await run(ask(app).confirm());
     const { standings, standing } = app.session;
     expect([standing.value.sure, standings.next.value?.sure, where(app)]).toEqual(['once', 'now', [2, 0]]);
     expect(standings.of(1).sure).toBe('once');
@@ -302,10 +300,7 @@ describe('while M3 is in the table', () => {
 
   it('a reading that fails after a frame by hand leaves M1 old', async () => {
     const app = await editing();
-    const { form } = app.line;
-    app.session.safety.confirm();
-    form.type('4e');
-    form.ask();
+    const form = ask(app);
     app.timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && app.timer.core.sleep();
     await run(form.confirm());
     expect([app.session.standings.next.value, app.session.standings.of(0).sure]).toEqual([null, 'once']);

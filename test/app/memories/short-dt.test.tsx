@@ -1,8 +1,8 @@
-import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
+import { fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { en } from '../../tools/en.js';
 import { type AppBench, appBench, idle, reloaded, run } from '../bench/bench.js';
-import { button, connected, drawn, goTo, late, press, strandAtM3, type } from '../screen.js';
+import { button, connected, goTo, late, loadedAgain, press, strandAtM3, type } from '../screen.js';
 
 beforeEach(() => localStorage.clear());
 
@@ -68,8 +68,7 @@ describe('with a short DT in the timer', () => {
     const first = await connected();
     await writeDt(first, '4:00');
     await writeDt(first, '20 s');
-    cleanup();
-    const app = await drawn(await reloaded(first));
+    const app = await loadedAgain(first);
     await run(app.session.timer.connect());
     await press('Disconnect');
     expect(buttons()).toContain('Put DT back to 4:00\u00a0min…');

@@ -1,9 +1,8 @@
-import { cleanup, fireEvent, render, screen, within } from '@testing-library/preact';
+import { fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
-import { App } from '../../../src/app/app.js';
 import { en } from '../../tools/en.js';
-import { type AppBench, idle, MemoryStore, reloaded } from '../bench/bench.js';
-import { button, connected, late, opened, press, startWrite, type } from '../screen.js';
+import { type AppBench, idle, MemoryStore } from '../bench/bench.js';
+import { button, connected, late, loadedAgain, opened, press, startWrite, type } from '../screen.js';
 
 const SENTENCE = 'It is not known what M1 holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
 const ELSEWHERE = SENTENCE.replace('M1', 'M1 of the F1Q 536');
@@ -31,15 +30,6 @@ async function cut(): Promise<AppBench> {
   bench.timer.core.onAnswer = undefined;
   expect(bench.timer.core.content.times[10]).toBe(36_000);
   return bench;
-}
-
-/** The page is loaded again. */
-async function loadedAgain(bench: AppBench): Promise<AppBench> {
-  cleanup();
-  const after = await reloaded(bench);
-  render(<App models={after.models} />);
-  await idle();
-  return after;
 }
 
 it('the result of a write to a timer that falls asleep says so until the timer is back and read', async () => {

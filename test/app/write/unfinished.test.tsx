@@ -1,10 +1,10 @@
-import { act, cleanup, screen } from '@testing-library/preact';
+import { act, screen } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { VIEWS } from '../../../src/app/shell/views.js';
 import { withValue } from '../../../src/program/index.js';
 import { en } from '../../tools/en.js';
-import { type AppBench, idle, reloaded, run } from '../bench/bench.js';
-import { button, connected, drawn, fly, goTo, lookAt, press, strandAtM3, type } from '../screen.js';
+import { type AppBench, idle, run } from '../bench/bench.js';
+import { button, connected, fly, goTo, loadedAgain, lookAt, press, strandAtM3, type } from '../screen.js';
 
 const { recovery, bench: words } = en;
 const OTHER = 'the F1Q 536';
@@ -20,14 +20,6 @@ function cutAtM3({ timer, adapter }: AppBench): void {
   timer.core.onAnswer = ({ name }) => {
     if (name === 'SETMEMORY' && timer.core.memory === 2) adapter.unplug();
   };
-}
-
-async function loadedAgain(app: AppBench): Promise<AppBench> {
-  cleanup();
-  app.timer.core.onAnswer = undefined;
-  const after = await drawn(await reloaded(app));
-  await idle();
-  return after;
 }
 
 const CUT: readonly [job: string, said: string, start: (app: AppBench) => Promise<void>][] = [
