@@ -1,15 +1,19 @@
-import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { type Change, differences } from '../../program/index.js';
 import { clockText, dateText, dayText, fieldInSentence, figureText, messages } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
 import { memoryName } from '../messages/names.js';
+import { ProgramGrid } from '../timeline/program-grid.js';
+import { Timeline } from '../timeline/timeline.js';
+import { TimelineModel } from '../timeline/view-model.js';
 import { BackHead } from '../ui/back-head.js';
 import { memoryText } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import { heldName, programName } from '../work/standing-text.js';
+import { LONG_LIST } from '../write/difference.js';
+import { ValueTable } from '../write/value-table.js';
 import { type ComparedPair, SCREEN } from './choice.js';
 import { Compare, type Side } from './compare.js';
-import { ProgramPair } from './program-pair.js';
 import './compare-page.css';
 
 export interface ComparePageProps {
@@ -67,11 +71,18 @@ interface PairProps extends Pick<ComparePageProps, 'session' | 'following'> {
   readonly second: Side;
 }
 
+/** What differs, in figures and over time. */
 function Pair({ session, compare, following, first, second }: PairProps) {
-  const { compare: words } = moreMessages.value;
+  const { compare: words, overview, obstacles } = moreMessages.value;
+  const { timeline, write } = messages.value;
   const names = [sideName(session, first), sideName(session, second)] as const;
+  const { identity } = first.program;
   const onScreen = first.key === SCREEN || second.key === SCREEN;
-  const isSame = differences(first.program, second.program).length === 0;
+  const changes = differences(first.program, second.program);
+  const servo = firstServo(changes);
+  const model = useMemo(() => new TimelineModel(), []);
+  // A small difference shows only in the tall lane. The pilot may then choose another one.
+  useLayoutEffect(() => model.bringToFront(servo), [model, servo]);
   const setting = [first, second].find((side) => side.kind === 'setting');
   const canOpen = setting && !onScreen && session.opened.obstacle(setting.program) === null;
   // A value that the other program does not know cannot be taken.
@@ -79,7 +90,6 @@ function Pair({ session, compare, following, first, second }: PairProps) {
   const action = (change: Change) => {
     const value = change[other];
     if (value === null) return null;
-    const { identity } = first.program;
     return (
       <button
         type="button"
@@ -93,22 +103,55 @@ function Pair({ session, compare, following, first, second }: PairProps) {
       </button>
     );
   };
+  // With the buttons, the values stand one below the other, however many there are.
+  const canTake = onScreen && !following;
+  const isGrid = changes.length > LONG_LIST && !canTake;
   return (
-    <ProgramPair
-      first={first.program}
-      second={second.program}
-      names={names}
-      title={messages.value.timeline.title}
-      actionOf={onScreen && !following ? action : undefined}
-    >
-      {onScreen && !isSame && <p class="hint">{following ? moreMessages.value.obstacles.following : words.takeHint}</p>}
-      {canOpen && (
-        <button type="button" onClick={() => void compare.open(setting)}>
-          {words.openFirst({ name: setting.record.setting.name })}
-        </button>
-      )}
-    </ProgramPair>
+    <div class="stack gap-4 compare-pair">
+      <div class="stack gap-3 panel compare-values">
+        <p role="status">
+          <strong>{changes.length === 0 ? overview.same : overview.differs({ count: changes.length })}</strong>
+        </p>
+        {onScreen && changes.length > 0 && <p class="hint">{following ? obstacles.following : words.takeHint}</p>}
+        {canOpen && (
+          <button type="button" onClick={() => void compare.open(setting)}>
+            {words.openFirst({ name: setting.record.setting.name })}
+          </button>
+        )}
+        {isGrid && (
+          <ProgramGrid
+            program={first.program}
+            other={second.program}
+            caption={write.sideBySide({ names: names.join(', ') })}
+            names={names}
+          />
+        )}
+        {!isGrid && changes.length > 0 && (
+          <ValueTable
+            identity={identity}
+            names={names}
+            rows={changes.map((change) => ({
+              field: change.field,
+              values: [change.from, change.to],
+              note: canTake && action(change),
+            }))}
+          />
+        )}
+      </div>
+      <Timeline
+        program={first.program}
+        overlay={{ program: second.program, name: names[1] }}
+        title={timeline.title}
+        model={model}
+      />
+    </div>
   );
+}
+
+/** The first servo whose positions differ; the first of all if none do. */
+function firstServo(changes: readonly Change[]): number {
+  const servos = changes.flatMap(({ field }) => (field.kind === 'position' ? [field.servo] : []));
+  return servos.length === 0 ? 0 : Math.min(...servos);
 }
 
 interface ChoiceProps {

@@ -21,14 +21,12 @@ import {
 import type { ValueTable } from '../write/value-table.js';
 import type { WriteJob } from '../write/write-job.js';
 import { finishWrite, takeGoal } from './finish-write.js';
+import type { Memories } from './memories.js';
 
 export interface UnfinishedProps {
   readonly session: Session;
   readonly write: WriteJob;
-  /** Reads a memory that is not current, and opens it. */
-  readonly onEdit: (memory: number) => void;
-  /** Makes a memory fly next. */
-  readonly onFly: (memory: number) => void;
+  readonly memories: Memories;
   /** Keeps the positions that were tried in the connected timer. */
   readonly onKeep: () => void;
 }
@@ -58,7 +56,7 @@ export interface Entry {
 
 /** What is said of an unfinished job. What can be done about a write waits while the dialog of another one is open. */
 export function entriesOf(props: UnfinishedProps, job: OpenJob): readonly Entry[] {
-  const { session, write, onFly } = props;
+  const { session, write, memories } = props;
   const { knowledge: words, nextFlight } = messages.value;
   if (job.kind === 'offer') return [offered(props, job.offer)];
   if (job.kind === 'tried') return [tried(props, job.trial)];
@@ -68,7 +66,7 @@ export function entriesOf(props: UnfinishedProps, job: OpenJob): readonly Entry[
     const canGoBack = original !== null && session.connection.value !== null;
     const back = (memory: number): Way => ({
       label: nextFlight.back({ original: memoryText(session, memory) }),
-      run: () => onFly(memory),
+      run: () => void memories.fly(memory),
     });
     return [{ ...grave, ways: canGoBack ? [back(original)] : [] }];
   }
@@ -81,9 +79,16 @@ export function entriesOf(props: UnfinishedProps, job: OpenJob): readonly Entry[
   return [entry, ...(offer ? [offered(props, offer)] : [])];
 }
 
+/** Opens a memory that need not fly next, or makes it fly next. */
+function wayTo({ session, memories }: UnfinishedProps, what: 'edit' | 'fly', memory: number): Way {
+  const label = messages.value.look[what]({ memory: memoryName(memory) });
+  return { label, disabled: session.runner.busy.value, run: () => void memories[what](memory) };
+}
+
 /** What makes it certain, where that is possible from here. */
-function waysToRead({ session, onEdit }: UnfinishedProps, where: Where): readonly Way[] {
-  const { knowledge: words, program, look } = messages.value;
+function waysToRead(props: UnfinishedProps, where: Where): readonly Way[] {
+  const { session } = props;
+  const { knowledge: words, program } = messages.value;
   const { memory } = where;
   const disabled = session.runner.busy.value;
   if (isHere(session, where)) {
@@ -92,7 +97,7 @@ function waysToRead({ session, onEdit }: UnfinishedProps, where: Where): readonl
     const current = nextFlight.memory.value ?? (onScreen.apart.value ? null : onScreen.memory.value);
     return memory === null || memory === current
       ? [{ label: program.read, disabled, run: () => void session.reader.read() }]
-      : [{ label: look.edit({ memory: memoryName(memory) }), disabled, run: () => onEdit(memory) }];
+      : [wayTo(props, 'edit', memory)];
   }
   if (session.link.state.value.status !== 'off' || session.link.unavailable || isSimulated(where)) return [];
   return [{ label: words.connect, disabled: session.engaged.value, run: () => void session.timer.connect() }];
@@ -107,30 +112,24 @@ function waysToForget({ link, knowledge }: Session, { key }: Where): readonly Wa
 }
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
-function offered({ session, write: job, onEdit }: UnfinishedProps, offer: Offer): Entry {
-  const { recovery: words, write, bench, look, timer } = messages.value;
+function offered(props: UnfinishedProps, offer: Offer): Entry {
+  const { session, write: job } = props;
+  const { recovery: words, write, bench, timer } = messages.value;
   const { recovery } = session;
-  const disabled = session.runner.busy.value;
   const otherTimer: Way = { label: words.otherTimer, run: () => recovery.setAside() };
   const leave: Way = { label: words.leave, look: 'quiet', run: () => void recovery.settle() };
-  const fly = (memory: number): Way => ({
-    label: look.fly({ memory: memoryName(memory) }),
-    disabled,
-    run: () => void session.reader.selectMemory(memory),
-  });
   if (offer.kind === 'elsewhere') {
     const { memory } = offer;
     const said = words.elsewhere({ memory: memoryName(memory) });
     // Where the timer does not say which memory is current, there is no way back from a look.
-    const edit: Way = { label: look.edit({ memory: memoryName(memory) }), disabled, run: () => onEdit(memory) };
-    const way = session.nextFlight.memory.value === null ? fly(memory) : edit;
+    const way = wayTo(props, session.nextFlight.memory.value === null ? 'fly' : 'edit', memory);
     return { name: words.title, isGrave: false, title: words.title, said, ways: [way, otherTimer, leave] };
   }
   if (offer.kind === 'memories') {
     const { title } = timer['memory-left'];
     const { original } = offer.record;
     const said = words.left({ original: memoryName(original), current: memoryOf(null, offer.current) });
-    const back: Way = { ...fly(original), look: 'primary' };
+    const back: Way = { ...wayTo(props, 'fly', original), look: 'primary' };
     return { name: title, isGrave: false, title, said, ways: [back, otherTimer, leave] };
   }
   const { record, part, read } = offer;
@@ -172,8 +171,8 @@ function rows({ record: { before, goal }, part }: Extract<Offer, { kind: 'write'
 
 /** Positions that were tried: to keep them, or to put back what the timer held before. */
 function tried(props: UnfinishedProps, trial: OpenTrial): Entry {
-  const { session, write, onEdit, onFly, onKeep } = props;
-  const { bench: words, look } = messages.value;
+  const { session, write, onKeep } = props;
+  const { bench: words } = messages.value;
   const { trials, editor, runner } = session;
   const where = whereOf(trial);
   const { memory } = where;
@@ -192,12 +191,10 @@ function tried(props: UnfinishedProps, trial: OpenTrial): Entry {
     ];
     return { ...entry, title: triedText(trial.before.identity, trials.tried.value), ways };
   }
-  const disabled = runner.busy.value;
-  const wayTo = (to: number): Way =>
-    session.nextFlight.memory.value === to
-      ? { label: look.edit({ memory: memoryName(to) }), disabled, run: () => onEdit(to) }
-      : { label: look.fly({ memory: memoryName(to) }), disabled, run: () => onFly(to) };
-  const toIt: readonly Way[] = memory !== null && isHere(session, where) ? [wayTo(memory)] : waysToRead(props, where);
+  const toIt: readonly Way[] =
+    memory !== null && isHere(session, where)
+      ? [wayTo(props, session.nextFlight.memory.value === memory ? 'edit' : 'fly', memory)]
+      : waysToRead(props, where);
   const keep: Way = { label: words.keep, look: 'quiet', run: () => trials.forget(trial.key) };
   return { ...entry, title: triedElsewhere(session, trial), ways: [...toIt, keep] };
 }

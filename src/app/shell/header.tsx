@@ -31,13 +31,7 @@ export function Header(props: HeaderProps) {
       <StatusStrip {...props} hash={location.hash} />
       {session.recognition.tells.value && recognized}
       <NextFlightNotes session={session} />
-      <UnfinishedBand
-        session={session}
-        write={write}
-        onEdit={(memory) => void memories.edit(memory)}
-        onFly={(memory) => void memories.fly(memory)}
-        onKeep={() => follow.keep()}
-      />
+      <UnfinishedBand {...{ session, write, memories }} onKeep={() => follow.keep()} />
       {!staged && (
         <>
           <LinkNotice session={session} platform={platform} onStop={() => void leaving.disconnect()} />

@@ -1,20 +1,14 @@
-import { type Change, type TimerProgram, valueAt } from '../../program/index.js';
+import { valueAt } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { ProgramGrid } from '../timeline/program-grid.js';
+import type { MemoryChange } from './plan.js';
 import { ValueTable } from './value-table.js';
 
 /** More values are easier to find at their places in the program. */
 export const LONG_LIST = 8;
 
-interface DifferenceProps {
-  /** What the timer holds, and what it will hold. */
-  readonly before: TimerProgram;
-  readonly goal: TimerProgram;
-  readonly changes: readonly Change[];
-}
-
 /** What a write would change: as a list, and when that is long, in the grid of the program. */
-export function Difference({ before, goal, changes }: DifferenceProps) {
+export function Difference({ before, goal, changes }: Pick<MemoryChange, 'before' | 'goal' | 'changes'>) {
   const { from, to, sideBySide } = messages.value.write;
   // The grid cannot show a value that is not known.
   const isKnown = changes.every((change) => change.from !== null && change.from === valueAt(before, change.field));

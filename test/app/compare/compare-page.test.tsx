@@ -52,7 +52,7 @@ async function compare(bench: AppBench, first: string | null, second: string | n
   await idle(0);
 }
 
-const said = (): string | null => document.querySelector('.pair-values [role=status]')?.textContent ?? null;
+const said = (): string | null => document.querySelector('.compare-values [role=status]')?.textContent ?? null;
 const chosen = (name: string) =>
   screen.getByRole<HTMLSelectElement>('combobox', { name }).selectedOptions[0]?.textContent;
 const options = (name: string) =>
