@@ -434,12 +434,6 @@ describe('a job on M3 that is cut', () => {
 });
 
 describe('a timer', () => {
-  it('that does not say which memory is current gives no way back, so none is edited apart', async () => {
-    await connected({ quirks: { memoryReplyEmpty: true } });
-    await lookAt('M2');
-    expect(screen.getByRole<HTMLButtonElement>('button', { name: 'Edit M2' }).disabled).toBe(true);
-  });
-
   it('with 255 memories opens the last one', async () => {
     const app = await connected({ identity: { timerClass: 'Q', memories: 255 } });
     fireEvent.change(screen.getByRole('combobox', { name: en.program.memory }), { target: { value: '254' } });

@@ -1,5 +1,4 @@
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { finishWrite } from '../../../src/app/memories/finish-write.js';
 import type { ValueReport, WriteReport } from '../../../src/client/index.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, asked, connectedBench, goOn, idle, reloaded, review, run, sets } from '../bench/bench.js';
@@ -322,16 +321,6 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     expect(bench.session.servoMoves.allowed.value).toBe(false);
   });
 
-  it('moves nothing when the pilot had agreed and left the dialog', async () => {
-    const bench = await notHeld();
-    await goOn(bench);
-    bench.session.servoMoves.allow(true);
-    bench.write.dismiss();
-    await review(bench);
-    await goOn(bench);
-    expect(moves(bench)).toBe(0);
-  });
-
   it('does not begin, and moves nothing, without the safety', async () => {
     const bench = await notHeld();
     await goOn(bench);
@@ -377,27 +366,6 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     expect(again.session.servoMoves.needed, 'it is still known after another kind of timer was on this port').toBe(
       true,
     );
-  });
-
-  it('asks the same when it finishes an interrupted write, or goes back', async () => {
-    const bench = await notHeld();
-    bench.editor.type(S3, '8');
-    await goOn(bench);
-    bench.session.servoMoves.allow(true);
-    bench.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && bench.adapter.unplug();
-    await goOn(bench);
-    bench.write.dismiss();
-    bench.timer.core.onAnswer = undefined;
-    bench.adapter.replug();
-    await idle();
-    expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent: 'part' } });
-    void finishWrite(bench.session, bench.write, 'goal');
-    await asked(bench);
-    expect([bench.session.servoMoves.needed, bench.session.servoMoves.allowed.value]).toEqual([true, false]);
-    bench.session.servoMoves.allow(true);
-    bench.session.safety.confirm();
-    await goOn(bench);
-    expect(bench.write.current.value).toMatchObject({ ends: [{ state: 'verified' }] });
   });
 });
 
