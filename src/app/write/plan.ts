@@ -19,6 +19,9 @@ import type { RoundTrip } from '../work/interrupted-jobs.js';
 /** What a write is to do. */
 export type Plan = EditsPlan | MemoriesPlan;
 
+/** A plan that writes what is on the screen. What is copied or restored was in a memory before. */
+type ScreenPlan = EditsPlan | Extract<MemoriesPlan, { kind: 'screen' }>;
+
 /**
  * Writes what was edited on the screen into its memory, which flies next. `only`: nothing but these fields; the other
  * edits wait.
@@ -32,8 +35,8 @@ export interface EditsPlan {
 export type MemoriesPlan =
   /** Copies the content of a memory, read for this purpose, into another one. */
   | { readonly kind: 'copy'; readonly from: number; readonly to: number }
-  /** The same with the program on the screen, with its changes, in place of what a memory holds. */
-  | { readonly kind: 'screen'; readonly program: TimerProgram; readonly to: number }
+  /** The same with the program on the screen. `own`: its changes are of that memory. */
+  | { readonly kind: 'screen'; readonly to: number; readonly own: boolean }
   | { readonly kind: 'restore'; readonly backups: readonly Backup[] };
 
 /** What will be written into one memory, as the dialog shows it. */
@@ -116,14 +119,13 @@ export function isGood({ stopped, ends }: Outcome): boolean {
   return stopped === null && ends.every(({ state }) => state === 'verified');
 }
 
-/** Whether it writes what is on the screen: what is copied or restored was in a memory before. */
-export function isOfScreen({ kind }: Plan): boolean {
-  return kind === 'edits' || kind === 'screen';
+export function isOfScreen(plan: Plan): plan is ScreenPlan {
+  return plan.kind === 'edits' || plan.kind === 'screen';
 }
 
 /** Whether it writes the changes on the screen into the memory that they are of. */
 export function isOwn(plan: Plan): boolean {
-  return plan.kind === 'edits' || (plan.kind === 'screen' && plan.to === plan.program.memory);
+  return plan.kind === 'edits' || (plan.kind === 'screen' && plan.own);
 }
 
 /** Whether it puts back what this memory held, and leaves all else on the screen for another write. */
@@ -131,16 +133,22 @@ export function isPart(plan: Plan): boolean {
   return plan.kind === 'edits' && plan.only !== undefined;
 }
 
-/** What the timer is to hold after a write of edits. */
-export function goalOf({ only }: EditsPlan, before: TimerProgram, working: TimerProgram): TimerProgram {
-  if (!only) return working;
+/** What a memory is to hold after a write of what is on the screen. */
+export function goalOf(plan: ScreenPlan, before: TimerProgram, working: TimerProgram): TimerProgram {
+  if (plan.kind === 'screen') return into(plan.to, working);
+  if (!plan.only) return working;
   return withValues(
     before,
-    only.flatMap((field) => {
+    plan.only.flatMap((field) => {
       const value = valueAt(working, field);
       return value === null ? [] : [{ field, value }];
     }),
   );
+}
+
+/** Whether the idle throttle belongs to a memory is not known: it is left as it is. */
+function into(memory: number, program: TimerProgram): TimerProgram {
+  return { ...program, memory, idleThrottle: null };
 }
 
 /** What the record of its round trip calls it. */
@@ -162,21 +170,19 @@ export function targetsOf(plan: MemoriesPlan): readonly number[] {
 /**
  * What a plan would change.
  * @param programs what the memories of {@link memoriesOf} hold, in that order.
+ * @param working what is on the screen.
  * @returns null when a backup comes from another kind of timer.
  */
-export function changesBy(plan: MemoriesPlan, programs: readonly TimerProgram[]): readonly MemoryChange[] | null {
+export function changesBy(
+  plan: MemoriesPlan,
+  programs: readonly TimerProgram[],
+  working: TimerProgram,
+): readonly MemoryChange[] | null {
   const pairs = targetsOf(plan).map((memory, index) => {
     const before = programs[index] as TimerProgram;
-    const goal =
-      plan.kind === 'restore'
-        ? (plan.backups.find(({ program }) => program.memory === memory) as Backup).program
-        : // Whether the idle throttle belongs to a memory is not known: it is left as it is.
-          {
-            ...(plan.kind === 'screen' ? plan.program : (programs.at(-1) as TimerProgram)),
-            memory,
-            idleThrottle: null,
-          };
-    return { before, goal };
+    if (plan.kind === 'screen') return { before, goal: goalOf(plan, before, working) };
+    if (plan.kind === 'copy') return { before, goal: into(memory, programs.at(-1) as TimerProgram) };
+    return { before, goal: (plan.backups.find(({ program }) => program.memory === memory) as Backup).program };
   });
   if (!pairs.every(({ before, goal }) => sameKind(before.identity, goal.identity))) return null;
   return pairs.map(({ before, goal }) => changeOf(before, goal));

@@ -265,7 +265,7 @@ function doesOf(session: Session, plan: MemoriesPlan, changes: Review['changes']
   if (plan.kind === 'copy')
     return plans.copy({ from: memoryText(session, plan.from), to: memoryText(session, plan.to) });
   if (plan.kind === 'screen') {
-    const { idleThrottle } = plan.program;
+    const idleThrottle = session.editor.working.value?.idleThrottle ?? null;
     const isLeft = idleThrottle !== null && idleThrottle !== changes[0]?.before.idleThrottle;
     return plans.screen({ to: whereText(session, plan.to, model), keepsThrottle: isLeft });
   }

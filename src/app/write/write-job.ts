@@ -134,7 +134,7 @@ export class WriteJob {
     const { editor, onScreen } = this.#parts;
     const program = editor.working.peek();
     const isEdits = memory === null || !program || (memory === program.memory && !onScreen.apart.peek());
-    return isEdits ? EDITS : { kind: 'screen', program, to: memory };
+    return isEdits ? EDITS : { kind: 'screen', to: memory, own: memory === program.memory };
   }
 
   /** Whether the dialog has to stay open, whatever key is pressed. */
@@ -193,17 +193,17 @@ export class WriteJob {
     return { step: 'review', plan, connection, changes, ...this.#whose(plan), moved };
   }
 
-  async #compareMemories(wanted: MemoriesPlan, moved: Review['moved']): Promise<Review | Done | null> {
-    let plan = wanted;
+  async #compareMemories(plan: MemoriesPlan, moved: Review['moved']): Promise<Review | Done | null> {
     const { runner, connection, reader, editor } = this.#parts;
     const began = connection.value;
+    const memory = editor.working.value?.memory;
     this.#show({ step: 'running', plan });
     const trip = new NotedRoundTrip(this.#parts, tripOf(plan));
     const end = await runner.perform('memories', async (on, options) => {
       const read = await trip.read(on, { ...options, memories: memoriesOf(plan) });
       // That reading is on the screen by now, below the edits.
-      if (plan.kind === 'screen' && isOwn(plan)) plan = { ...plan, program: editor.working.peek() ?? plan.program };
-      const changes = changesBy(plan, read);
+      const working = editor.working.peek();
+      const changes = working && changesBy(plan, read, working);
       if (!changes) throw new TimerError('other-timer', 'a backup is of another kind');
       return changes;
     });
@@ -216,7 +216,7 @@ export class WriteJob {
     await reader.readIfOpen();
     if (!began || connection.value !== began) return null;
     // The screen shows another memory by now. The edits are kept, and the pilot was told.
-    if (plan.kind === 'screen' && editor.working.value?.memory !== plan.program.memory) return null;
+    if (plan.kind === 'screen' && editor.working.value?.memory !== memory) return null;
     return { step: 'review', plan, connection: began, changes: end.value, ...this.#whose(plan), moved };
   }
 
@@ -225,22 +225,16 @@ export class WriteJob {
     const { editor } = this.#parts;
     const { plan } = review;
     const [shown] = review.changes;
-    if (plan.kind === 'edits') {
-      const now = this.#edits(plan, 'edits');
-      const [change] = now?.changes ?? [];
-      const isAsShown = shown && change?.before === shown.before && differences(change.goal, shown.goal).length === 0;
-      if (!isAsShown || editor.blocked.value) return now;
-    }
-    const now = this.#whose(plan);
-    if (plan.kind === 'screen' && shown) {
-      const program = editor.working.value ?? plan.program;
-      const isAsShown = differences(plan.program, program).length === 0 && !editor.blocked.value;
-      const again = { ...plan, program };
-      const changes = changesBy(again, [shown.before]);
-      if (!isAsShown && changes) return { ...review, ...now, plan: again, changes, moved: 'edits' };
+    const working = editor.working.value;
+    const now = { ...review, ...this.#whose(plan) };
+    if (isOfScreen(plan) && shown && working) {
+      const before = (plan.kind === 'edits' ? editor.baseline.value : null) ?? shown.before;
+      const change = changeOf(before, goalOf(plan, before, working));
+      const isAsShown = before === shown.before && differences(change.goal, shown.goal).length === 0;
+      if (!isAsShown || editor.blocked.value) return { ...now, changes: [change], moved: 'edits' };
     }
     const isSame = sameModel(now.model, review.model) && sameCrossing(now.crossing, review.crossing);
-    return isSame ? null : { ...review, ...now, moved: 'model' };
+    return isSame ? null : { ...now, moved: 'model' };
   }
 
   /** Writes what was shown. @returns what is to be shown next; null for nothing. */

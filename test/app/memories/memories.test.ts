@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { takeGoal } from '../../../src/app/memories/finish-write.js';
 import type { Plan } from '../../../src/app/write/plan.js';
-import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
+import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, type BenchOptions, connectedBench, goOn, idle, review, run, selected } from '../bench/bench.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
@@ -279,21 +279,15 @@ describe('restoring a set', () => {
 
 describe('a plug that is pulled in the middle', () => {
   const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
-  const copy = () => COPY;
-  const screen = (program: TimerProgram): Plan => ({ kind: 'screen', program, to: 3 });
-  const pulled: [
-    name: string,
-    plan: ((shown: TimerProgram) => Plan) | null,
-    at: (bench: AppBench, name: string) => boolean,
-    rest: unknown,
-  ][] = [
+  const SCREEN: Plan = { kind: 'screen', to: 3, own: false };
+  const pulled: [name: string, plan: Plan | null, at: (bench: AppBench, name: string) => boolean, rest: unknown][] = [
     ['a backup', null, ({ timer }, name) => name === 'GETTIMERS' && timer.core.memory === 2, null],
     // The times are there and the position is not: only that memory can tell.
-    ['a copy', copy, (_, name) => name === 'SETTIMERS', { kind: 'elsewhere', memory: 3 }],
+    ['a copy', COPY, (_, name) => name === 'SETTIMERS', { kind: 'elsewhere', memory: 3 }],
     // All is there: the first reading tells.
-    ['a copy that was complete', copy, (_, name) => name === 'SETSERVO', null],
-    ['a write of the screen', screen, (_, name) => name === 'SETTIMERS', { kind: 'elsewhere', memory: 3 }],
-    ['a write of the screen that was complete', screen, (_, name) => name === 'SETSERVO', null],
+    ['a copy that was complete', COPY, (_, name) => name === 'SETSERVO', null],
+    ['a write of the screen', SCREEN, (_, name) => name === 'SETTIMERS', { kind: 'elsewhere', memory: 3 }],
+    ['a write of the screen that was complete', SCREEN, (_, name) => name === 'SETSERVO', null],
   ];
 
   it.each(pulled)(
@@ -301,7 +295,7 @@ describe('a plug that is pulled in the middle', () => {
     async (_, plan, at, rest) => {
       const made = await bench();
       made.timer.core.onAnswer = ({ name }) => at(made, name) && made.adapter.unplug();
-      await (plan ? job(made, plan(made.editor.working.value as TimerProgram)) : run(made.memories.backUp()));
+      await (plan ? job(made, plan) : run(made.memories.backUp()));
       expect(made.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
       made.timer.core.onAnswer = undefined;
       made.write.dismiss();
