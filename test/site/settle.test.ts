@@ -46,25 +46,3 @@ test('a walk with a timer of the other byte order settles what is so, keeps it, 
     if (name) await app.text(`${name}:`).waitFor();
   }
 });
-
-test('a plug that is pulled while a position is tried leaves it said, and to be put back', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await app.connect();
-  const before = await app.bench(({ content }) => JSON.stringify(content));
-  await app.page.evaluate(() => location.assign('#settings/settle'));
-  await app.page.getByRole('checkbox', { name: en.settle.safe }).check();
-  await app.button(en.settle.readIt).click();
-  for (let i = 0; i < 4; i++) await app.button(en.next).click();
-  await app.button(bench.bring({ slot: 'DT' })).click();
-  await app.bench((it) => it.unplugAt('SETSERVO'));
-  await app.button(en.settle.tryIt).click();
-  await app.page.getByRole('region', { name: 'Not certain' }).getByText('Function 1, S1 is').waitFor();
-  expect(await app.bench(({ content }) => JSON.stringify(content))).not.toBe(before);
-  await app.bench((it) => it.replug());
-  await app.isReady();
-  await app.button(en.recovery.finish).click();
-  await app.tickSafety();
-  await app.dialog.getByRole('button', { name: /^Write/ }).click();
-  await app.result('Verified.');
-  expect(await app.bench(({ content }) => JSON.stringify(content))).toBe(before);
-});
