@@ -127,7 +127,7 @@ function Result({ form }: { readonly form: FlightForm }) {
   const { result } = form.flight.value;
   return (
     <div class="stack">
-      <Stepper form={form} measure="result" label={words.result} unit="s" field={field} />
+      <Stepper form={form} measure="result" label={words.result} unit={messages.value.times.units.s} field={field} />
       {form.either.value && (
         <TimeQuestion
           label={words.result}

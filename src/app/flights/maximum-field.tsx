@@ -1,6 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { on } from '../browser/lifecycle.js';
+import { messages } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
 import { TimeQuestion } from '../ui/time-question.js';
 import { useUnsaved } from '../ui/unsaved.js';
@@ -55,7 +56,7 @@ export function MaximumField({ label, value, otherwise = null, onTake }: Maximum
       {problem !== null && problem !== 'ambiguous' && (
         <span class="time-question bad-text" role="alert">
           {problem === 'out-of-range'
-            ? range({ min: RANGES.maximum.min, max: RANGES.maximum.max, unit: 's' })
+            ? range({ min: RANGES.maximum.min, max: RANGES.maximum.max, unit: messages.value.times.units.s })
             : unreadable[problem]}
         </span>
       )}

@@ -182,6 +182,7 @@ function TimeAxis({ program, layout, measures, ticks, stages, selected }: Geomet
   const marks = new Set(marksOf(program));
   const { left, right } = layout.box;
   const top = Math.max(layout.box.bottom, measures.axis - 20);
+  const { figure, units } = messages.value.times;
   return (
     <g class="axis">
       {ticks.map((time, i) => {
@@ -193,7 +194,7 @@ function TimeAxis({ program, layout, measures, ticks, stages, selected }: Geomet
           <g key={time === dt ? 'dt' : i} class={classes} transform={`translate(${rounded(x)} 0)`}>
             <path d={`M0 ${top}v5`} />
             <text y={measures.axis} class={at}>
-              {time === 0 ? '0 s' : shortTime(time)}
+              {time === 0 ? figure({ text: '0', unit: units.s }) : shortTime(time)}
             </text>
           </g>
         );
