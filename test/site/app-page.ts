@@ -383,6 +383,15 @@ export class AppPage {
     await this.#works();
   }
 
+  /** As if it were chosen in the settings: all that is on the screen stays. */
+  async speak(language: string): Promise<void> {
+    await this.page.evaluate((code) => {
+      localStorage.setItem('sidus-timer/language', JSON.stringify(code));
+      dispatchEvent(new Event('languagechange'));
+    }, language);
+    await this.page.locator(`html[lang=${language}]`).waitFor();
+  }
+
   async expectNoSidewaysScrolling(): Promise<void> {
     const beyond = await this.page.evaluate(() => {
       const { scrollWidth, clientWidth } = document.documentElement;

@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { LANGUAGES } from '../../src/app/messages/first.js';
 import { en } from '../tools/en.js';
 import { OVER, outOfReach } from '../tools/in-reach.js';
 import { AppPage } from './app-page.js';
@@ -23,11 +24,19 @@ const BY_MOUSE: readonly Size[] = [
 
 const faults: string[] = [];
 
-async function look(app: AppPage, sizes: readonly Size[], state: string): Promise<void> {
+/** @param least where words have the least room: looked at in each language. */
+async function look(app: AppPage, sizes: readonly Size[], least: Size, state: string): Promise<void> {
   for (const [width, height] of sizes) {
     await app.resize({ width, height });
     for (const fault of await app.page.evaluate(outOfReach, OVER))
       faults.push(`${state}, ${width}x${height}: ${fault}`);
+  }
+  await app.resize({ width: least[0], height: least[1] });
+  // English comes first, and is needed again for the way to the next state.
+  for (const language of [...LANGUAGES.slice(1), 'en']) {
+    await app.speak(language);
+    for (const fault of await app.page.evaluate(outOfReach, OVER))
+      faults.push(`${state}, ${least.join('x')}, ${language}: ${fault}`);
   }
   const [first] = sizes;
   // Where room is scarce: the strip on a phone, the rail on a tablet and a laptop.
@@ -56,11 +65,11 @@ function spreadText(on: boolean): void {
 }
 
 test.each([
-  ['a finger', BY_TOUCH, { hasTouch: true, isMobile: true }],
-  ['a mouse', BY_MOUSE, {}],
+  ['a finger', BY_TOUCH, [320, 640], { hasTouch: true, isMobile: true }],
+  ['a mouse', BY_MOUSE, [1280, 800], {}],
 ] as const)(
-  'all that is there can be read and pressed with %s, in each view and each size',
-  async (_, sizes, options) => {
+  'all that is there can be read and pressed with %s, in each view, size and language',
+  async (_, sizes, least, options) => {
     faults.length = 0;
     const [first] = sizes;
     const [width, height] = first as Size;
@@ -69,7 +78,7 @@ test.each([
     await showTheme(app, 'sun');
     const { page } = app;
     const dialog = page.getByRole('dialog');
-    const see = (state: string): Promise<void> => look(app, sizes, state);
+    const see = (state: string): Promise<void> => look(app, sizes, least, state);
     const shut = async (): Promise<void> => {
       await page.keyboard.press('Escape');
       await dialog.waitFor({ state: 'hidden' });
