@@ -981,7 +981,7 @@ look_lead = Nur zum Ansehen. Nächster Flug: { $current }.
 look_edit = { $memory } bearbeiten
 look_look = { $memory } ansehen
 look_hint = Das wählt { $memory }, liest ihn und kehrt zu { $current } zurück.
-look_fly = { $memory } für den nächsten Flug wählen
+look_fly = { $memory } für den Flug wählen
 look_show = { $memory } zeigen
 
 ## Jobs over several memories, and the backups.
@@ -1189,7 +1189,7 @@ memoryNames_named = { $memory } „{ $name }“
 ## What an earlier job left behind on a timer.
 
 recovery_title = Ein früherer Schreibvorgang wurde unterbrochen.
-recovery_when = { $memory }: Ein Schreibvorgang begann { $time }.
+recovery_when = { $memory }: Schreibvorgang, begonnen { $time }.
 recovery_nothing =
     { $missing ->
         [one] Der Timer enthält, was er vorher enthielt: Nichts wurde geschrieben, { $missing } Änderung fehlt.

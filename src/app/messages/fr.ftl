@@ -528,7 +528,7 @@ troubles_symptoms_wrongValues_steps_4 = Sur F1B et F1E, comparez les temps avec 
 troubles_symptoms_cutOff_title = L’écriture a été interrompue
 troubles_symptoms_cutOff_steps_1 = Ne volez pas encore avec ce modèle. Connectez la minuterie{"\u00a0"}: la page la lit, puis propose de terminer l’écriture ou de réécrire les anciennes valeurs.
 troubles_symptoms_cutOff_steps_2 = Ce que la minuterie contenait avant se trouve sous «{"\u00a0"}{ views_names_memories }{"\u00a0"}», «{"\u00a0"}{ backups_title }{"\u00a0"}».
-troubles_symptoms_noDt_title = Le DT ne se déclenche pas, ou se déclenche au mauvais moment
+troubles_symptoms_noDt_title = Le DT ne se déclenche pas, ou au mauvais moment
 troubles_symptoms_noDt_steps_1 = Regardez en haut de la page{"\u00a0"}: là se trouvent la mémoire du prochain vol et son DT. Une autre mémoire a un autre DT.
 troubles_symptoms_noDt_steps_2 = L’interrupteur de départ revient-il à chaque fois{"\u00a0"}? Tant qu’il est enfoncé, la séquence ne commence pas, et le DT ne se déclenche pas.
 troubles_symptoms_noDt_steps_3 = La batterie est-elle chargée, sa prise enfoncée à fond{"\u00a0"}? Quand la minuterie ne tourne pas, le DT ne se déclenche pas.
@@ -986,7 +986,7 @@ look_lead = Pour consultation seulement. Prochain vol{"\u00a0"}: { $current }.
 look_edit = Modifier { $memory }
 look_look = Consulter { $memory }
 look_hint = Ceci sélectionne { $memory }, la lit et revient à { $current }.
-look_fly = Choisir { $memory } pour le prochain vol
+look_fly = Choisir { $memory } pour le vol
 look_show = Afficher { $memory }
 
 ## Jobs over several memories, and the backups.

@@ -981,7 +981,7 @@ look_lead = Alleen om te bekijken. Volgende vlucht: { $current }.
 look_edit = { $memory } bewerken
 look_look = { $memory } bekijken
 look_hint = Dit kiest { $memory }, leest het en gaat terug naar { $current }.
-look_fly = { $memory } voor de volgende vlucht kiezen
+look_fly = { $memory } kiezen voor de vlucht
 look_show = { $memory } tonen
 
 ## Jobs over several memories, and the backups.
@@ -1189,7 +1189,7 @@ memoryNames_named = { $memory } “{ $name }”
 ## What an earlier job left behind on a timer.
 
 recovery_title = Een eerdere schrijfactie is onderbroken.
-recovery_when = Een schrijfactie in { $memory }, begonnen { $time }.
+recovery_when = Schrijfactie in { $memory }, begonnen { $time }.
 recovery_nothing =
     { $missing ->
         [one] De timer bevat wat hij daarvoor bevatte: er is niets geschreven, { $missing } wijziging ontbreekt.
