@@ -31,7 +31,7 @@ const PATIENCE = { testTimeout: 600_000, hookTimeout: 600_000, expect: { poll: {
  * two longest walks: `npm run test:matrix`. The journeys of a pilot stay in `npm test`.
  */
 const MATRICES =
-  'test/site/{by-ear,digits,first-picture,forced-colours,history,in-reach,in-sight,input,link,long-names,look,many-settings,package,preview,print,rows,season,services,share,tasks,touch,two-tabs,uncertain,update,wire,worker}.test.ts';
+  'test/site/{by-ear,digits,first-picture,forced-colours,history,in-reach,in-sight,input,left-out,link,long-names,look,many-settings,package,preview,print,rows,season,services,share,tasks,touch,two-tabs,uncertain,update,wire,worker}.test.ts';
 const site = {
   environment: 'node',
   globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],

@@ -17,6 +17,9 @@ export function commandsOf(models: AppModels): readonly PaletteCommand[] {
   return [...programCommands(models), ...timerCommands(models), ...libraryCommands(models), ...viewCommands(models)];
 }
 
+/** “Ctrl+Z” */
+const ctrl = (key: string): string => messages.value.palette.ctrl({ key });
+
 function programCommands(models: AppModels): PaletteCommand[] {
   const { session, write, views, printOrder, saveSetting, sharing } = models;
   const { editor, runner, connection } = session;
@@ -35,13 +38,13 @@ function programCommands(models: AppModels): PaletteCommand[] {
       },
     ...saveCommands(session, saveSetting),
     isFree &&
-      undo && { name: edits.undo({ step: stepText(identity, undo) }), keys: 'Ctrl+Z', run: () => editor.undo() },
+      undo && { name: edits.undo({ step: stepText(identity, undo) }), keys: ctrl('Z'), run: () => editor.undo() },
     isFree &&
-      redo && { name: edits.redo({ step: stepText(identity, redo) }), keys: 'Ctrl+Y', run: () => editor.redo() },
+      redo && { name: edits.redo({ step: stepText(identity, redo) }), keys: ctrl('Y'), run: () => editor.redo() },
     isFree && {
       name: words.print,
       // Elsewhere the key prints what is shown there.
-      keys: views.shown.value === 'program' ? 'Ctrl+P' : undefined,
+      keys: views.shown.value === 'program' ? ctrl('P') : undefined,
       run: () => {
         printOrder.choose();
         views.show('print');

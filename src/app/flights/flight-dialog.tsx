@@ -175,9 +175,8 @@ function understood(result: number): string {
   return result < 60 ? text : words.readAs({ time: text, seconds: measureText(result) });
 }
 
-const FLY_OFF = 'fly-off';
-/** The rounds that have buttons. */
-const ROUNDS: readonly string[] = ['1', '2', '3', '4', '5', FLY_OFF];
+/** The numbered rounds that have buttons. */
+const ROUNDS: readonly string[] = ['1', '2', '3', '4', '5'];
 
 function Round({ form }: { readonly form: FlightForm }) {
   const { form: words } = moreMessages.value.flights;
@@ -186,7 +185,7 @@ function Round({ form }: { readonly form: FlightForm }) {
     <fieldset class="stack gap-1">
       <legend class="hint">{words.round}</legend>
       <span class="row flight-rounds">
-        {ROUNDS.map((value) => (
+        {[...ROUNDS, words.flyOff].map((value) => (
           <button
             type="button"
             class="chip"
@@ -194,7 +193,7 @@ function Round({ form }: { readonly form: FlightForm }) {
             aria-pressed={round === value}
             onClick={() => form.set({ round: round === value ? '' : value })}
           >
-            {value === FLY_OFF ? words.flyOff : value}
+            {value}
           </button>
         ))}
         <input

@@ -417,8 +417,9 @@ files_import_undone = Import je vzat zpět. Pozdější změny zůstávají.
 files_refused_title = Nelze importovat: { $name }
 files_refused_nothing = Nic nebylo importováno.
 files_refused_again = Exportujte soubor znovu, nebo požádejte odesílatele o nový.
-files_refused_fault = Řádek{"\u00a0"}{ $line }: očekáváno { $wanted }, nalezeno { $found }.
-files_refused_faultIn = Řádek{"\u00a0"}{ $line }, { $place }: očekáváno { $wanted }, nalezeno { $found }.
+files_refused_fault = Řádek{"\u00a0"}{ $line }: nalezeno { $found }.
+files_refused_faultIn = Řádek{"\u00a0"}{ $line }, { $place }: nalezeno { $found }.
+files_refused_wanted = Očekáváno:
 files_refused_place_entry =
     { $kind ->
         [models] Model „{ $name }“
@@ -1158,7 +1159,7 @@ preview_play = Přehrát
 preview_speed = Tempo
 preview_time = Čas letu
 preview_launch = Start
-preview_at = ({ $time })
+preview_at = { $what } ({ $time })
 preview_sketch = Model z boku a jeho směrovka shora
 preview_motor_true = Stoupání, motor běží
 preview_motor_false = Kluz, motor stojí
@@ -1449,6 +1450,7 @@ strip_made = ne v časovači
 palette_title = Příkazy
 palette_search = Napište, co chcete udělat
 palette_nothing = Žádný příkaz se tak nejmenuje, nebo ho teď nelze provést.
+palette_ctrl = Ctrl+{ $key }
 
 ## In place of a part of the page that is being loaded.
 

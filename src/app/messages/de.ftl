@@ -405,8 +405,9 @@ files_import_undone = Der Import ist rückgängig gemacht. Spätere Änderungen 
 files_refused_title = { $name } lässt sich nicht importieren
 files_refused_nothing = Nichts wurde importiert.
 files_refused_again = Exportieren Sie die Datei noch einmal oder bitten Sie den Absender um eine neue.
-files_refused_fault = Zeile{"\u00a0"}{ $line }: erwartet { $wanted }, gefunden { $found }.
-files_refused_faultIn = Zeile{"\u00a0"}{ $line }, { $place }: erwartet { $wanted }, gefunden { $found }.
+files_refused_fault = Zeile{"\u00a0"}{ $line }: gefunden { $found }.
+files_refused_faultIn = Zeile{"\u00a0"}{ $line }, { $place }: gefunden { $found }.
+files_refused_wanted = Erwartet:
 files_refused_place_entry =
     { $kind ->
         [models] Modell „{ $name }“
@@ -1131,7 +1132,7 @@ preview_play = Abspielen
 preview_speed = Tempo
 preview_time = Zeit des Flugs
 preview_launch = Start
-preview_at = bei { $time }
+preview_at = { $what } bei { $time }
 preview_sketch = Das Modell von der Seite, sein Seitenruder von oben
 preview_motor_true = Steigflug, Motor läuft
 preview_motor_false = Gleitflug, Motor gestoppt
@@ -1413,6 +1414,7 @@ strip_made = in keinem Timer
 palette_title = Befehle
 palette_search = Geben Sie ein, was Sie tun wollen
 palette_nothing = Kein Befehl heißt so, oder er geht gerade nicht.
+palette_ctrl = Strg+{ $key }
 
 ## In place of a part of the page that is being loaded.
 

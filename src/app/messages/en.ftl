@@ -456,10 +456,12 @@ files_import_undone = The import was undone. Later changes stay.
 files_refused_title = { $name } cannot be imported
 files_refused_nothing = Nothing was imported.
 files_refused_again = Export the file again, or ask its sender for a new one.
-# $place: null outside of all entries. $wanted: and `found`, as the check of the file says it.
-files_refused_fault = Line{"\u00a0"}{ $line }: expected { $wanted }, found { $found }.
+# $found: as it stands in the file.
+files_refused_fault = Line{"\u00a0"}{ $line }: found { $found }.
 # $place: the parts of a place that follow, with commas between them.
-files_refused_faultIn = Line{"\u00a0"}{ $line }, { $place }: expected { $wanted }, found { $found }.
+files_refused_faultIn = Line{"\u00a0"}{ $line }, { $place }: found { $found }.
+# Before what the check of the file says, in English.
+files_refused_wanted = Expected:
 files_refused_place_entry =
     { $kind ->
         [models] Model “{ $name }”
@@ -1224,8 +1226,8 @@ preview_play = Play
 preview_speed = Speed
 preview_time = Time of the flight
 preview_launch = Launch
-# After what has happened.
-preview_at = at { $time }
+# $what: what has happened last, such as “Function 3, DT”.
+preview_at = { $what } at { $time }
 preview_sketch = The model from the side, and its rudder from above
 preview_motor_true = Climb, motor runs
 preview_motor_false = Glide, motor stopped
@@ -1529,6 +1531,8 @@ strip_made = in no timer
 palette_title = Commands
 palette_search = Type what you want to do
 palette_nothing = No command has this name, or it cannot be done now.
+# As the key is marked: “Strg” in German.
+palette_ctrl = Ctrl+{ $key }
 
 ## In place of a part of the page that is being loaded.
 

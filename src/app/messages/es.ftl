@@ -405,8 +405,9 @@ files_import_undone = Se ha deshecho la importación. Los cambios posteriores se
 files_refused_title = No se puede importar { $name }
 files_refused_nothing = No se ha importado nada.
 files_refused_again = Exporte el archivo de nuevo, o pida otro a quien lo envió.
-files_refused_fault = Línea{"\u00a0"}{ $line }: se esperaba { $wanted }, hay { $found }.
-files_refused_faultIn = Línea{"\u00a0"}{ $line }, { $place }: se esperaba { $wanted }, hay { $found }.
+files_refused_fault = Línea{"\u00a0"}{ $line }: hay { $found }.
+files_refused_faultIn = Línea{"\u00a0"}{ $line }, { $place }: hay { $found }.
+files_refused_wanted = Se esperaba:
 files_refused_place_entry =
     { $kind ->
         [models] Modelo «{ $name }»
@@ -1135,7 +1136,7 @@ preview_play = Reproducir
 preview_speed = Velocidad
 preview_time = Tiempo del vuelo
 preview_launch = Lanzamiento
-preview_at = a { $time }
+preview_at = { $what } a { $time }
 preview_sketch = El modelo de lado, y su timón desde arriba
 preview_motor_true = Trepada, motor en marcha
 preview_motor_false = Planeo, motor parado
@@ -1421,6 +1422,7 @@ strip_made = en ningún temporizador
 palette_title = Órdenes
 palette_search = Introduzca lo que quiere hacer
 palette_nothing = Ninguna orden tiene este nombre, o no es posible ahora.
+palette_ctrl = Ctrl+{ $key }
 
 ## In place of a part of the page that is being loaded.
 

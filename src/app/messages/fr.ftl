@@ -406,8 +406,9 @@ files_import_undone = L’import a été annulé. Les changements faits depuis r
 files_refused_title = { $name } ne peut pas être importé
 files_refused_nothing = Rien n’a été importé.
 files_refused_again = Exportez à nouveau le fichier, ou demandez-en un nouveau à l’expéditeur.
-files_refused_fault = Ligne{"\u00a0"}{ $line }{"\u00a0"}: attendu { $wanted }, trouvé { $found }.
-files_refused_faultIn = Ligne{"\u00a0"}{ $line }, { $place }{"\u00a0"}: attendu { $wanted }, trouvé { $found }.
+files_refused_fault = Ligne{"\u00a0"}{ $line }{"\u00a0"}: trouvé { $found }.
+files_refused_faultIn = Ligne{"\u00a0"}{ $line }, { $place }{"\u00a0"}: trouvé { $found }.
+files_refused_wanted = Attendu{"\u00a0"}:
 files_refused_place_entry =
     { $kind ->
         [models] Modèle «{"\u00a0"}{ $name }{"\u00a0"}»
@@ -1136,7 +1137,7 @@ preview_play = Animer
 preview_speed = Vitesse
 preview_time = Temps du vol
 preview_launch = Départ
-preview_at = à { $time }
+preview_at = { $what } à { $time }
 preview_sketch = Le modèle vu de côté, et sa dérive vue de dessus
 preview_motor_true = Montée, moteur en marche
 preview_motor_false = Plané, moteur arrêté
@@ -1422,6 +1423,7 @@ strip_made = hors minuterie
 palette_title = Commandes
 palette_search = Tapez ce que vous voulez faire
 palette_nothing = Aucune commande n’a ce nom, ou elle n’est pas possible maintenant.
+palette_ctrl = Ctrl+{ $key }
 
 ## In place of a part of the page that is being loaded.
 

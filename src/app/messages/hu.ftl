@@ -371,8 +371,9 @@ files_import_undone = Az importálás vissza van vonva. A későbbi módosítás
 files_refused_title = Nem importálható: { $name }
 files_refused_nothing = Semmi nem lett importálva.
 files_refused_again = Exportálja újra a fájlt, vagy kérjen újat a küldőjétől.
-files_refused_fault = { $line }.{"\u00a0"}sor: várt: { $wanted }, talált: { $found }.
-files_refused_faultIn = { $line }.{"\u00a0"}sor, { $place }: várt: { $wanted }, talált: { $found }.
+files_refused_fault = { $line }.{"\u00a0"}sor: talált: { $found }.
+files_refused_faultIn = { $line }.{"\u00a0"}sor, { $place }: talált: { $found }.
+files_refused_wanted = Várt:
 files_refused_place_entry =
     { $kind ->
         [models] „{ $name }” modell
@@ -1031,7 +1032,7 @@ preview_play = Lejátszás
 preview_speed = Sebesség
 preview_time = A repülés ideje
 preview_launch = Start
-preview_at = ekkor: { $time }
+preview_at = { $what } ekkor: { $time }
 preview_sketch = A modell oldalról, az oldalkormánya felülről
 preview_motor_true = Emelkedés, jár a motor
 preview_motor_false = Siklás, áll a motor
@@ -1277,6 +1278,7 @@ strip_made = nincs időzítőben
 palette_title = Parancsok
 palette_search = Írja be, mit szeretne
 palette_nothing = Nincs ilyen nevű parancs, vagy most nem hajtható végre.
+palette_ctrl = Ctrl+{ $key }
 
 ## In place of a part of the page that is being loaded.
 
@@ -1488,10 +1490,10 @@ notKept = Ez a böngésző nem őrizte meg: elvész, ha ezt az oldalt bezárja.
 ## The walk through the open questions of docs/protocol.md with a real timer.
 
 settle_title = Tisztázás az Ön időzítőjével
-settle_lead = Nem minden ismert abból, hogyan beszélnek ezek az időzítők. Az Öné tizenöt perc alatt tisztázza, ami nyitott. Minden próba után visszaáll a régi érték. Legyen kéznél a kézi programozó.
+settle_lead = Nem minden ismert abból, hogyan beszélnek ezek az időzítők. Az Öné tizenöt perc alatt tisztázza, ami nyitott. Minden kipróbált érték vissza lesz állítva. Legyen kéznél a kézi programozó.
 settle_safe = A légcsavar le van véve, vagy a motor le van választva, az időzítő pedig nincs élesítve.
 settle_danger = Most valami elmozdulhat. Le van véve a légcsavar, vagy le van választva a motor? Nézze meg még egyszer.
-settle_blocked = Előbb intézze el, amit a fenti színes sáv ír, és tartsa meg, amit kipróbált, vagy állítsa vissza, ami előtte volt.
+settle_blocked = Előbb intézze el, amit a fenti színes sáv ír, és tartsa meg vagy állítsa vissza, amit kipróbált.
 settle_readIt = Időzítő kiolvasása
 settle_which = Melyiket mutatja a kézi programozó?
 settle_tryHint = Mozgassa a szervókat az oldal gombjaival, és várja meg, amíg megállnak. Utána próbáljon ki egy állást: az oldal módosítja, majd másodperceken belül visszaállítja. Figyelje a szervókat.

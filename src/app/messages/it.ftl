@@ -406,8 +406,9 @@ files_import_undone = L’importazione è stata annullata. Le modifiche successi
 files_refused_title = { $name } non può essere importato
 files_refused_nothing = Nulla è stato importato.
 files_refused_again = Esportare di nuovo il file, o chiederne uno nuovo a chi lo ha inviato.
-files_refused_fault = Riga{"\u00a0"}{ $line }: previsto { $wanted }, trovato { $found }.
-files_refused_faultIn = Riga{"\u00a0"}{ $line }, { $place }: previsto { $wanted }, trovato { $found }.
+files_refused_fault = Riga{"\u00a0"}{ $line }: trovato { $found }.
+files_refused_faultIn = Riga{"\u00a0"}{ $line }, { $place }: trovato { $found }.
+files_refused_wanted = Previsto:
 files_refused_place_entry =
     { $kind ->
         [models] Modello «{ $name }»
@@ -1136,7 +1137,7 @@ preview_play = Riproduci
 preview_speed = Velocità
 preview_time = Tempo del volo
 preview_launch = Lancio
-preview_at = a { $time }
+preview_at = { $what } a { $time }
 preview_sketch = Il modello visto di lato, e il suo direzionale dall’alto
 preview_motor_true = Salita, motore in moto
 preview_motor_false = Planata, motore fermo
@@ -1423,6 +1424,7 @@ strip_made = in nessun timer
 palette_title = Comandi
 palette_search = Inserire che cosa si vuole fare
 palette_nothing = Nessun comando ha questo nome, o ora non è possibile.
+palette_ctrl = Ctrl+{ $key }
 
 ## In place of a part of the page that is being loaded.
 

@@ -405,8 +405,9 @@ files_import_undone = De import is ongedaan gemaakt. Latere wijzigingen blijven.
 files_refused_title = { $name } kan niet geïmporteerd worden
 files_refused_nothing = Er is niets geïmporteerd.
 files_refused_again = Exporteer het bestand opnieuw, of vraag de afzender om een nieuw.
-files_refused_fault = Regel{"\u00a0"}{ $line }: { $wanted } verwacht, { $found } gevonden.
-files_refused_faultIn = Regel{"\u00a0"}{ $line }, { $place }: { $wanted } verwacht, { $found } gevonden.
+files_refused_fault = Regel{"\u00a0"}{ $line }: { $found } gevonden.
+files_refused_faultIn = Regel{"\u00a0"}{ $line }, { $place }: { $found } gevonden.
+files_refused_wanted = Verwacht:
 files_refused_place_entry =
     { $kind ->
         [models] Model “{ $name }”
@@ -1131,7 +1132,7 @@ preview_play = Afspelen
 preview_speed = Snelheid
 preview_time = Tijd van de vlucht
 preview_launch = Start
-preview_at = op { $time }
+preview_at = { $what } op { $time }
 preview_sketch = Het model van opzij, en zijn richtingroer van boven
 preview_motor_true = Stijgvlucht, motor draait
 preview_motor_false = Glijvlucht, motor gestopt
@@ -1413,6 +1414,7 @@ strip_made = in geen timer
 palette_title = Opdrachten
 palette_search = Typ wat je wilt doen
 palette_nothing = Geen opdracht heet zo, of het kan nu niet.
+palette_ctrl = Ctrl+{ $key }
 
 ## In place of a part of the page that is being loaded.
 

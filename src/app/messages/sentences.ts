@@ -723,6 +723,7 @@ export interface PageSentences {
     readonly title: string;
     readonly search: string;
     readonly nothing: string;
+    readonly ctrl: (params: { readonly key: Text }) => string;
   };
   readonly parts: {
     readonly coming: string;
@@ -1138,8 +1139,9 @@ export interface MoreSentences {
       readonly title: (params: { readonly name: Text }) => string;
       readonly nothing: string;
       readonly again: string;
-      readonly fault: (params: { readonly line: Text; readonly wanted: Text; readonly found: Text }) => string;
-      readonly faultIn: (params: { readonly line: Text; readonly place: Text; readonly wanted: Text; readonly found: Text }) => string;
+      readonly fault: (params: { readonly line: Text; readonly found: Text }) => string;
+      readonly faultIn: (params: { readonly line: Text; readonly place: Text; readonly found: Text }) => string;
+      readonly wanted: string;
       readonly place: {
         readonly entry: (params: { readonly kind: 'flights' | 'models' | 'settings'; readonly name: Text }) => string;
         readonly unnamed: (params: { readonly kind: 'flights' | 'models' | 'settings'; readonly number: Text }) => string;
@@ -1556,7 +1558,7 @@ export interface MoreSentences {
     readonly speed: string;
     readonly time: string;
     readonly launch: string;
-    readonly at: (params: { readonly time: Text }) => string;
+    readonly at: (params: { readonly what: Text; readonly time: Text }) => string;
     readonly sketch: string;
     readonly motor: {
       readonly true: string;

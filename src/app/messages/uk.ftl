@@ -417,8 +417,9 @@ files_import_undone = Імпорт відмінено. Пізніші зміни
 files_refused_title = { $name } не можна імпортувати
 files_refused_nothing = Нічого не імпортовано.
 files_refused_again = Зробіть експорт файлу ще раз або попросіть новий у того, хто його надіслав.
-files_refused_fault = Рядок{"\u00a0"}{ $line }: очікувалося { $wanted }, є { $found }.
-files_refused_faultIn = Рядок{"\u00a0"}{ $line }, { $place }: очікувалося { $wanted }, є { $found }.
+files_refused_fault = Рядок{"\u00a0"}{ $line }: є { $found }.
+files_refused_faultIn = Рядок{"\u00a0"}{ $line }, { $place }: є { $found }.
+files_refused_wanted = Очікувалося:
 files_refused_place_entry =
     { $kind ->
         [models] Модель «{ $name }»
@@ -1163,7 +1164,7 @@ preview_play = Відтворити
 preview_speed = Швидкість
 preview_time = Час польоту
 preview_launch = Старт
-preview_at = на { $time }
+preview_at = { $what } на { $time }
 preview_sketch = Модель збоку, її кермо напрямку згори
 preview_motor_true = Набір висоти, двигун працює
 preview_motor_false = Планування, двигун зупинено
@@ -1454,6 +1455,7 @@ strip_made = не в таймері
 palette_title = Команди
 palette_search = Введіть, що хочете зробити
 palette_nothing = Команди з такою назвою немає, або зараз її не можна виконати.
+palette_ctrl = Ctrl+{ $key }
 
 ## In place of a part of the page that is being loaded.
 

@@ -11,12 +11,15 @@ import type { EditedValue, FieldFace } from '../work/edited-value.js';
 /** An interval lies between two times that may both have changed. */
 const NO_OLD_VALUE = { isChanged: false, isConfirmed: false, was: null, old: '', canPutBack: false };
 
+/** Says why something was not done, in the language that the page speaks by then. */
+type Problem = () => string;
+
 /** The last entry in the field. */
 interface Entry {
   /** The text as it was typed; null for a step. */
   readonly text: string | null;
   /** Why it changed nothing; null when it was done. */
-  readonly problem: string | null;
+  readonly problem: Problem | null;
   /** The possible meanings of an ambiguous text, which changed nothing. */
   readonly either?: Ambiguous['either'] | undefined;
   /** The interval after the entry. Once that has changed, as by undo, the entry no longer counts. */
@@ -47,7 +50,7 @@ export class IntervalModel implements EditedValue {
       isWrong: problem !== null,
       either,
       // Why nothing was changed.
-      notes: problem ?? '',
+      notes: problem?.() ?? '',
       ...NO_OLD_VALUE,
     };
   });
@@ -73,7 +76,8 @@ export class IntervalModel implements EditedValue {
     const working = this.#editor.working.value;
     if (!working) return;
     const parsed = readInterval(text, { isDt: this.#field.slot === working.identity.functions });
-    const problem = 'unreadable' in parsed ? messages.value.unreadable[parsed.unreadable] : this.#set(parsed.value);
+    const problem =
+      'unreadable' in parsed ? () => messages.value.unreadable[parsed.unreadable] : this.#set(parsed.value);
     // The beginning of the text may have been an interval.
     if (problem) this.#editor.abandon(groupOf('type', cellKey(this.#field)));
     const either = 'either' in parsed ? parsed.either : undefined;
@@ -114,11 +118,11 @@ export class IntervalModel implements EditedValue {
     return working && intervalAt(working, this.#field.slot);
   }
 
-  #enter(text: string | null, problem: string | null, either?: Ambiguous['either']): void {
+  #enter(text: string | null, problem: Problem | null, either?: Ambiguous['either']): void {
     this.#entered.value = { text, problem, either, interval: this.#find() };
   }
 
-  #set(value: number): string | null {
+  #set(value: number): Problem | null {
     const { working, unreadable } = this.#editor;
     return (
       working.value &&
@@ -127,9 +131,9 @@ export class IntervalModel implements EditedValue {
   }
 
   /** @returns why it was not done; null when it was. */
-  #apply(edit: Edit): string | null {
+  #apply(edit: Edit): Problem | null {
     const { value: identity } = this.#editor.identity;
     const obstacle = this.#editor.apply(edit);
-    return obstacle && identity && obstacleText(identity, obstacle);
+    return obstacle && identity && (() => obstacleText(identity, obstacle));
   }
 }

@@ -22,7 +22,7 @@ export class RowTools {
   readonly #moveDt = signal(false);
   /** The program when the tools were opened. */
   readonly #before = signal<TimerProgram | null>(null);
-  readonly #problem = signal<string | null>(null);
+  readonly #problem = signal<(() => string) | null>(null);
 
   /** Whose tools are open. */
   readonly open: ReadonlySignal<ToolsPlace | null> = this.#open;
@@ -45,7 +45,7 @@ export class RowTools {
     if (typeof slot !== 'number' || !working) return [];
     return slotsThatShift(working, slot, { moveDt: this.#moveDt.value });
   });
-  readonly problem: ReadonlySignal<string | null> = this.#problem;
+  readonly problem: ReadonlySignal<string | null> = computed(() => this.#problem.value?.() ?? null);
 
   constructor(editor: Editor) {
     this.#editor = editor;
@@ -97,9 +97,8 @@ export class RowTools {
   /** Moves the open slot and all later ones by the typed amount, to later or to earlier. */
   shift(direction: 1 | -1): void {
     const parsed = parseInterval(this.#amount.value);
-    const { edits, unreadable } = messages.value;
     if ('unreadable' in parsed) {
-      this.#problem.value = unreadable[parsed.unreadable];
+      this.#problem.value = () => messages.value.unreadable[parsed.unreadable];
       return;
     }
     const slot = this.#open.value;
@@ -108,6 +107,7 @@ export class RowTools {
     const obstacle = this.#editor.apply(
       shiftFrom(working, slot, direction * parsed.value, { moveDt: this.#moveDt.value }),
     );
-    this.#problem.value = obstacle && `${edits.nothingDone} ${obstacleText(working.identity, obstacle)}`;
+    const { identity } = working;
+    this.#problem.value = obstacle && (() => `${messages.value.edits.nothingDone} ${obstacleText(identity, obstacle)}`);
   }
 }

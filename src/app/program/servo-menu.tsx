@@ -29,10 +29,9 @@ export function ServoMenu(props: ServoMenuProps) {
 }
 
 function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { readonly menu: OpenMenu }) {
-  const { edits, unreadable } = messages.value;
-  const { stepServo: words } = edits;
+  const { stepServo: words } = messages.value.edits;
   const typed = useSignal('');
-  const problem = useSignal<string | null>(null);
+  const problem = useSignal<(() => string) | null>(null);
   const scope = useSignal<'all' | 'from'>('all');
   // As it was when the tools were opened: a digit that is typed here ends the range.
   const selected = useMemo(() => {
@@ -49,7 +48,7 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
   const [lowest, highest] = [Math.min(...positions), Math.max(...positions)];
   const step = (by: number): void => {
     const obstacle = table.editor.apply(stepServo(working, { servo, by, from }));
-    problem.value = obstacle && `${edits.nothingDone} ${obstacleText(identity, obstacle)}`;
+    problem.value = obstacle && (() => `${messages.value.edits.nothingDone} ${obstacleText(identity, obstacle)}`);
   };
   return (
     <ToolsPanel
@@ -57,7 +56,7 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
       title={words.title({ servo: name })}
       onSubmit={() => {
         if ('value' in parsed) step(parsed.value);
-        else problem.value = unreadable[parsed.unreadable];
+        else problem.value = () => messages.value.unreadable[parsed.unreadable];
       }}
     >
       <p class="hint row-panel-moved" role="status">
@@ -83,7 +82,7 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
         </label>
         <button type="submit">{words.step}</button>
       </div>
-      <Problem text={problem.value} />
+      <Problem text={problem.value?.() ?? null} />
       {[...new Set([-1, 1, wanted])].map((by) => (
         <Stops key={by} {...{ identity, by }} stops={stopsOf(working, { servo, by, from })} />
       ))}

@@ -45,9 +45,9 @@ export class TableModel {
   readonly #pasting = signal<Pasting | null>(null);
   /** What to paste, once the pilot has looked at it. */
   readonly pasting: ReadonlySignal<Pasting | null> = this.#pasting;
-  readonly #obstacle = signal<string | null>(null);
+  readonly #obstacle = signal<(() => string) | null>(null);
   /** Why the selected cells were not changed. */
-  readonly obstacle: ReadonlySignal<string | null> = this.#obstacle;
+  readonly obstacle: ReadonlySignal<string | null> = computed(() => this.#obstacle.value?.() ?? null);
 
   readonly #byIntervals = signal(false);
   /** Whether intervals are shown in place of times, where there is no room for both. */
@@ -124,7 +124,8 @@ export class TableModel {
     const range = this.selection.range.value;
     if (!range || !working.value) return;
     const found = this.editor.apply(make(working.value, range, { unreadable: unreadable.value }));
-    this.#obstacle.value = found && obstacleText(working.value.identity, found);
+    const { identity } = working.value;
+    this.#obstacle.value = found && (() => obstacleText(identity, found));
   }
 
   /** The selected cells, for other programs. */
@@ -178,7 +179,7 @@ export class TableModel {
 
   #offer(range: GridRange | null, text: string): void {
     const isSome = range !== null && text.trim() !== '';
-    this.#obstacle.value = isSome ? null : messages.value.edits.table.range.clipboardClosed;
+    this.#obstacle.value = isSome ? null : () => messages.value.edits.table.range.clipboardClosed;
     if (isSome) this.#pasting.value = { range, text };
   }
 

@@ -23,26 +23,3 @@ export function speakPseudo(): void {
     [page.value, more.value] = before;
   });
 }
-
-/** What a screen reader reads besides the texts. */
-const SPOKEN = ['aria-label', 'title', 'placeholder', 'alt'];
-
-/**
- * The texts on the screen, also those for screen readers, that do not come from en.ftl. One that is put together from
- * two sentences is among them, unless each is in an element of its own.
- */
-export function leftOut(within: Element): string[] {
-  const texts = [...within.querySelectorAll('*')].flatMap((element) => [
-    ...[...element.childNodes].filter(({ nodeType }) => nodeType === Node.TEXT_NODE).map((node) => node.textContent),
-    ...SPOKEN.map((name) => element.getAttribute(name)),
-  ]);
-  return texts
-    .filter((text): text is string => text !== null && /\p{L}{2}/u.test(bare(text)))
-    .map((text) => text.trim());
-}
-
-/** A text without the sentences in it. Brackets within brackets are a sentence in a sentence. */
-function bare(text: string): string {
-  const inner = text.replaceAll(/⟦[^⟦⟧]*⟧/g, '');
-  return inner === text ? text : bare(inner);
-}

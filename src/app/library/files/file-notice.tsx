@@ -8,7 +8,7 @@ export function FileNotice({ files }: { readonly files: LibraryFiles }) {
   if (!said) return null;
   return (
     <div class={said.isBad ? 'notice bad' : 'notice'}>
-      <p>{said.text}</p>
+      <p>{said.text()}</p>
       {said.undo && (
         <button type="button" onClick={said.undo}>
           {moreMessages.value.files.import.undo}

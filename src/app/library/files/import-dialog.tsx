@@ -53,12 +53,17 @@ function Refused({ why, place }: Refusal) {
   const reason = reasonOf(why);
   const { line, wanted, value } = why instanceof CodecError ? why.details : {};
   const isTold = line !== undefined && wanted !== undefined;
-  const damage = isTold ? faultText({ line, wanted, found: shown(value) }, place) : words.damaged;
+  const damage = isTold ? faultText({ line, found: shown(value) }, place) : words.damaged;
   return (
     <>
       <p class="import-reason" role="alert">
         {reason ?? damage}
       </p>
+      {reason === null && isTold && (
+        <p>
+          {words.wanted} <q lang="en">{wanted}</q>
+        </p>
+      )}
       <p>
         {words.nothing} {reason === null && words.again}
       </p>

@@ -52,7 +52,8 @@ export interface AskedFile {
 
 /** What was done last. */
 export interface FileWord {
-  readonly text: string;
+  /** In the language that the page speaks by then. */
+  readonly text: () => string;
   readonly isBad?: boolean;
   /** It is not in the storage yet. */
   readonly isBusy?: true;
@@ -112,7 +113,7 @@ export class LibraryFiles {
    * @param title the name of the file, before its date.
    */
   async export(part: FilePart = { kind: 'all' }, title = ALL_NAME): Promise<void> {
-    const { export: words } = moreMessages.value.files;
+    const words = () => moreMessages.value.files.export;
     this.dismissWord();
     const now = Date.now();
     let missing: readonly Kind[];
@@ -123,21 +124,19 @@ export class LibraryFiles {
       missing = this.#unread.filter((kind) => part.kind !== 'setting' || kind === 'models');
       made = textOf(partOf(this.#records(), part), part.kind === 'all', version, now, missing);
     } catch {
-      return this.#say({ text: words.failed, isBad: true });
+      return this.#say({ text: () => words().failed, isBad: true });
     }
     if (made === 'nothing')
-      return missing.length > 0 ? this.#say({ text: moreMessages.value.library.unread, isBad: true }) : undefined;
-    if (made === 'too-large') return this.#say({ text: words.tooLarge, isBad: true });
+      return missing.length > 0 ? this.#say({ text: () => moreMessages.value.library.unread, isBad: true }) : undefined;
+    if (made === 'too-large') return this.#say({ text: () => words().tooLarge, isBad: true });
     const name = `${safeName(title)} ${dayName(now)}${ENDING}`;
     saveFile(name, made.text, 'application/json');
-    const holds = countedText(made.holds);
-    const shown = unbroken(name);
-    const [first = '', ...others] = missing.map((kind) => words.kinds[kind]);
-    const lost = others.reduce((before, next) => words.and({ first: before, next }), first);
+    const { holds } = made;
+    const file = () => ({ name: unbroken(name), what: countedText(holds) });
     if (missing.length > 0)
-      return this.#say({ text: words.partly({ name: shown, what: holds, missing: lost }), isBad: true });
+      return this.#say({ text: () => words().partly({ ...file(), missing: kindsText(missing) }), isBad: true });
     if (part.kind === 'all') this.marks.exported(now);
-    this.#say({ text: words.downloaded({ name: shown, what: holds }) });
+    this.#say({ text: () => words().downloaded(file()) });
   }
 
   /** Asks for a file to import. */
@@ -159,15 +158,16 @@ export class LibraryFiles {
     const put = recordsOf(found.groups.peek(), way, before, newId);
     // On an empty device, the file equals an export of everything.
     if (KINDS.every((kind) => before[kind].length === 0)) this.marks.exported(found.writtenAt);
-    this.#say({ text: messages.value.parts.coming, isBusy: true });
+    this.#say({ text: () => messages.value.parts.coming, isBusy: true });
     const kept = await this.#parts.library.change({
       models: { put: put.models },
       settings: { put: put.settings },
       flights: { put: put.flights },
     });
-    const done = moreMessages.value.files.import.done({ what: countedText(countsOf(put)), name: unbroken(name) });
+    const counts = countsOf(put);
+    const done = () => moreMessages.value.files.import.done({ what: countedText(counts), name: unbroken(name) });
     this.#say({
-      text: kept ? done : `${done} ${messages.value.notKept}`,
+      text: () => (kept ? done() : `${done()} ${messages.value.notKept}`),
       isBad: !kept,
       undo: () => void this.#undo(put, before),
     });
@@ -212,13 +212,14 @@ export class LibraryFiles {
 
   async #undo(put: Records, before: Records): Promise<void> {
     const now = this.#records();
-    this.#say({ text: messages.value.parts.coming, isBusy: true });
+    this.#say({ text: () => messages.value.parts.coming, isBusy: true });
     const kept = await this.#parts.library.change({
       models: undoOf(put.models, before.models, now.models),
       settings: undoOf(put.settings, before.settings, now.settings),
       flights: undoOf(put.flights, before.flights, now.flights),
     });
-    this.#say({ text: kept ? moreMessages.value.files.import.undone : messages.value.notKept, isBad: !kept });
+    const text = () => (kept ? moreMessages.value.files.import.undone : messages.value.notKept);
+    this.#say({ text, isBad: !kept });
   }
 
   async #load(): Promise<void> {
@@ -230,6 +231,13 @@ export class LibraryFiles {
     const { models, settings, flights } = this.#parts.library;
     return { models: models.list.value, settings: settings.list.value, flights: flights.list.value };
   }
+}
+
+/** “The flights and the backups” */
+function kindsText(kinds: readonly Kind[]): string {
+  const { export: words } = moreMessages.value.files;
+  const [first = '', ...others] = kinds.map((kind) => words.kinds[kind]);
+  return others.reduce((before, next) => words.and({ first: before, next }), first);
 }
 
 /** “Sidus library 2026-11-25.sidus.json”, whose date does not break. A long name must be able to. */

@@ -30,11 +30,8 @@ export function placeInFile(text: string, path: string): PlaceInFile | null {
   return { kind: kind as Kind, number: Number(index) + 1, name: wordOf(part(entry, 'name')), slot, field };
 }
 
-/** What is wrong with a file, and where: “Line 35, Program “calm”, function 1, time: expected …”. */
-export function faultText(
-  fault: { readonly line: number; readonly wanted: string; readonly found: string },
-  place: PlaceInFile | null,
-): string {
+/** Where in a file the fault stands, and what stands there: “Line 35, Program “calm”, function 1, time: found 700.” */
+export function faultText(fault: { readonly line: number; readonly found: string }, place: PlaceInFile | null): string {
   const { refused: words } = moreMessages.value.files;
   return place === null ? words.fault(fault) : words.faultIn({ ...fault, place: placeText(place) });
 }

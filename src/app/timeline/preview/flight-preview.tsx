@@ -127,5 +127,5 @@ function happened(program: TimerProgram, time: number): string {
   const names = eventsBetween(program, last - 1, last).map(({ slot }) =>
     slot > 0 ? slotLabel(program.identity, slot) : words.motorStop,
   );
-  return `${names.join(', ')} ${preview.at({ time: momentText(last) })}`;
+  return preview.at({ what: names.join(', '), time: momentText(last) });
 }

@@ -416,23 +416,26 @@ describe('what cannot be imported', () => {
     [text().replace('"memory"', 'memory'), refused.damaged, true],
     [
       text().replace('"0.30"', '"700.00"'),
-      faultText({ line: 35, wanted: '0.00 to 655.35', found: '700' }, { ...calm, slot: '1', field: 'time' }),
+      faultText({ line: 35, found: '700' }, { ...calm, slot: '1', field: 'time' }),
       true,
+      '0.00 to 655.35',
     ],
     [
       text().replace('"positions": [115, 115]', '"positions": [115, 1150]'),
-      faultText({ line: 38, wanted: '0 to 255', found: '1150' }, { ...calm, slot: 'DT', field: 'positions[1]' }),
+      faultText({ line: 38, found: '1150' }, { ...calm, slot: 'DT', field: 'positions[1]' }),
       true,
+      '0 to 255',
     ],
     [
       text().replace('"name": "Lancer 07"', '"name": ""'),
-      faultText({ line: 9, wanted: '1 to 60 characters', found: '0' }, lancer),
+      faultText({ line: 9, found: '0' }, lancer),
       true,
+      '1 to 60 characters',
     ],
-    [text().replace('"name": "Lancer 07",', ''), faultText({ line: 7, wanted: 'a text', found: '–' }, lancer), true],
+    [text().replace('"name": "Lancer 07",', ''), faultText({ line: 7, found: '–' }, lancer), true, 'a text'],
     [`ÿþ{`, refused.damaged, true],
     [Uint8Array.of(0x7b, 0xff, 0x00), refused.damaged, true],
-  ])('is refused with place and reason, %#', async (content, reason, isDamaged) => {
+  ])('is refused with place and reason, %#', async (content, reason, isDamaged, wanted?: string) => {
     const app = await library();
     const before = kept(app);
     await drop(file(content as BlobPart));
@@ -442,6 +445,7 @@ describe('what cannot be imported', () => {
         .getByRole('alert')
         .textContent?.replaceAll(/[\u2068\u2069]/g, ''),
     ).toBe(reason.replaceAll(/[\u2068\u2069]/g, ''));
+    expect(document.querySelector('q')?.textContent, 'in the English of the check').toBe(wanted);
     dialog().getByText(isDamaged ? `${refused.nothing} ${refused.again}` : refused.nothing);
     await press('Close');
     expect(kept(app)).toEqual(before);
