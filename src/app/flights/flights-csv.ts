@@ -1,4 +1,6 @@
 import type { Flight } from '../../program/index.js';
+import { nameplate } from '../browser/services.js';
+import { language } from '../messages/language.js';
 import { moreMessages } from '../messages/more.js';
 import type { MoreSentences } from '../messages/sentences.js';
 import { dayOf, offsetText, timeOfDay } from './flight-list.js';
@@ -9,9 +11,10 @@ export interface Marks {
   readonly decimal: ',' | '.';
 }
 
-/** What is usual in a language, such as `de-AT`. Default: that of the browser. */
-export function marksOf(language?: string): Marks {
-  const hasComma = new Intl.NumberFormat(language).format(1.5).includes(',');
+/** What is usual in a language, such as `de`. Default: that of the page. As in its country, if the browser says one. */
+export function marksOf(spoken = language.value): Marks {
+  const local = nameplate().languages.find((each) => each.toLowerCase().replace(/-.*/, '') === spoken);
+  const hasComma = new Intl.NumberFormat(local ?? spoken).format(1.5).includes(',');
   return hasComma ? { separator: ';', decimal: ',' } : { separator: ',', decimal: '.' };
 }
 

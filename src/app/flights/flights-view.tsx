@@ -95,7 +95,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
   );
 }
 
-/** As a table for a spreadsheet, in the way of the browser's language. */
+/** As a table for a spreadsheet. */
 function saveTable(records: readonly FlightRecord[]): void {
   const text = flightsCsv(
     records.map(({ flight }) => flight),

@@ -28,8 +28,8 @@ export type ReadMeasure =
 
 const NUMBER = /^[+-]?(?:\d{1,6}(?:[.,]\d{0,6})?|[.,]\d{1,6})$/;
 const UNITS: Readonly<Record<Exclude<Measure, 'result'>, RegExp>> = {
-  wind: /\s*m\/s$/i,
-  temperature: /\s*(?:°\s*c?|c)$/i,
+  wind: /\s*(?:m\/s|м\/с)$/i,
+  temperature: /\s*(?:°\s*[cс]?|c)$/i,
 };
 
 /**

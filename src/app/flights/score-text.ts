@@ -13,11 +13,11 @@ export function pointsText({ flight, points }: ScoreLine): string {
 
 /**
  * A score card for a message or a spreadsheet: short cells with tabs between them, which stand below each other in
- * both. Numbers have the decimal mark of the language, as in a saved table.
+ * both. Numbers have the decimal mark of a saved table.
  */
 export function scoreText({ rounds, others, total, models }: Score, { decimal }: Pick<Marks, 'decimal'>): string {
   const { csv, score: words } = moreMessages.value.flights;
-  const number = (text: string): string => text.replace(/^(\d+)\.(?=\d+$)/, `$1${decimal}`);
+  const number = (text: string): string => text.replace(/^(\d+)[.,](?=\d+$)/, `$1${decimal}`);
   const cellsOf = (line: ScoreLine, name: string): string[] => {
     const { flight, counts, maximum } = line;
     return [name, measureText(flight.result), counts ? measureText(maximum) : '', pointsText(line)].map(number);

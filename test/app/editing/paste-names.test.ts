@@ -1,13 +1,15 @@
 import fc from 'fast-check';
 import { h, render } from 'preact';
-import { describe, expect, it } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { withValues } from '../../../src/app/editing/edit.js';
 import { type GridRange, gridColumns, intervalAt } from '../../../src/app/editing/grid.js';
 import { pasted, previewPaste } from '../../../src/app/editing/paste.js';
 import { columnNamed, rowNamed } from '../../../src/app/editing/paste-names.js';
 import type { PasteAnswer } from '../../../src/app/editing/paste-questions.js';
 import { formatInterval, formatTime } from '../../../src/app/editing/units.js';
+import { LANGUAGES } from '../../../src/app/messages/first.js';
 import { messages } from '../../../src/app/messages/index.js';
+import { speak } from '../../../src/app/messages/language.js';
 import { servoName } from '../../../src/app/messages/names.js';
 import { ProgramGrid } from '../../../src/app/timeline/program-grid.js';
 import { slotKind, type TimerProgram } from '../../../src/program/index.js';
@@ -205,7 +207,10 @@ describe('a name that is not known', () => {
   });
 });
 
-describe("the page's own words", () => {
+describe.each(LANGUAGES)("the page's own words in %s", (language) => {
+  beforeEach(() => speak(language));
+  afterEach(() => speak('en'));
+
   it('are known', () => {
     const { program, edits, times } = messages.value;
     for (const slot of Array.from({ length: 11 }, (_, each) => each)) {
@@ -221,11 +226,25 @@ describe("the page's own words", () => {
     expect([0, 7].map((servo) => columnNamed(servoName(servo)))).toMatchObject([{ column: 2 }, { column: 9 }]);
   });
 
+  it('bring a table that was printed back to where it was', () => {
+    const page = document.createElement('div');
+    const columns = Array.from({ length: gridColumns(Q10) }, (_, column) => column);
+    const program: TimerProgram = { ...before, times: before.times.map((time, slot) => time + 1250 * slot) };
+    render(h(ProgramGrid, { program, caption: '', columns }), page);
+    const rows = [...page.querySelectorAll('tr')].map((row) =>
+      [...row.children].map((cell) => cell.textContent.trim()),
+    );
+    const text = rows.map((cells) => cells.join('\t')).join('\n');
+    for (const range of ANYWHERE) expect(result(text, range)).toEqual({ ...program, idleThrottle: 30 });
+  });
+});
+
+describe('the usual short forms', () => {
   it.each([
     ...['F3', 'f 3', 'Fn. 3', 'FUNC 03', 'Function\u00a03:', '3. function', 'Ｆ３'].map((name) => [name, 3] as const),
     ...['Start', 'launch'].map((name) => [name, 0] as const),
     ...['DT', 'D/T', 'Dethermaliser'].map((name) => [name, 10] as const),
-  ])('and the usual short forms: %s', (name, slot) => {
+  ])('are known, too: %s', (name, slot) => {
     expect(rowNamed(Q10, name, false)).toEqual({ slot });
   });
 

@@ -171,7 +171,8 @@ describe('the score card', () => {
     await contest();
     await press(words.open);
     const copied: string[] = [];
-    vi.stubGlobal('navigator', { clipboard: { writeText: async (text: string) => void copied.push(text) } });
+    const clipboard = { writeText: async (text: string) => void copied.push(text) };
+    vi.stubGlobal('navigator', { languages: ['en-GB'], clipboard });
     await press(words.copy);
     vi.unstubAllGlobals();
     expect(copied[0]?.split('\n').slice(0, 4)).toEqual(['Sat, 21 Nov 2026', 'Wiese', 'Lancer', '']);

@@ -13,6 +13,8 @@ describe('a search', () => {
     ['skovde', 'Skövde'],
     ['aero', 'Ærø'],
     ['f1b', 'Ｆ１Ｂ'],
+    ['cap', 'Čáp'],
+    ['ястреб', 'Я́стреб'],
     ['calm 07', 'Lancer 07 · calm'],
     ['', 'anything'],
     ['  ', ''],
