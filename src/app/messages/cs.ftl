@@ -1008,7 +1008,7 @@ look_lead = Jen k nahlédnutí. Příští let: { $current }.
 look_edit = Upravit { $memory }
 look_look = Nahlédnout do { $memory }
 look_hint = Vybere { $memory }, přečte ji a vrátí se na { $current }.
-look_fly = Vybrat { $memory } pro příští let
+look_fly = Vybrat { $memory } pro let
 look_show = Zobrazit { $memory }
 
 ## Jobs over several memories, and the backups.

@@ -886,7 +886,7 @@ look_lead = Csak megtekintés. Következő repülés: { $current }.
 look_edit = { $memory } szerkesztése
 look_look = { $memory } megtekintése
 look_hint = Ez kiválasztja az { $memory } memóriát, kiolvassa, majd visszatér ide: { $current }.
-look_fly = { $memory } legyen a következő repüléshez
+look_fly = { $memory } legyen a repüléshez
 look_show = { $memory } megjelenítése
 
 ## Jobs over several memories, and the backups.
