@@ -151,12 +151,11 @@ export class Library {
     void this.change({ flights: gone(this.flights), settings: gone(this.settings), models: gone(this.models) });
   }
 
-  /** The storage works again: reads what it did not give, and saves what it did not save. */
+  /** The storage works again: reads what it did not give, and does what it did not do. */
   async keepAgain(): Promise<void> {
     const { models, settings, flights } = this;
     await Promise.all([models, settings, flights].map(async (each) => each.loaded.peek() && (await each.load())));
-    const waiting = { models: { put: models.waiting }, settings: { put: settings.waiting } };
-    await this.change({ ...waiting, flights: { put: flights.waiting } });
+    await this.change({ models: models.waiting, settings: settings.waiting, flights: flights.waiting });
   }
 }
 

@@ -63,6 +63,8 @@ export class Collection<T extends { readonly key: string }> {
   #loading: Promise<void> | null = null;
   /** What this page has changed, by key; null for deleted. The storage may not have it yet when it is read. */
   readonly #changes = new Map<string, T | null>();
+  /** The keys that this page has deleted and the storage has not, or not yet. */
+  readonly #undeleted = new Set<string>();
   readonly #later: NonNullable<CollectionParts<T>['later']>;
 
   constructor(parts: CollectionParts<T>) {
@@ -107,8 +109,13 @@ export class Collection<T extends { readonly key: string }> {
     const { keeper, change: together } = this.#parts;
     if (together) return await together(change);
     this.begin(change);
-    // What cannot be deleted now is deleted another time.
-    const gone = (change.gone ?? []).map((key) => keeper.remove(key).catch(() => {}));
+    const gone = (change.gone ?? []).map((key) =>
+      keeper.remove(key).then(
+        () => this.ended({ gone: [key] }, true),
+        // What cannot be deleted now is deleted another time.
+        () => {},
+      ),
+    );
     const kept = (change.put ?? []).map(async (record) => {
       const isKept = await keeper.save(record).then(
         () => true,
@@ -151,8 +158,14 @@ export class Collection<T extends { readonly key: string }> {
     batch(() => {
       this.#note(gone, true);
       this.#note(saved, false);
-      for (const key of gone) this.#changes.set(key, null);
-      for (const record of put) this.#changes.set(record.key, record);
+      for (const key of gone) {
+        this.#changes.set(key, null);
+        this.#undeleted.add(key);
+      }
+      for (const record of put) {
+        this.#changes.set(record.key, record);
+        this.#undeleted.delete(record.key);
+      }
       if (this.#removed.peek().length > 0)
         this.#removed.value = this.#removed.peek().filter(({ key }) => !changed.has(key));
       this.#show([...this.#list.peek().filter(({ key }) => !changed.has(key)), ...put]);
@@ -160,21 +173,22 @@ export class Collection<T extends { readonly key: string }> {
   }
 
   /** The storage has done this part of a change, or has failed to. */
-  ended({ put = [] }: Change<T>, isKept: boolean): void {
+  ended({ put = [], gone = [] }: Change<T>, isKept: boolean): void {
+    if (isKept) for (const key of gone) this.#undeleted.delete(key);
     // A record that has changed again in the meantime is saved by its own call.
     const keys = put.filter((record) => this.get(record.key) === record).map(({ key }) => key);
     if (isKept) this.#note(keys, true);
     else this.#refused.value = new Set([...this.#refused.peek(), ...keys]);
   }
 
-  /** What this page has and the storage does not: to be saved once that works again. */
-  get waiting(): readonly T[] {
-    return this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
+  /** What this page has done and the storage has not: to be done once that works again. */
+  get waiting(): Required<Change<T>> {
+    return { put: this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key)), gone: [...this.#undeleted] };
   }
 
-  /** Tries again to save what the storage does not have. */
+  /** Tries again what the storage has not done. */
   async keepAgain(): Promise<void> {
-    await this.save(...this.waiting);
+    await this.#change(this.waiting);
   }
 
   async #read(): Promise<void> {

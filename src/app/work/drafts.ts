@@ -75,7 +75,6 @@ export class Drafts {
 
   /** Deletes a draft for good. */
   async remove({ key }: Draft): Promise<void> {
-    this.#own.delete(key);
     await this.#all.delete(key);
   }
 
@@ -100,7 +99,7 @@ export class Drafts {
     const draft: Draft = { key, ...content, savedAt: Date.now(), simulated };
     const { past = [], future = [] } = draft.history ?? {};
     if (isOpen(draft) || past.length + future.length > 0) void this.#put(draft);
-    else if (this.#own.has(key)) void this.remove(draft);
+    else if (this.#own.has(key) && this.#at(key)) void this.remove(draft);
   }
 
   /**
@@ -109,7 +108,7 @@ export class Drafts {
   flush(): void {
     // Does not overwrite something that was never read.
     if (!this.#isKnown) return;
-    for (const draft of this.#all.waiting) void this.#keeper.save(draft, true).catch(() => {});
+    for (const draft of this.#all.waiting.put) void this.#keeper.save(draft, true).catch(() => {});
   }
 
   /** Tries again to keep what the browser has not kept. */
@@ -127,10 +126,10 @@ export class Drafts {
     if (!this.#isKnown) throw new Error('the drafts were never read');
   }
 
-  /** What nobody has seen, and has the place of work of this page, gets another one. */
+  /** What nobody has seen, and has the place of work of this page, gets another one; also if that work is gone. */
   async #read(): Promise<Draft[]> {
     const stored = await this.#keeper.all();
-    const hidden = stored.filter((each) => hides(this.#at(each.key), each)).map(elsewhere);
+    const hidden = stored.filter((each) => this.#own.has(each.key) && hides(this.#at(each.key), each)).map(elsewhere);
     for (const each of hidden) await this.#keeper.save(each);
     return [...stored, ...hidden];
   }
@@ -138,9 +137,9 @@ export class Drafts {
   /** Puts work of this page in its place. @returns whether the browser has kept it. */
   #put(draft: Draft): Promise<boolean> {
     const there = this.#at(draft.key);
-    const isUnseen = !this.#own.has(draft.key) && hides(draft, there);
+    const isUnseen = there && !this.#own.has(draft.key) && hides(draft, there);
     this.#own.add(draft.key);
-    return this.#all.save(...(there && isUnseen ? [elsewhere(there)] : []), draft);
+    return this.#all.save(...(isUnseen ? [elsewhere(there)] : []), draft);
   }
 
   #at(key: string): Draft | undefined {
@@ -148,9 +147,9 @@ export class Drafts {
   }
 }
 
-/** Whether one draft in the place of the other would lose something. */
-function hides(draft: Draft | undefined, other: Draft | undefined): boolean {
-  return draft !== undefined && other !== undefined && isEdited(other) && !sameWork(other, draft);
+/** Whether one draft, or nothing, in the place of the other would lose something. */
+function hides(draft: Draft | undefined, other: Draft): boolean {
+  return isEdited(other) && !(draft && sameWork(other, draft));
 }
 
 function elsewhere(draft: Draft): Draft {

@@ -172,6 +172,21 @@ it('a storage that did not answer at first is asked again when it does', async (
   expect([library.models.list.value.length, library.settings.list.value.length]).toEqual([2, 3]);
 });
 
+it('what could not be deleted does not come back with the next page', async () => {
+  await appBench();
+  const store = stored({ models: 1, settings: 2, flights: 0 });
+  const library = new Library(store);
+  await run(library.load());
+  const again = library.settings.get('setting-1')?.setting;
+  if (!again) throw new Error('it is gone');
+  store.broken = true;
+  await run(library.settings.delete('setting-0', 'setting-1'));
+  await run(library.keepSetting(again));
+  store.broken = false;
+  await run(library.keepAgain());
+  expect([...store.settings.records.keys()]).toEqual(['setting-1']);
+});
+
 it('every view of the library has its address', () => {
   for (const { model, setting } of ['a', null].flatMap((model) => [null, 'b'].map((setting) => ({ model, setting })))) {
     const address = addressAt(addressOf(model, setting));

@@ -4,6 +4,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { countedText } from '../../../src/app/messages/names.js';
 import type { Backup } from '../../../src/app/storage/index.js';
+import { Drafts } from '../../../src/app/work/drafts.js';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { MODEL } from '../../program/library-examples.js';
 import { en } from '../../tools/en.js';
@@ -121,6 +122,27 @@ it('a backup and the note of a write that found no room are kept once there is r
   keeping.dismiss();
   for (const kept of [false, true]) keeping.heard('models', 'change', kept);
   expect(keeping.dismissed.value, 'what was read meanwhile is not said again').toBe(true);
+});
+
+it('work that could not be read is not lost when other work comes to its place and goes again', async () => {
+  const { editor, store } = await connectedBench();
+  editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
+  await idle();
+  const [unseen] = store.drafts.records.values();
+  if (!unseen) throw new Error('it is gone');
+  const drafts = new Drafts(store.drafts);
+  store.broken = true;
+  const { baseline } = unseen;
+  drafts.keep(
+    { baseline, working: { ...baseline, times: baseline.times.map((time) => time + 100) }, texts: {} },
+    false,
+  );
+  drafts.keep({ baseline, working: baseline, texts: {} }, false);
+  await idle();
+  store.broken = false;
+  await run(drafts.keepAgain());
+  expect([...store.drafts.records.values()]).toMatchObject([{ working: unseen.working }]);
+  expect(drafts.edited.value).toMatchObject([{ working: unseen.working }]);
 });
 
 it('a program that the pilot has closed stays closed while the storage is tried again', async () => {

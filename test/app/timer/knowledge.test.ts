@@ -145,6 +145,20 @@ describe('a write', () => {
     expect(knowledge.of(0).state).toBe('read');
   });
 
+  it('whose end was seen while the browser could not delete its record is forgotten once it can', async () => {
+    const { knowledge, records, store } = await page();
+    await knowledge.begin(BEFORE, GOAL);
+    store.broken = true;
+    await knowledge.ended(BEFORE);
+    store.broken = false;
+    expect([records.list.value.length, store.unfinished.records.size]).toEqual([0, 1]);
+    await records.keepAgain();
+    expect(store.unfinished.records.size).toBe(0);
+    await knowledge.begin(BEFORE, GOAL);
+    await records.keepAgain();
+    expect(store.unfinished.records.size, 'only what is still deleted').toBe(1);
+  });
+
   it('waits for the storage 5 s and no longer', async () => {
     vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
     onTestFinished(() => void vi.useRealTimers());
