@@ -1,6 +1,6 @@
 import { fetchRule } from './records/recognition.js';
 import { figures } from './shell/status-strip.js';
-import { onDemand } from './ui/on-demand.js';
+import { onDemand, speaking } from './ui/on-demand.js';
 
 const programFile = onDemand(() => import('./shell/program-view.js'));
 /** Everything that neither the start nor the program view needs. */
@@ -27,7 +27,7 @@ export const Dialogs = allElse.part(({ Dialogs: Part }) => Part, { silent: true 
 export const fetchSimulated = () => import('./connect/simulated-timer.js');
 
 /** Loads what reads and writes the files of the library. */
-export const fetchFiles = () => import('./all-else.js');
+export const fetchFiles = () => import('./all-else.js').then(speaking);
 
 /**
  * Loads all of them: after another tab has replaced this version, they are nowhere to be found. The present view comes

@@ -4,8 +4,8 @@ import { useLayoutEffect } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import { speak } from '../messages/language.js';
 
-/** A file that comes later has sentences of its own. */
-async function speaking<File>(file: File): Promise<File> {
+/** Gives a file that comes later once its sentences are here: it has some of its own. */
+export async function speaking<File>(file: File): Promise<File> {
   await speak();
   return file;
 }

@@ -1,5 +1,8 @@
 import { render, screen } from '@testing-library/preact';
 import { expect, it } from 'vitest';
+import { LANGUAGES } from '../../../src/app/messages/first.js';
+import { inLanguage } from '../../../src/app/messages/language.js';
+import { fetchFiles } from '../../../src/app/parts.js';
 import { onDemand } from '../../../src/app/ui/on-demand.js';
 import { en } from '../../tools/en.js';
 
@@ -26,6 +29,13 @@ it('a file is fetched once when a part of it is first shown, and the part says s
   expect([(await screen.findByText('here')).tagName, screen.queryByText(en.parts.coming)]).toEqual(['P', null]);
   await fetch();
   expect(fetched).toBe(1);
+});
+
+it('a file that is fetched for what it can do comes with its sentences', async () => {
+  const files = LANGUAGES.map((code) => [`./${code}.ftl`, async () => ({ next: 'Next' })]);
+  const words = inLanguage<{ next: string }>(Object.fromEntries(files));
+  await fetchFiles();
+  expect(words.value.next).toBe('Next');
 });
 
 it('a part that does not come says so, and can be fetched again', async () => {
