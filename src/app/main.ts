@@ -20,7 +20,7 @@ import { tried } from './browser/services.js';
 import { earlyClicks } from './early-clicks.js';
 import firstTexts from './first-picture.json';
 import { changeTexts } from './first-texts.js';
-import { firstOf, preferredLanguage } from './messages/first.js';
+import { chooseLanguage, firstOf, preferredLanguage } from './messages/first.js';
 import { language, speak } from './messages/language.js';
 import './messages/page.js';
 import { Theme } from './settings/theme.js';
@@ -35,7 +35,7 @@ document.querySelector('.not-started')?.remove();
 const root = document.getElementById('app') as HTMLElement;
 const theme = new Theme();
 tried(() => theme.follow(document, media('(prefers-color-scheme: dark)')));
-const preferred = tried(preferredLanguage) ?? 'en';
+let preferred = tried(preferredLanguage) ?? 'en';
 // Inside another page, or at the address of another view, something else will be shown.
 const isStart = window.top === window.self && ['', '#program'].includes(location.hash);
 if (!isStart) root.replaceChildren();
@@ -44,6 +44,7 @@ root.hidden = false;
 holdDroppedFiles();
 let notice: HTMLElement | null = null;
 const doEarlyClick = earlyClicks(root);
+root.addEventListener('change', chooseEarly);
 // Without a first picture there is nothing to wait for.
 if (isStart) afterPaint(open);
 else void open();
@@ -57,6 +58,8 @@ async function open(): Promise<void> {
     window.addEventListener('languagechange', () => void speak(preferredLanguage()).catch(() => {}));
     await nextTask();
     await openPage(root, theme);
+    // From here on the page itself listens.
+    root.removeEventListener('change', chooseEarly);
     notice?.remove();
     doEarlyClick();
   } catch (error) {
@@ -65,6 +68,12 @@ async function open(): Promise<void> {
   } finally {
     clearTimeout(slow);
   }
+}
+
+/** The picture has one choice: the language. The page is to be in it when it comes. */
+function chooseEarly({ target }: Event): void {
+  preferred = (target as HTMLSelectElement).value;
+  void chooseLanguage(preferred).catch(() => {});
 }
 
 /** The picture is in English. */

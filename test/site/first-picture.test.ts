@@ -83,6 +83,22 @@ describe('the start is part of the page as it is sent:', () => {
       .toBe(0);
   });
 
+  test('a language that is chosen before the page has loaded is spoken, and kept', async () => {
+    const page = await newPage({ locale: 'de-DE' }, []);
+    const { asked, release } = await heldBack(page);
+    await page.goto(inject('site'));
+    await asked;
+    await page.getByRole('combobox').selectOption('uk');
+    await release();
+    await works(page);
+    await page.unroute(PAGE_SCRIPT);
+    for (const again of [false, true]) {
+      if (again) await page.reload();
+      await page.locator('html[data-view][lang=uk]').waitFor();
+      await expect.poll(() => page.getByRole('combobox').inputValue()).toBe('uk');
+    }
+  });
+
   test('when the page cannot be loaded it says so, and a click loads it again', async () => {
     const page = await newPage({}, []);
     await page.route(PAGE_SCRIPT, (route) => route.abort());

@@ -1,7 +1,7 @@
 import * as v from 'valibot';
 import { nameplate } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
-import { speak } from './language.js';
+import { language, speak } from './language.js';
 import type { FirstSentences } from './sentences.js';
 
 /** What the page says before its other sentences are here, in all languages: nothing else may come before it. */
@@ -27,7 +27,8 @@ export function languageName(language: string): string {
 /** The language that was chosen; else the first of the browser's languages that the page has; else English. */
 export function preferredLanguage(): string {
   const chosen = loadSetting('language', v.picklist(LANGUAGES));
-  const wished = nameplate().languages.map((each) => each.toLowerCase().replace(/-.*/, ''));
+  // Some browsers write `de_DE`, and one that hides who it is may give no list.
+  const wished = (nameplate().languages ?? []).map((each) => each.toLowerCase().replace(/[-_].*/, ''));
   return chosen ?? wished.find((each) => LANGUAGES.includes(each)) ?? 'en';
 }
 
@@ -37,5 +38,6 @@ export function preferredLanguage(): string {
  */
 export async function chooseLanguage(code: string): Promise<void> {
   await speak(code);
-  saveSetting('language', code);
+  // Another one may have been chosen since.
+  if (language.peek() === code) saveSetting('language', code);
 }

@@ -36,26 +36,33 @@ export function inLanguage<Sentences>(files: Files): ReadonlySignal<Sentences> {
   return said;
 }
 
-/** One change after another: the last one that was asked for stays. */
-let changes: Promise<void> = Promise.resolve();
+/** What was asked for last. */
+let asked = 'en';
 
 /**
- * From now on the page speaks this language, all of it at once.
+ * From now on the page speaks this language, all of it at once; or the one that was asked for while its file came, so
+ * that a file that does not come holds up no other.
  * @param code such as `de`. Without one, parts that have been loaded since then learn the present language.
  * @throws when its file cannot be loaded. Then nothing has changed.
  */
-export function speak(code?: string): Promise<void> {
-  const change = changes.then(() => changeTo(code ?? language.peek()));
-  changes = change.catch(() => {});
-  return change;
-}
-
-async function changeTo(code: string): Promise<void> {
-  const silent = [...steps].filter(({ said }) => said !== code);
-  const shows = await Promise.all(silent.map(({ load }) => load(code)));
-  batch(() => {
-    for (const show of shows) show();
-    for (const step of silent) step.said = code;
-    spoken.value = code;
-  });
+export async function speak(code?: string): Promise<void> {
+  if (code !== undefined) asked = code;
+  const wanted = (): string => (code === undefined ? language.peek() : asked);
+  // While files come, another language may be asked for, and another part may come that has sentences.
+  for (let isDone = false; !isDone; ) {
+    const next = wanted();
+    const isSilent = ({ said }: Step): boolean => said !== next;
+    const silent = [...steps].filter(isSilent);
+    const shows = await Promise.all(silent.map(({ load }) => load(next))).catch((error: unknown) => {
+      if (next === wanted()) throw error;
+      return [];
+    });
+    isDone = next === wanted() && [...steps].filter(isSilent).every((step) => silent.includes(step));
+    if (!isDone) continue;
+    batch(() => {
+      for (const show of shows) show();
+      for (const step of silent) step.said = next;
+      spoken.value = next;
+    });
+  }
 }

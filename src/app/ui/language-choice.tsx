@@ -9,10 +9,9 @@ export function LanguageChoice() {
   const { label, parts } = messages.value;
   const failed = useSignal(false);
   const choose = (code: string): void => {
-    chooseLanguage(code).then(
-      () => (failed.value = false),
-      () => (failed.value = true),
-    );
+    // Drawn again after each failure, so that the list shows what is spoken, and the same one can be chosen again.
+    failed.value = false;
+    chooseLanguage(code).catch(() => (failed.value = true));
   };
   return (
     <span class="row language-choice">
