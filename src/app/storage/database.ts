@@ -182,6 +182,8 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   readonly #onLeft: (records: readonly AsideRecord[]) => void;
   /** Records that wait for an idle browser, by key. */
   readonly #waiting = new Map<string, T>();
+  /** The last save of each key. */
+  readonly #saving = new Map<string, Promise<void>>();
 
   /**
    * @param durability see {@link changeShelves}.
@@ -201,13 +203,20 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     this.#onLeft = onLeft;
   }
 
-  async save(record: T, now = false): Promise<void> {
+  save(record: T, now = false): Promise<void> {
     this.#waiting.set(record.key, record);
-    if (this.#durability === 'relaxed' && !now) await drawn();
-    // A newer record has taken its place.
-    if (this.#waiting.get(record.key) !== record) return;
-    this.#waiting.delete(record.key);
-    await changeShelves(this.#opened, { [this.#name]: { put: [record] } }, this.#durability);
+    const idle = this.#durability === 'relaxed' && !now ? drawn() : Promise.resolve();
+    const saving: Promise<void> = idle.then(() => {
+      if (this.#waiting.get(record.key) === record) {
+        this.#waiting.delete(record.key);
+        return changeShelves(this.#opened, { [this.#name]: { put: [record] } }, this.#durability);
+      }
+      // A newer record has taken its place: it is kept when that is. Or it was deleted.
+      const last = this.#saving.get(record.key);
+      return last === saving ? undefined : last;
+    });
+    this.#saving.set(record.key, saving);
+    return saving;
   }
 
   async remove(key: string): Promise<void> {

@@ -44,6 +44,15 @@ describe('the storage of the browser', () => {
     expect(await shelf.all()).toEqual([]);
   });
 
+  it('has not kept a record whose newer one it refuses', async () => {
+    const shelf = browserStorage(name()).ports;
+    // Such a record cannot be stored.
+    const refused = { ...PORT, usedAt: 7, extra: () => {} };
+    const saves = await Promise.allSettled([shelf.save({ ...PORT, usedAt: 6 }), shelf.save(refused)]);
+    expect(saves.map(({ status }) => status)).toEqual(['rejected', 'rejected']);
+    expect(await shelf.all()).toEqual([]);
+  });
+
   it('ignores what another version has stored', async () => {
     const opened = openStorage(name());
     const database = await opened();
