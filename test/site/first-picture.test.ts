@@ -3,6 +3,7 @@ import { pathToFileURL } from 'node:url';
 import type { Page, Route } from 'playwright';
 import { describe, expect, inject, test } from 'vitest';
 import { en } from '../tools/en.js';
+import { sentencesIn } from '../tools/spoken.js';
 import { AppPage } from './app-page.js';
 import { SITE } from './host.js';
 import { newPage, PHONE } from './page.js';
@@ -42,10 +43,13 @@ function picture(page: Page): Promise<string[]> {
 describe('the start is part of the page as it is sent:', () => {
   const LARGE = { viewport: { width: 1280, height: 800 } };
   test.for([
-    ['a desktop', LARGE],
-    ['a phone', PHONE],
-    ['a phone at night', { ...PHONE, colorScheme: 'dark' as const }],
-  ] as const)('on %s nothing moves when the page takes its place', async ([, options]) => {
+    ['a desktop', LARGE, 'en'],
+    ['a desktop in German', { ...LARGE, locale: 'de-AT' }, 'de'],
+    ['a phone', PHONE, 'en'],
+    ['a phone in Ukrainian', { ...PHONE, locale: 'uk' }, 'uk'],
+    ['a phone at night', { ...PHONE, colorScheme: 'dark' as const }, 'en'],
+  ] as const)('on %s nothing moves when the page takes its place', async ([, options, language]) => {
+    const { header, start } = await sentencesIn(language);
     const page = await newPage({ ...options, reducedMotion: 'reduce' });
     // Without what depends on the browser: that it is ready offline, that it has no serial ports.
     await page.addInitScript(() => Object.defineProperty(navigator, 'serviceWorker', { value: undefined }));
@@ -54,8 +58,9 @@ describe('the start is part of the page as it is sent:', () => {
     await page.goto(inject('site'));
     await asked;
     await page.evaluate(() => document.fonts.ready);
+    await page.getByRole('heading', { name: start.title }).waitFor();
     const before = await picture(page);
-    const connect = await page.getByRole('button', { name: 'Connect', exact: true }).elementHandle();
+    const connect = await page.getByRole('button', { name: header.connect, exact: true }).elementHandle();
     await release();
     await works(page);
     expect(await connect?.evaluate((button) => button.isConnected)).toBe(true);
