@@ -1490,10 +1490,10 @@ notKept = Ez a böngésző nem őrizte meg: elvész, ha ezt az oldalt bezárja.
 ## The walk through the open questions of docs/protocol.md with a real timer.
 
 settle_title = Tisztázás az Ön időzítőjével
-settle_lead = Nem minden ismert abból, hogyan beszélnek ezek az időzítők. Az Öné tizenöt perc alatt tisztázza, ami nyitott. Minden kipróbált érték vissza lesz állítva. Legyen kéznél a kézi programozó.
+settle_lead = Nem minden ismert abból, hogyan beszélnek ezek az időzítők. Az Öné tizenöt perc alatt tisztázza, ami nyitott. Minden próba után visszaáll a régi érték. Legyen kéznél a kézi programozó.
 settle_safe = A légcsavar le van véve, vagy a motor le van választva, az időzítő pedig nincs élesítve.
 settle_danger = Most valami elmozdulhat. Le van véve a légcsavar, vagy le van választva a motor? Nézze meg még egyszer.
-settle_blocked = Előbb intézze el, amit a fenti színes sáv ír, és tartsa meg vagy állítsa vissza, amit kipróbált.
+settle_blocked = Előbb intézze el, amit a fenti színes sáv ír, és tartsa meg, amit kipróbált, vagy állítsa vissza, ami előtte volt.
 settle_readIt = Időzítő kiolvasása
 settle_which = Melyiket mutatja a kézi programozó?
 settle_tryHint = Mozgassa a szervókat az oldal gombjaival, és várja meg, amíg megállnak. Utána próbáljon ki egy állást: az oldal módosítja, majd másodperceken belül visszaállítja. Figyelje a szervókat.

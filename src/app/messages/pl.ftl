@@ -17,8 +17,8 @@ bench_here = tu stoją serwa
 bench_waits = Czeka na „Wgraj”.
 bench_bring = Przestaw serwa: { $slot }
 bench_follow = Serwa podążają za pozycjami
-bench_followHint = Najpierw strona odczytuje timer i zachowuje kopię zapasową. Potem każda pozycja, którą zmienisz tam, gdzie stoją serwa, jest od razu zapamiętywana w timerze, a jej serwo się porusza.
-bench_followingNow = Serwa podążają: pozycja, którą zmienisz tam, gdzie stoją, jest od razu zapamiętywana w timerze.
+bench_followHint = Najpierw strona odczytuje timer i zachowuje kopię zapasową. Potem każda pozycja, którą zmienisz w wierszu, przy którym stoją serwa, jest od razu zapamiętywana w timerze, a jej serwo się porusza.
+bench_followingNow = Serwa podążają: pozycja, którą zmienisz w wierszu, przy którym stoją, jest od razu zapamiętywana w timerze.
 bench_stopFollowing = Zakończ podążanie
 bench_followPending = Wcześniejsze zmiany czekają na „Wgraj”.
 bench_ended_over = Serwa już nie podążają.
@@ -55,9 +55,9 @@ bench_keep = Zachowaj
 bench_putBack = Przywróć…
 bench_unlock = Przytrzymaj: UNLOCK
 bench_unlockHold = Trzymaj dalej
-bench_unlockHint = Śmigło może ruszyć. Trzymaj model, a ręce z dala od śmigła, potem naciśnij i przytrzymaj.
+bench_unlockHint = Śmigło może ruszyć. Trzymaj model, ręce trzymaj z dala od śmigła, potem naciśnij i przytrzymaj.
 bench_experimental = Eksperymentalne
-bench_jumpHint = Skacze do funkcji po przedwczesnym DT. Dokładne działanie nie jest opisane: serwa mogą się poruszyć.
+bench_jumpHint = Skok do funkcji, która następuje po przedwczesnym DT. Dokładne działanie nie jest opisane: serwa mogą się poruszyć.
 bench_jump = Skok…
 bench_jumpSure = Wyślij skok teraz
 
@@ -164,7 +164,7 @@ findings_motor-run-long = Silnik pracuje dłużej niż { $limit }, a to limit dl
 findings_time-outside-manual = Instrukcja dopuszcza od { $min } do { $max }.
 findings_time-too-fine = Instrukcja podaje krok { $step }: timer może zaokrąglić.
 findings_dt-short = Krócej niż { $limit }.
-findings_dt-moves-nothing = Przy DT nie porusza się żadne serwo: timer nie sprowadzi modelu na ziemię.
+findings_dt-moves-nothing = Przy DT nie porusza się żadne serwo: timer nie sprowadza modelu na ziemię.
 findings_throttle-unusual = Więcej niż { $limit } jest nietypowe. Jednostka nie jest znana.
 findings_class-unknown = Klasa „{ $timerClass }” nie jest znana: jej reguł nie sprawdzono.
 
@@ -172,9 +172,9 @@ findings_class-unknown = Klasa „{ $timerClass }” nie jest znana: jej reguł 
 
 unreadable_empty = Puste: wpisz wartość.
 unreadable_not-a-time = To nie jest czas: wpisz sekundy, na przykład 12,5, albo minuty, na przykład 2:05.
-unreadable_too-fine = Dokładniej niż jedna setna sekundy.
+unreadable_too-fine = Dokładniej niż do jednej setnej sekundy.
 unreadable_not-a-whole-number = To musi być liczba całkowita.
-unreadable_ambiguous = Można to odczytać na kilka sposobów: wybierz jeden.
+unreadable_ambiguous = Można to zrozumieć na kilka sposobów: wybierz jeden.
 
 ## For a page that cannot reach a timer here.
 
@@ -356,7 +356,7 @@ edits_pasting_lead =
         [few] To zmieni { $count } wartości.
        *[many] To zmieni { $count } wartości.
     }
-edits_pasting_reading = { $field }: „{ $text }” odczytano jako { $time }.
+edits_pasting_reading = { $field }: „{ $text }” rozumiane jako { $time }.
 edits_pasting_problems = Tego nie można wkleić:
 edits_pasting_place = Wiersz { $row }, kolumna { $column } skopiowanego tekstu
 edits_pasting_problem = { $place }: { $reason }
@@ -461,7 +461,7 @@ manifest_library = Biblioteka
 manifest_libraryWhat = Modele i ich programy
 manifest_simulated = Symulowany timer
 manifest_simulatedWhat = Strona początkowa z symulowanymi timerami
-manifest_pictures_program = Program timera z dwiema zaznaczonymi zmianami
+manifest_pictures_program = Program timera z dwiema wyróżnionymi zmianami
 manifest_pictures_write = Co zmieni wgranie, pokazane przed wgraniem
 manifest_pictures_programPhone = Cały program na telefonie
 manifest_pictures_writePhone = Co zmieni wgranie, na telefonie
@@ -478,7 +478,7 @@ guide_nav = Strony pomocy
 
 firstSteps_1 = Odczyt: naciśnij „Połącz”, obudź timer, trzymaj głowicę podczerwieni blisko. Odczyt niczego nie zmienia i niczego nie porusza.
 firstSteps_2 = Wgrywanie: wpisz nowe wartości, naciśnij „Wgraj”, obejrzyj każdą różnicę. „Zweryfikowano” znaczy: timer odczytano ponownie i zawiera to, czego chcesz.
-firstSteps_3 = Lot: na górze widać pamięć następnego lotu i jej DT. Strona nie potrzebuje sieci i nic nie opuszcza tego urządzenia.
+firstSteps_3 = Lot: na górze strony widać, która pamięć jest wybrana na następny lot, i jej DT. Strona nie potrzebuje sieci i nic nie opuszcza tego urządzenia.
 
 ## The values of a program, with unit and range.
 
@@ -496,15 +496,15 @@ values_dt_text = Determalizator: kiedy sprowadza model na ziemię, licząc od st
 values_dt_range = Od 1 do 720 s według instrukcji. Więcej niż 10:55 min nie da się wysłać.
 values_idleThrottle_text = F1Q: prawdopodobnie jak szybko obraca się silnik, gdy przycisk startu jest wciśnięty.
 values_idleThrottle_range = Strona zakłada od 0 do 100. Jednostka nie jest znana.
-values_memory_text = Timer ma kilka pamięci, w każdej jest jeden program. Wybrana pamięć to pamięć następnego lotu. Podgląd innej wybiera ją i wraca; jeśli zostanie przerwany, strona mówi, która pamięć może działać w następnym locie.
+values_memory_text = Timer ma kilka pamięci, w każdej jest jeden program. W następnym locie działa pamięć wybrana. Podgląd innej wybiera ją i wraca; jeśli zostanie przerwany, strona mówi, która pamięć jest być może wybrana na następny lot.
 values_memory_range = Zwykle cztery, od M1 do M4. Starsze timery mają pięć.
 
 ## What a pilot checks before a flight.
 
 checklist_lead = Zaznacz każdy punkt. Zaznaczenia są na jeden lot i nie są zachowywane.
-checklist_items_memory = Na następny lot ustawiona jest właściwa pamięć.
+checklist_items_memory = Na następny lot wybrana jest właściwa pamięć.
 checklist_items_dtTime = Czas DT powiedziany na głos.
-checklist_items_surfaces = Skrzydło, statecznik i ster kierunku siedzą mocno i stoją jak trzeba.
+checklist_items_surfaces = Skrzydło, statecznik i ster kierunku siedzą mocno i stoją tak, jak powinny.
 checklist_items_battery = Akumulator jest naładowany, a jego wtyczka wciśnięta do końca.
 checklist_items_dtSeen = Serwo na moich oczach przestawiło się na DT.
 checklist_items_radioDt = DT przez radio wypróbowane, jeśli jest.
@@ -513,8 +513,8 @@ checklist_items_propeller = Śmigło jest mocno zamocowane i obraca się swobodn
 checklist_known_now = Następny lot: { $memory }, DT{"\u00a0"}{ $dt }, odczyt { $time }.
 checklist_known_onceAt = Ostatni odczyt { $time }: { $memory }, DT{"\u00a0"}{ $dt }.
 checklist_known_once = Ostatni odczyt: { $memory }, DT{"\u00a0"}{ $dt }.
-checklist_known_not = Nie wiadomo, co zawiera { $memory }. Odczytaj przed lotem.
-checklist_known_nothing = Nie odczytano żadnego timera. Połącz się, aby zobaczyć tu jego pamięć i DT.
+checklist_known_not = Nie wiadomo, co zawiera { $memory }. Odczytaj ją przed lotem.
+checklist_known_nothing = Nie odczytano żadnego timera. Połącz się z timerem, aby zobaczyć tu pamięć następnego lotu i jej DT.
 checklist_known_unwritten =
     { $count ->
         [one] { $count } zmiana jeszcze nie jest w timerze.
@@ -531,25 +531,25 @@ troubles_symptoms_noAnswer_title = Timer nie odpowiada
 troubles_symptoms_noAdapter_title = Strona nie znajduje adaptera
 troubles_symptoms_refused_title = Adapter się nie otwiera
 troubles_symptoms_wrongValues_title = Wartości wyglądają na błędne
-troubles_symptoms_wrongValues_steps_1 = Spójrz na górę: którą pamięć widać i która jest na następny lot?
+troubles_symptoms_wrongValues_steps_1 = Spójrz na górę strony: którą pamięć widać i która jest wybrana na następny lot?
 troubles_symptoms_wrongValues_steps_2 = Naciśnij „{ program_read }”.
 troubles_symptoms_wrongValues_steps_3 = Czy czasy maleją z wiersza na wiersz? Wtedy strona pyta, jak je czytać.
 troubles_symptoms_wrongValues_steps_4 = Przy F1B i F1E porównaj czasy z programatorem ręcznym.
 troubles_symptoms_cutOff_title = Wgrywanie zostało przerwane
-troubles_symptoms_cutOff_steps_1 = Na razie nie lataj tym modelem. Połącz się: strona odczyta timer, a potem zaproponuje dokończenie wgrywania albo powrót.
+troubles_symptoms_cutOff_steps_1 = Na razie nie lataj tym modelem. Połącz się: strona odczyta timer, a potem zaproponuje dokończenie wgrywania albo wgranie dawnych wartości.
 troubles_symptoms_cutOff_steps_2 = To, co timer zawierał przedtem, jest w widoku „{ views_names_memories }”, „{ backups_title }”.
-troubles_symptoms_noDt_title = DT nie działa albo działa w złym czasie
-troubles_symptoms_noDt_steps_1 = Spójrz na górę: jest tam pamięć następnego lotu i jej DT. Inna pamięć ma inne DT.
+troubles_symptoms_noDt_title = DT nie zadziała albo zadziała w złym czasie
+troubles_symptoms_noDt_steps_1 = Spójrz na górę strony: jest tam pamięć wybrana na następny lot i jej DT. Inna pamięć ma inne DT.
 troubles_symptoms_noDt_steps_2 = Czy przycisk startu za każdym razem odskakuje? Dopóki jest wciśnięty, sekwencja się nie zaczyna i DT nie zadziała.
 troubles_symptoms_noDt_steps_3 = Czy akumulator jest naładowany, a jego wtyczka wciśnięta do końca? Gdy timer nie działa, DT nie zadziała.
-troubles_symptoms_noDt_steps_4 = Trzymaj pewnie model i naciśnij wiersz DT w widoku „{ views_names_bench }”. Czy serwo tam idzie i zwalnia to, co trzyma?
-troubles_symptoms_noDt_steps_5 = Zdejmij śmigło i pozwól timerowi dojść do końca. Nie lataj, dopóki nie zobaczysz, że serwo porusza się w czasie DT.
+troubles_symptoms_noDt_steps_4 = Trzymaj pewnie model i naciśnij wiersz DT w widoku „{ views_names_bench }”. Czy serwo idzie na swoją pozycję DT i zwalnia to, co trzyma?
+troubles_symptoms_noDt_steps_5 = Zdejmij śmigło i pozwól timerowi dojść do końca. Nie lataj, dopóki nie zobaczysz, że serwo porusza się w chwili DT.
 troubles_symptoms_noMove_title = Serwo się nie porusza
-troubles_symptoms_noMove_steps_1 = Trzymaj model i naciśnij odpowiedni wiersz w widoku „{ views_names_bench }”. Nic się nie porusza? Sprawdź wtyczkę i akumulator. Tam się porusza, a w locie nie? Ma tę samą pozycję co w poprzedniej funkcji.
-troubles_symptoms_noMove_steps_2 = Idzie w inne miejsce, niż podaje tabela? Niektóre timery mogą zapamiętywać pozycję tylko dla funkcji, przy której stoją serwa. Strona proponuje wtedy przestawianie serw podczas wgrywania.
+troubles_symptoms_noMove_steps_1 = Trzymaj model i naciśnij w widoku „{ views_names_bench }” wiersz funkcji, w której serwo ma się poruszyć. Nic się nie porusza? Sprawdź wtyczkę i akumulator. Tam się porusza, a w locie nie? Ma tę samą pozycję co w poprzedniej funkcji.
+troubles_symptoms_noMove_steps_2 = Idzie w inne miejsce, niż podaje tabela? Być może niektóre timery zapamiętują pozycję tylko dla funkcji, przy której stoją serwa. Strona proponuje wtedy przestawianie serw podczas wgrywania.
 troubles_symptoms_noMove_steps_3 = Brzęczy albo staje za wcześnie? Może blokuje je popychacz: spróbuj mniejszego ruchu.
 troubles_symptoms_noMotor_title = Silnik nie rusza
-troubles_symptoms_noMotor_steps_1 = Po locie timer blokuje silnik. Aby go odblokować, trzymaj model, a ręce z dala od śmigła: może ruszyć. Potem przytrzymaj przycisk „{ bench_unlock }” w widoku „{ views_names_bench }”.
+troubles_symptoms_noMotor_steps_1 = Po locie timer blokuje silnik. Aby go odblokować, trzymaj model, a ręce trzymaj z dala od śmigła: śmigło może ruszyć. Potem przytrzymaj przycisk „{ bench_unlock }” w widoku „{ views_names_bench }”.
 troubles_symptoms_noMotor_steps_2 = Czy przycisk startu odskoczył? Dopóki jest wciśnięty, silnik pracuje tylko na wolnych obrotach.
 troubles_symptoms_noMotor_steps_3 = Czy stop silnika nie jest za wcześnie? Przy 0,1 s silnik staje zaraz po ruszeniu.
 troubles_symptoms_noLibrary_title = Nie ma moich modeli i programów
@@ -650,7 +650,7 @@ framed_open = Otwórz Sidus Timer we własnej karcie
 knowledge_title = Niepewne
 knowledge_uncertain = Nie wiadomo, co zawiera { $memory }: { $values }.
 knowledge_noFly = Nie lataj, dopóki tego nie odczytasz.
-knowledge_since = Wgrywanie przerwano: { $time }.
+knowledge_since = Przerwane wgrywanie, początek: { $time }.
 knowledge_thisMemory = bieżąca pamięć
 knowledge_memoryOf = { $memory } ({ $timer })
 knowledge_timer_here = timer { $name } { $firmware }
@@ -667,12 +667,12 @@ knowledge_list =
     }
 knowledge_and = { $first } i { $next }
 knowledge_connect = Połącz i odczytaj
-knowledge_forget = Zapomnij to…
-knowledge_forgetSure = Zapomnij to tylko wtedy, gdy ten timer odczytano gdzie indziej albo już go nie masz.
+knowledge_forget = Zapomnij o tym…
+knowledge_forgetSure = Zapomnij o tym tylko wtedy, gdy tamten timer odczytano gdzie indziej albo już go nie masz.
 knowledge_forgetNow = Zapomnij teraz
 knowledge_verified = Jak w timerze, zweryfikowano { $time }
 knowledge_readAt = Jak w timerze, odczyt { $time }
-knowledge_lastReadAt = Ostatni odczyt { $time }
+knowledge_lastReadAt = Jak w ostatnim odczycie, { $time }
 knowledge_lastRead = Jak w ostatnim odczycie
 knowledge_ofSetting =
     { $changes ->
@@ -691,9 +691,9 @@ knowledge_unfinished =
         [few] { $count } pola nie mają jeszcze wartości
        *[many] { $count } pól nie ma jeszcze wartości
     }
-knowledge_hints_now = Zaznaczone pola różnią się od tego, co zawiera timer.
-knowledge_hints_onceAt = Zaznaczone pola różnią się od ostatniego odczytu, { $time }.
-knowledge_hints_once = Zaznaczone pola różnią się od ostatniego odczytu.
+knowledge_hints_now = Wyróżnione pola różnią się od tego, co zawiera timer.
+knowledge_hints_onceAt = Wyróżnione pola różnią się od ostatniego odczytu, { $time }.
+knowledge_hints_once = Wyróżnione pola różnią się od ostatniego odczytu.
 knowledge_marks_now = było { $value }
 knowledge_marks_once = ost. odczyt: { $value }
 knowledge_notCertain = , obecnie niepewne
@@ -918,7 +918,7 @@ link_refused = Strona próbuje jeszcze przez 15 sekund. Adapter może być zaję
 link_heard_title = Coś słychać, ale żaden timer nie odpowiada.
 link_heard_advice = Obudź timer i trzymaj głowicę bliżej, nie w słońcu, albo wybierz inny adapter.
 link_slow_title = Timer odpowiada, ale zbyt wolno.
-link_slow_advice = Jego bajty przychodzą pojedynczo przy { $rate } bodach, z tak długimi przerwami, że żadna odpowiedź nie jest na czas w całości. Ta strona nie może go odczytać. Wypróbuj inny adapter albo kabel zamiast Bluetooth.
+link_slow_advice = Jego bajty przychodzą pojedynczo przy { $rate } bodach, z tak długimi przerwami, że żadna odpowiedź nie dociera na czas w całości. Ta strona nie może go odczytać. Wypróbuj inny adapter albo kabel zamiast Bluetooth.
 link_itSaid = Przyszło: { $bytes } („{ $text }”).
 link_trySelectBare = Spróbuj bez poprawnej sumy kontrolnej
 link_lost_title = Połączenie z adapterem zostało utracone.
@@ -988,10 +988,10 @@ nextFlight_badge = następny lot
 nextFlight_onScreen = To jest { $memory }.
 nextFlight_named = { $memory }, następny lot
 nextFlight_other = Następny lot: { $memory }.
-nextFlight_last = Gdy timer ostatnio odpowiedział, bieżąca była { $memory }. To ona jest na następny lot, chyba że coś innego to zmieniło.
-nextFlight_original = Przy połączeniu była to { $original }.
+nextFlight_last = Gdy timer ostatnio odpowiedział, bieżąca była { $memory }. To ona jest wybrana na następny lot, chyba że coś innego to zmieniło.
+nextFlight_original = Przy połączeniu bieżąca była { $original }.
 nextFlight_originalUnknown = Nie wiadomo, która była bieżąca przy połączeniu.
-nextFlight_unknown = Nie wiadomo, która pamięć jest na następny lot.
+nextFlight_unknown = Nie wiadomo, która pamięć jest wybrana na następny lot.
 nextFlight_asked = Ostatnio wybrano: { $memory }.
 nextFlight_back = Wróć do { $original }
 nextFlight_leaving_title = Zanim się rozłączysz
@@ -1008,7 +1008,7 @@ look_lead = Tylko do podglądu. Następny lot: { $current }.
 look_edit = Edytuj { $memory }
 look_look = Podejrzyj { $memory }
 look_hint = To wybiera { $memory }, odczytuje ją i wraca do { $current }.
-look_fly = { $memory } na następny lot
+look_fly = Wybierz { $memory } na lot
 look_show = Pokaż { $memory }
 
 ## Jobs over several memories, and the backups.
@@ -1021,12 +1021,12 @@ memories_plans_screen =
         [true] Czasy i pozycje z ekranu zostaną wgrane. Pamięć: { $to }. Jej obecna zawartość trafi najpierw do kopii zapasowej. Wolne obroty pozostaną bez zmian.
        *[false] Czasy i pozycje z ekranu zostaną wgrane. Pamięć: { $to }. Jej obecna zawartość trafi najpierw do kopii zapasowej.
     }
-memories_plans_copy = { $to } dostanie czasy i pozycje z { $from }, odczytane przed chwilą. To, co { $to } zawiera teraz, trafi najpierw do kopii zapasowej.
+memories_plans_copy = { $to } będzie zawierać czasy i pozycje z { $from }, odczytane przed chwilą. To, co { $to } zawiera teraz, trafi najpierw do kopii zapasowej.
 memories_plans_restore = To wgra zawartość kopii zapasowej ({ $time }). Pamięć: { $names }. To, co jest tam teraz, trafi najpierw do kopii zapasowej.
-memories_atEnd = Na końcu pamięcią następnego lotu znów będzie { $current }.
-memories_refused = { $memory }: nic nie można wgrać, bo żaden program nie może wysłać tych wartości.
+memories_atEnd = Na końcu na następny lot znów będzie wybrana { $current }.
+memories_refused = { $memory }: nic nie można wgrać, bo żadne oprogramowanie nie może wysłać tych wartości.
 memories_untouched = { $memory }: nic nie wgrano.
-memories_stopped = To, czego jeszcze nie wgrano, jest jak przedtem.
+memories_stopped = To, czego jeszcze nie wgrano, jest w timerze jak przedtem.
 
 ## All memories of a timer at a glance.
 
@@ -1088,18 +1088,18 @@ timer_other-memory_title = Bieżąca pamięć nie jest tą z ekranu.
 timer_other-memory_advice = Odczytaj ponownie, zanim coś wgrasz.
 timer_memory-unknown_title = Ten timer nie podaje, która pamięć jest bieżąca.
 timer_memory-unknown_advice = Dlatego strona nie może podejrzeć innej pamięci i wrócić. Możesz odczytać bieżącą i do niej wgrywać.
-timer_memory-left_title = Pamięć następnego lotu mogła się zmienić.
-timer_memory-left_advice = Strona nie zdołała wrócić do tej, która była bieżąca. Połącz się ponownie i przed lotem ustaw właściwą pamięć na następny lot.
+timer_memory-left_title = Możliwe, że na następny lot wybrana jest teraz inna pamięć.
+timer_memory-left_advice = Strona nie zdołała wrócić do tej, która była bieżąca. Połącz się ponownie i przed lotem wybierz właściwą pamięć na następny lot.
 timer_other-timer_title = To nie jest timer, który odpowiadał przedtem.
 timer_other-timer_advice = Strona go odczytuje. Obejrzyj, co zawiera, zanim coś wgrasz.
 timer_stale_title = Timer nie zawiera tego, co pokazano.
 timer_stale_advice = Nic nie wgrano. Zobacz, co wgranie zmieniłoby teraz.
 timer_changed_title = Timer zawiera inne wartości niż przedtem.
 timer_changed_advice = Zmieniło je coś innego albo to jest inny timer. Twoje zmiany są zachowane: obejrzyj różnicę, zanim coś wgrasz.
-timer_stood-still_title = Strona stała w miejscu podczas pracy z timerem.
-timer_stood-still_advice = Nic więcej nie wysłano: może tam już być inny timer. Odczytaj ponownie.
+timer_stood-still_title = Strona była przez jakiś czas wstrzymana podczas pracy z timerem.
+timer_stood-still_advice = Potem nic już nie wysłano: może tam już być inny timer. Odczytaj ponownie.
 timer_too-slow_title = Ten timer odpowiada zbyt wolno.
-timer_too-slow_advice = Na jego odpowiedzi trzeba czekać ponad 3 sekundy, więc strona nie wie, która należy do którego pytania. Nic więcej nie wysłano. Wypróbuj inny adapter albo kabel zamiast Bluetooth.
+timer_too-slow_advice = Na jego odpowiedzi trzeba czekać ponad 3 sekundy, więc strona nie wie, która należy do którego pytania. Potem nic już nie wysłano. Wypróbuj inny adapter albo kabel zamiast Bluetooth.
 timer_undecided_title = { byteOrder_title }
 timer_undecided_advice = { byteOrder_advice }
 timer_serious_title = Kontrola znalazła coś poważnego.
@@ -1117,6 +1117,7 @@ timer_closed_advice = Aby pracować dalej, naciśnij „Połącz”. To, co wpis
 
 alike_title = Każda odpowiedź na { $request } jest uszkodzona w ten sam sposób.
 alike_advice = To nie szum: timer albo jego adapter tworzy te odpowiedzi w nieznany sposób. Włącz w ustawieniach „Ekspert”, otwórz widok „{ views_names_line }” i naciśnij „{ line_copyReport }”. Wyślij raport opiekunom projektu (github.com/sidus-timer/sidus-timer/issues).
+alike_part = Tylko do podglądu: { $values }. Cała reszta jest nieznana.
 
 ## Messages that are not about errors.
 
@@ -1144,9 +1145,10 @@ notes_backed-up_title = Odczytano wszystkie pamięci i zachowano kopię zapasow�
 notes_backed-up_advice = {""}
 notes_strays_title = { timer_crowded_title }
 notes_strays_advice = { timer_crowded_advice }
-notes_made-laid_advice = Nic nie wgrano. To, co się różni, jest zaznaczone. „Cofnij” pokazuje, co zawiera timer.
-notes_unexpected_title = W tej stronie coś się nie powiodło.
-notes_unexpected_advice = Nic więcej nie wysłano. Wczytaj stronę ponownie. To, co wpisano, jest zachowane.
+notes_made-laid_title = Tabela pokazuje twój program, a nie to, co zawiera timer.
+notes_made-laid_advice = Nic nie wgrano. Różnice są wyróżnione. „{ undo }” pokazuje, co zawiera timer.
+notes_unexpected_title = Na tej stronie coś się nie powiodło.
+notes_unexpected_advice = Potem nic już nie wysłano. Wczytaj stronę ponownie. To, co wpisano, jest zachowane.
 
 ## The flight of the program, and what the servos of the model move.
 
@@ -1244,9 +1246,9 @@ recovery_sameTimer = To ten sam timer: pokaż, co miało być wgrane
 recovery_compare = Porównaj
 recovery_before = Przedtem
 recovery_elsewhere = Wgrywanie do timera tego rodzaju zostało przerwane. Pamięć: { $memory }. Odczytaj ją, aby zobaczyć, co zawiera.
-recovery_left = Praca na pamięciach została przerwana. Teraz na następny lot jest { $current }. Przedtem była to { $original }.
-recovery_mayFly = W następnym locie może działać { $memory }: jej wybieranie zostało przerwane.
-recovery_mayNotFly = Praca na pamięciach została przerwana. W następnym locie może działać inna pamięć niż { $original }.
+recovery_left = Praca strony na pamięciach została przerwana. Następny lot: teraz { $current }, przedtem { $original }.
+recovery_mayFly = Możliwe, że na następny lot wybrana jest { $memory }: jej wybieranie zostało przerwane.
+recovery_mayNotFly = Praca strony na pamięciach została przerwana. Możliwe, że na następny lot wybrana jest inna pamięć niż { $original }.
 recovery_unknownMemory = nieznana pamięć
 
 ## The backups.
@@ -1309,8 +1311,8 @@ shortDt_putBack =
         [true] Przywróć DT { $back }…
        *[false] Ustaw DT { $back }…
     }
-shortDt_disconnect = Rozłącz: { $memory }, DT{"\u00a0"}{ $dt }
-shortDt_disconnectHere = Rozłącz: DT{"\u00a0"}{ $dt }
+shortDt_disconnect = Rozłącz tak: { $memory }, DT{"\u00a0"}{ $dt }
+shortDt_disconnectHere = Rozłącz tak: DT{"\u00a0"}{ $dt }
 shortDt_blocked = Czegoś z tego, co wpisano, nie da się jeszcze wgrać. Popraw to, zanim przywrócisz DT.
 shortDt_settings_limit = DT jest krótkie poniżej
 shortDt_settings_hint = Krótsze DT jest czerwone, a strona pyta, zanim się rozłączysz. Przy 0 s nigdy nie pyta.
@@ -1432,7 +1434,7 @@ views_noTimer_bench = Połącz timer, aby poruszać jego serwami.
 ## The strip above every view: the timer, its memory, DT, motor stop, and what is known.
 
 strip_panel = Pamięci i reszta
-strip_tried = próby: { $count }
+strip_tried = próbne: { $count }
 strip_notCertain = niepewne
 strip_asRead = ost. odczyt
 strip_notValid = błędne
@@ -1458,7 +1460,7 @@ parts_again = Spróbuj ponownie
 
 ## Which model it is.
 
-whichModel_recognition_same = To { $model }, jak przy odczycie { $when }.
+whichModel_recognition_same = To { $model }, zawartość jak przy odczycie { $when }.
 whichModel_recognition_like =
     { $count ->
         [one] To przypomina model { $model }, różni się { $count } wartość. Czy to { $model }?
@@ -1482,8 +1484,8 @@ whichModel_recognition_dialog_keep = Zachowaj jako nowy model
 whichModel_recognition_dialog_taken = Model o tej nazwie już jest na liście.
 whichModel_memoryNames_label = Nazwa pamięci { $memory }
 whichModel_memoryNames_give = Nazwij
-whichModel_crossing_title = To wartości modelu { $from }, a ten timer wygląda na timer modelu { $to }.
-whichModel_crossing_advice = Z wartościami innego modelu możesz ten stracić. Spójrz na model, który masz przed sobą.
+whichModel_crossing_title = To wartości modelu { $from }, ale ten timer wygląda na timer modelu { $to }.
+whichModel_crossing_advice = Z wartościami innego modelu możesz ten model stracić. Spójrz na model, który masz przed sobą.
 whichModel_crossing_confirm = Wgraj wartości modelu { $from } do timera modelu { $to }.
 whichModel_crossing_memoryOf = { $memory } ({ $model })
 
@@ -1496,7 +1498,7 @@ write_nothing = Nic się nie różni. Timer zostanie odczytany kontrolnie i por�
 write_field = Wartość
 write_from = W timerze
 write_to = Będzie
-write_wasRead = Odczytano
+write_wasRead = Poprzedni odczyt
 write_moved_model_title = Ten timer wydaje się teraz należeć do innego modelu.
 write_moved_model_advice = Nic nie wgrano. Spójrz na nazwy modeli.
 write_moved_edits_title = Program zmienił się, odkąd to pokazano.
@@ -1511,7 +1513,7 @@ write_ticks_model = inny model
 write_ticks_warnings = ostrzeżenia
 write_ticks_safety = śmigło
 write_move_why = Ten timer wydaje się zachowywać pozycje tylko tam, gdzie stoją jego serwa. Jeśli serwa się nie poruszą, prawdopodobnie tych pozycji nie zachowa.
-write_move_label = Przestaw serwa na każdą funkcję, zanim jej pozycje zostaną zapamiętane.
+write_move_label = Przestaw serwa na każdą funkcję, zanim jej pozycje zostaną zapamiętane w timerze.
 write_move_hint = Trzymaj pewnie model, nic nie może przeszkadzać serwom.
 write_move_notHeld_title = Timer potwierdził pozycje, ale ich nie zachował.
 write_move_notHeld_advice = Ten timer prawdopodobnie zachowuje je tylko tam, gdzie stoją jego serwa. Wgraj ponownie i pozwól serwom przestawiać się na każdą funkcję.
@@ -1527,7 +1529,7 @@ write_stages_read = Odczyt
 write_stages_write = Wgrywanie
 write_stages_verify = Odczyt kontrolny
 write_stages_repair = Poprawianie
-write_stopping = Zatrzymam po tym zapytaniu
+write_stopping = Zatrzymanie po tym zapytaniu
 write_stoppingBack = Zatrzymywanie: najpierw powrót do poprzedniej pamięci
 write_verified_title = Zweryfikowano.
 write_verified_advice = Timer odczytano kontrolnie i zawiera to, co pokazano.
@@ -1589,7 +1591,7 @@ times_units_s = s
 times_units_min = min
 times_figure = { $text } { $unit }
 times_asSeconds = { $seconds }{" "}s, { $clock }
-times_meaning = Co znaczy { $field }
+times_meaning = { $field }: co znaczy wpisany tekst
 header_firmware = firmware { $firmware }
 header_simulated = symulowany
 header_connect = Połącz
@@ -1601,8 +1603,8 @@ program_tableCaption = Czas i pozycje serw każdej funkcji
 program_slot = Funkcja
 program_time = Czas
 program_memory = Pamięć
-program_memoryUnknown = Ten timer nie podaje, która pamięć jest bieżąca, więc nie wiadomo, która jest na następny lot.
-program_memoryOpen = Nie wiadomo, która pamięć jest na następny lot. Ustaw jedną na następny lot albo odczytaj ponownie.
+program_memoryUnknown = Ten timer nie podaje, która pamięć jest bieżąca, więc nie wiadomo, która jest wybrana na następny lot.
+program_memoryOpen = Nie wiadomo, która pamięć jest wybrana na następny lot. Wybierz jedną na następny lot albo odczytaj ponownie.
 program_dt = DT
 program_motorStop = Stop silnika
 program_motor = Silnik
@@ -1635,7 +1637,7 @@ program_table = Tabela
 program_blocked = Na razie nic nie można wgrać. { $field }: { $why }
 program_findings = Kontrola
 program_noFindings = Nic nietypowego.
-program_absolute = Pokazane od startu. Nie wiadomo, czy ten timer liczy od startu, czy od poprzedniej funkcji.
+program_absolute = Czasy pokazano, licząc od startu. Nie wiadomo, czy ten timer liczy od startu, czy od poprzedniej funkcji.
 program_severity_error = Nie do wgrania
 program_severity_serious = Poważne
 program_severity_warning = Nietypowe
@@ -1674,15 +1676,15 @@ notKept = Ta przeglądarka tego nie zachowała: przepadnie, gdy strona zostanie 
 ## The walk through the open questions of docs/protocol.md with a real timer.
 
 settle_title = Rozstrzygnij to na swoim timerze
-settle_lead = Nie wszystko wiadomo o tym, jak te timery się porozumiewają. W kwadrans twój rozstrzyga to, co otwarte. Każda wypróbowana wartość jest przywracana. Miej pod ręką programator ręczny.
+settle_lead = Nie wszystko wiadomo o tym, jak te timery się porozumiewają. W kwadrans twój rozstrzyga to, co otwarte. Po każdej próbie przywracana jest dawna wartość. Miej pod ręką programator ręczny.
 settle_safe = Śmigło jest zdjęte albo silnik odłączony, a timer nie jest uzbrojony.
-settle_danger = Teraz coś może się poruszyć. Czy śmigło jest zdjęte albo silnik odłączony? Sprawdź jeszcze raz.
-settle_blocked = Najpierw załatw to, co mówi pasek powyżej, i zachowaj albo przywróć to, co wypróbowano.
+settle_danger = Teraz coś może się poruszyć. Czy śmigło jest zdjęte albo silnik odłączony? Spójrz jeszcze raz.
+settle_blocked = Najpierw załatw to, o czym mówi kolorowy pasek u góry, i zachowaj to, co wypróbowano, albo przywróć to, co było przedtem.
 settle_readIt = Odczytaj timer
 settle_which = Co pokazuje programator?
-settle_tryHint = Przestaw serwa i poczekaj, aż staną. Potem wypróbuj pozycję: zostanie zmieniona i w ciągu kilku sekund przywrócona. Patrz na serwa.
+settle_tryHint = Przestaw serwa przyciskami strony i poczekaj, aż staną. Potem wypróbuj pozycję: zostanie zmieniona i w ciągu kilku sekund przywrócona. Patrz na serwa.
 settle_tryIt = Wypróbuj pozycję
-settle_moved = Dawna pozycja wróciła: odczytano ją. Czy podczas próby nowej poruszyło się któreś serwo?
+settle_moved = Dawna pozycja jest z powrotem w timerze: strona ją odczytała. Czy podczas próby nowej poruszyło się któreś serwo?
 settle_ask = Zapytaj z czterema zerami
 settle_unknown = Nie wiem
 settle_send = Wyślij plik przez ten formularz
