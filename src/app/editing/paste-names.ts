@@ -127,10 +127,11 @@ export function isMinutes(text: string): boolean {
   return MINUTES.test(unitAlone(text));
 }
 
-const WORD = /^(?!(?:nan|inf|infinity|err\s?:\d+)$)\p{L}/iu;
+/** Also “3. funkció”, as Hungarian has it. */
+const WORD = /^(?:\d{1,2}\. )?(?!(?:nan|inf|infinity|err\s?:\d+)$)\p{L}/iu;
 
 /**
- * Whether these are headings or names: there are some, and each begins with a letter.
+ * Whether these are headings or names: there are some, and each begins with a word.
  * The error texts of spreadsheets do not count.
  */
 export function areWords(texts: readonly string[]): boolean {

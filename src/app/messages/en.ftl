@@ -282,7 +282,7 @@ edits_steps_fill = fill down of { $count }
 edits_steps_revert-all = putting back everything
 edits_steps_open = opening { $what }
 edits_steps_keep-tried = keeping what was tried
-# What was opened.
+# What was opened, or copied.
 edits_opened = “{ $name }”
 edits_openedUnnamed = another program
 edits_refused_start = The start has no time to change.

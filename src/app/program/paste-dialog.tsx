@@ -135,7 +135,7 @@ interface QuestionProps {
 
 /** Asks what a name means that is not known. */
 function Question({ identity, question, onAnswer }: QuestionProps) {
-  const { pasting: words } = messages.value.edits;
+  const { pasting: words, opened } = messages.value.edits;
   const names = question.of === 'row' ? rowChoices(identity) : columnChoices(identity);
   const choices = question.answer === null ? [null, ...names.keys()] : [...names.keys()];
   return (
@@ -143,7 +143,7 @@ function Question({ identity, question, onAnswer }: QuestionProps) {
       label={
         question.text === ''
           ? words.place({ row: question.row + 1, column: question.column + 1 })
-          : `“${question.text}”`
+          : opened({ name: question.text })
       }
       choices={choices}
       nameOf={(choice) => (choice === null ? words.choose : (names.get(choice) ?? ''))}

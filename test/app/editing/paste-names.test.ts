@@ -4,7 +4,7 @@ import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { withValues } from '../../../src/app/editing/edit.js';
 import { type GridRange, gridColumns, intervalAt } from '../../../src/app/editing/grid.js';
 import { pasted, previewPaste } from '../../../src/app/editing/paste.js';
-import { columnNamed, rowNamed } from '../../../src/app/editing/paste-names.js';
+import { areWords, columnNamed, rowNamed } from '../../../src/app/editing/paste-names.js';
 import type { PasteAnswer } from '../../../src/app/editing/paste-questions.js';
 import { formatInterval, formatTime } from '../../../src/app/editing/units.js';
 import { LANGUAGES } from '../../../src/app/messages/first.js';
@@ -220,6 +220,7 @@ describe.each(LANGUAGES)("the page's own words in %s", (language) => {
       }
     }
     for (const name of [program.motorStop, program.motor]) expect(rowNamed(Q10, name, false)).toBe('motor');
+    expect(areWords([messages.value.slotName({ slot: 3, kind: 'function' }), program.motorStop])).toBe(true);
     expect(columnNamed(program.slot)).toBe('names');
     expect(columnNamed(`${program.time}\u00a0${times.units.s}`)).toEqual({ column: 0, inMinutes: false });
     expect(columnNamed(edits.table.interval)).toMatchObject({ column: 1 });
