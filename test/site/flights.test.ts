@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
-import { moreMessages } from '../../src/app/messages/more.js';
 import { meant, readCsv } from '../app/flights/csv-reader.js';
 import { en } from '../tools/en.js';
+import { sentencesIn } from '../tools/spoken.js';
 import { AppPage } from './app-page.js';
 import { contestDay, fillLibrary } from './library.js';
 import { PHONE } from './page.js';
@@ -25,7 +25,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await form.getByRole('button', { name: 'Wind: more' }).click();
   await form.getByRole('textbox', { name: 'Temperature °C' }).fill('-2,5');
   await form.getByRole('textbox', { name: 'Note' }).fill('=1+1, trimmed; "left"');
-  await form.getByText(moreMessages.value.flights.form.when).click();
+  await form.getByText(en.flights.form.when).click();
   await form.getByRole('combobox', { name: 'Place' }).fill('Gyula');
   await form.getByRole('button', { name: 'Done' }).click();
   await form.waitFor({ state: 'hidden' });
@@ -55,7 +55,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   const trimmed = rows.filter({ hasText: 'DT 20 s' });
 
   const download = page.waitForEvent('download');
-  await app.button(moreMessages.value.flights.csv.save).click();
+  await app.button(en.flights.csv.save).click();
   const file = await download;
   expect(file.suggestedFilename()).toMatch(/^flights-\d{4}-\d\d-\d\d\.csv$/);
   const bytes = await readFile(await file.path());
@@ -69,17 +69,17 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   expect(cells).toMatchObject({
     Place: 'Gyula',
     'DT (s)': '20',
-    [moreMessages.value.flights.csv.columns.motorStop]: '10',
+    [en.flights.csv.columns.motorStop]: '10',
     Memory: '1',
     'Wind (m/s)': '2',
-    [moreMessages.value.flights.csv.columns.temperature]: '-2.5',
+    [en.flights.csv.columns.temperature]: '-2.5',
     'Result (s)': '19.5',
   });
   const { Note: note = '' } = cells;
   expect([note, meant(note)]).toEqual([`'=1+1, trimmed; "left"`, '=1+1, trimmed; "left"']);
 
   await trimmed.click();
-  await form.getByText(moreMessages.value.flights.form.flown).click();
+  await form.getByText(en.flights.form.flown).click();
   const flown = form.getByRole('table', { name: en.program.tableCaption });
   await expect
     .poll(() => flown.getByRole('row', { name: /^DT/ }).innerText(), { message: 'a copy, whatever was written since' })
@@ -100,46 +100,46 @@ test.each([
   await fillLibrary(app, { models: [], settings: [], flights: contestDay() });
   await page.evaluate(() => location.assign('#library/flights'));
   await app.reload();
-  const { score: words } = en.flights;
+  const { copied, flights: said } = await sentencesIn('de');
+  const { score: words, csv, row: facts } = said;
+  const maximumOf = (round: string) => app.field(words.maximumOf({ round: facts.round({ round }) }));
   await app.button(words.open).click();
   await app.field(words.maximum).click();
   await page.keyboard.type("3'00");
   await page.keyboard.press('Enter');
-  await expect.poll(() => app.field(words.maximumOf({ round: 'Round 2' })).inputValue()).toBe('180');
-  await app.field(words.maximumOf({ round: 'Round 1' })).fill('4:00');
+  await expect.poll(() => maximumOf('2').inputValue()).toBe('180');
+  await maximumOf('1').fill('4:00');
   // Leaving the field by a tap elsewhere takes it.
   await app.button(words.count).click();
-  await page
-    .getByRole('row', { name: /^Total/ })
-    .getByText('390', { exact: true })
-    .waitFor();
+  const totalRow = page.getByRole('row', { name: words.total });
+  await totalRow.getByText('390', { exact: true }).waitFor();
   await app.button(words.count).click();
-  const total = page.getByRole('row', { name: /^Total/ }).getByText('411.5', { exact: true });
+  const total = totalRow.getByText('411,5', { exact: true });
   await total.waitFor();
   await app.button(words.copy).click();
-  await page.getByText(en.copied).waitFor();
+  await page.getByText(copied).waitFor();
   expect((await page.evaluate(() => navigator.clipboard.readText())).split(/\r?\n/)).toEqual([
-    'Sat, 2 May 2026',
+    'Sa., 2. Mai 2026',
     'Gyula',
     'Lancer',
     '',
-    'Round\tResult\tMaximum\tCounted',
+    [csv.columns.round, csv.columns.result, csv.columns.maximum, words.counted].join('\t').replaceAll(/ \([^\t]*/g, ''),
     '1\t240\t240\t240',
-    '2\t150\t\tnot counted',
+    `2\t150\t\t${words.notCounted}`,
     '2\t171,5\t180\t171,5',
-    '3\t\t180\tno result',
-    'Total\t\t\t411,5',
+    `3\t\t180\t${facts.noResult}`,
+    `${words.total}\t\t\t411,5`,
     'Fly-off\t300\t\t300',
   ]);
   const [paper, ...more] = await pagesOf(await page.pdf());
   expect(more.length, 'a day is on one page').toBe(0);
-  for (const shown of [words.total, '411.5', 'Gyula']) expect(paper?.text).toContain(shown);
+  for (const shown of [words.total, '411,5', 'Gyula']) expect(paper?.text).toContain(shown);
   expect(paper?.text).not.toContain(words.copy);
 
   await app.reload();
   await app.button(words.open).click();
   await total.waitFor();
-  await expect.poll(() => app.field(words.maximumOf({ round: 'Round 1' })).inputValue()).toBe('240');
+  await expect.poll(() => maximumOf('1').inputValue()).toBe('240');
 });
 
 test('a log of 1,000 flights is scrolled to its end, where one is changed', async () => {

@@ -1,7 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
-import { moreMessages } from '../../src/app/messages/more.js';
 import { type LibraryFile, parseLibraryFile } from '../../src/program/index.js';
 import { exampleMemories } from '../../src/simulator/index.js';
 import { en } from '../tools/en.js';
@@ -158,11 +157,11 @@ class Device {
         await form.getByRole('button', { name: 'Wind: more' }).click();
         await form.getByRole('textbox', { name: 'Temperature °C' }).fill('-2,5');
         await form.getByRole('textbox', { name: 'Note' }).fill(`First of ${count} at ${place}`);
-        await form.getByText(moreMessages.value.flights.form.when).click();
+        await form.getByText(en.flights.form.when).click();
         await form.getByRole('combobox', { name: 'Place' }).fill(place);
       }
       const isLast = at === count - 1;
-      await form.getByRole('button', { name: isLast ? 'Done' : moreMessages.value.flights.flying.again }).click();
+      await form.getByRole('button', { name: isLast ? 'Done' : en.flights.flying.again }).click();
     }
     await form.waitFor({ state: 'hidden' });
   }
