@@ -100,6 +100,7 @@ it(
 const SEEDS: readonly (readonly [number, string])[] = [
   [-268465162, '5:0'],
   [-1209843424, '4:1:0:11:0:0:0:0:2:0'],
+  [1, '12:0:2:13:0'],
 ];
 
 describe('in any order of the answers', () => {

@@ -28,10 +28,15 @@ export const FAULTS = {
 } satisfies Record<string, () => Promise<void>>;
 export type FaultName = keyof typeof FAULTS;
 
-/** A storage whose calls can each be made to fail, or to wait first. */
+/**
+ * A storage whose calls can each be made to fail, or to wait first. As a browser, it makes the changes of a shelf in
+ * the order in which they are asked for.
+ */
 export class FaultyStore extends MemoryStore {
   /** What comes before a call. Default: nothing. */
   before: (door: Door) => Promise<unknown> | undefined = () => undefined;
+  /** The last change of each shelf. */
+  readonly #changes = new Map<ShelfName, Promise<unknown>>();
 
   constructor() {
     super();
@@ -48,7 +53,11 @@ export class FaultyStore extends MemoryStore {
       // Not an async function, so that an error that is thrown at once is thrown here, too.
       shelf[call] = (...given) => {
         const wait = this.before(door);
-        return wait ? wait.then(() => own(...given)) : own(...given);
+        if (SHELF_CALLS[call] === 'read') return wait ? wait.then(() => own(...given)) : own(...given);
+        const before = Promise.allSettled([this.#changes.get(name)]);
+        const change = Promise.all([before, wait]).then(() => own(...given));
+        this.#changes.set(name, change);
+        return change;
       };
     }
   }
