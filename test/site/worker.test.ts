@@ -1,5 +1,6 @@
 import type { Page } from 'playwright';
 import { describe, expect, test } from 'vitest';
+import { LANGUAGES } from '../../src/app/messages/first.js';
 import { type Answer, publish, update, visited } from './host.js';
 
 async function isDrawn(page: Page): Promise<void> {
@@ -71,8 +72,8 @@ test('the worker keeps what the page needs, and letters of another language once
     'favicon.svg',
     'index.html',
     'inter-latin-wght-normal.woff2',
-    'manifest.webmanifest',
-  ];
+    ...LANGUAGES.map((code) => (code === 'en' ? 'manifest.webmanifest' : `manifest.${code}.webmanifest`)),
+  ].sort();
   expect((await keptNames(page)).filter(isNeeded)).toEqual(needed);
 
   expect(await readCzech()).toBe(1);
