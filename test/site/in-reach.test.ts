@@ -24,6 +24,14 @@ const BY_MOUSE: readonly Size[] = [
 
 const faults: string[] = [];
 
+/** What is still out of reach when the page has come to rest: it scrolls back to the field after its words changed. */
+async function lasting(app: AppPage): Promise<readonly string[]> {
+  const found = await app.page.evaluate(outOfReach, OVER);
+  if (found.length === 0) return found;
+  await app.page.waitForTimeout(500);
+  return await app.page.evaluate(outOfReach, OVER);
+}
+
 /** @param least where words have the least room: looked at in each language. */
 async function look(app: AppPage, sizes: readonly Size[], least: Size, state: string): Promise<void> {
   for (const [width, height] of sizes) {
@@ -35,8 +43,7 @@ async function look(app: AppPage, sizes: readonly Size[], least: Size, state: st
   // English comes first, and is needed again for the way to the next state.
   for (const language of [...LANGUAGES.slice(1), 'en']) {
     await app.speak(language);
-    for (const fault of await app.page.evaluate(outOfReach, OVER))
-      faults.push(`${state}, ${least.join('x')}, ${language}: ${fault}`);
+    for (const fault of await lasting(app)) faults.push(`${state}, ${least.join('x')}, ${language}: ${fault}`);
   }
   const [first] = sizes;
   // Where room is scarce: the strip on a phone, the rail on a tablet and a laptop.
