@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { useEffect } from 'preact/hooks';
+import { useLayoutEffect } from 'preact/hooks';
 import type { TimerProgram } from '../../program/index.js';
 import { CLASSES } from '../editing/new-program.js';
 import { moreMessages } from '../messages/more.js';
@@ -24,7 +24,8 @@ interface NewSettingProps {
 export function NewSetting({ open, session, model, onClose, onMade }: NewSettingProps) {
   const { save } = moreMessages.value.library;
   const name = useSignal('');
-  useEffect(() => {
+  // Before anything can be typed.
+  useLayoutEffect(() => {
     if (open) name.value = '';
   }, [open, name]);
   const of = model?.key ?? null;
