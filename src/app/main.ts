@@ -45,6 +45,11 @@ holdDroppedFiles();
 let notice: HTMLElement | null = null;
 const doEarlyClick = earlyClicks(root);
 root.addEventListener('change', chooseEarly);
+// The browser's languages were changed in its settings. A chosen one stays.
+window.addEventListener('languagechange', () => {
+  preferred = preferredLanguage();
+  void speak(preferred).catch(() => {});
+});
 // Without a first picture there is nothing to wait for.
 if (isStart) afterPaint(open);
 else void open();
@@ -54,8 +59,6 @@ async function open(): Promise<void> {
   try {
     const [{ openPage }] = await Promise.all([import('./open-page.js'), speak(preferred).catch(() => speak('en'))]);
     effect(() => sayLanguage(language.value));
-    // The browser's languages were changed in its settings. A chosen one stays.
-    window.addEventListener('languagechange', () => void speak(preferredLanguage()).catch(() => {}));
     await nextTask();
     await openPage(root, theme);
     // From here on the page itself listens.

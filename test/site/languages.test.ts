@@ -1,8 +1,9 @@
-import { expect, test } from 'vitest';
+import { expect, inject, test } from 'vitest';
 import { LANGUAGES, languageName } from '../../src/app/messages/first.js';
 import { en } from '../tools/en.js';
 import { sentencesIn } from '../tools/spoken.js';
 import { AppPage } from './app-page.js';
+import { newPage } from './page.js';
 
 type Said = Awaited<ReturnType<typeof sentencesIn>>;
 
@@ -135,6 +136,27 @@ test('the language changes while something is not finished, and nothing is lost'
     spoken = await sentencesIn(language);
     await page.getByRole('heading', { name: spoken.views.names.settings, exact: true }).waitFor();
   }
+});
+
+test('the browser changes its language while the page is still loaded', async () => {
+  // A worker would answer in place of the host.
+  const page = await newPage({ locale: 'fr-FR', serviceWorkers: 'block' }, []);
+  let answer = () => {};
+  const changed = new Promise<void>((resolve) => {
+    answer = resolve;
+  });
+  await page.route('**/assets/open-page-*.js', async (route) => {
+    await changed;
+    await route.continue();
+  });
+  await page.goto(inject('site'), { waitUntil: 'commit' });
+  await page.locator('html[lang=fr]').waitFor();
+  await page.evaluate(() => {
+    localStorage.setItem('sidus-timer/language', '"de"');
+    window.dispatchEvent(new Event('languagechange'));
+  });
+  answer();
+  await startIn(new AppPage(page), 'de', await sentencesIn('de'));
 });
 
 test('a browser with a language that the page has not gets English', async () => {
