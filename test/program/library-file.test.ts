@@ -41,25 +41,6 @@ const changed = (from: string | RegExp, to: string): string => {
 };
 
 describe('a library file', () => {
-  it('shows each slot of a program on a line of its own', () => {
-    expect(TEXT).toContain(`
-      "program": {
-        "identity": { "timerClass": "Q", "firmware": "536", "functions": 4, "memories": 4, "servos": 2 },
-        "memory": "M2",
-        "motorStop": "10.00",
-        "idleThrottle": 12,
-        "slots": [
-          { "slot": "start", "positions": [15, 15] },
-          { "slot": "1", "time": "0.30", "positions": [25, 15] },
-          { "slot": "2", "time": "10.50", "positions": [40, 60] },
-          { "slot": "3", "time": "13.00", "positions": [55, 70] },
-          { "slot": "DT", "time": "180.00", "positions": [115, 115] }
-        ]
-      },
-`);
-    expect(TEXT.endsWith('}\n')).toBe(true);
-  });
-
   it('is read and written as the example in docs/file-format.md shows', () => {
     const page = readFileSync(new URL('../../docs/file-format.md', import.meta.url), 'utf8');
     const [, example = ''] = /```json library\n(.*?)```/s.exec(page) ?? [];
@@ -102,23 +83,14 @@ describe('a library file', () => {
     ['a page', '<!doctype html>\n<html>', 'bad-file text 1:1'],
     ['another JSON', '{ "name": "sidus-timer", "version": 1 }', 'bad-file format 1:1'],
     ['a list', '[]', 'bad-file format 1:1'],
-    ['a word', 'null', 'bad-file format 1:1'],
-    ['a number', '5', 'bad-file format 1:1'],
     ['a date of writing', changed('"writtenAt"', '"written"'), 'wrong-type writtenAt 1:1'],
     ['the name of a writer', changed('"writtenBy"', '"written"'), 'wrong-type writtenBy 1:1'],
     ['the letters of UTF-16', `ÿþ${[...TEXT].map((letter) => `${letter}\u0000`).join('')}`, 'bad-file encoding'],
     ['UTF-16 without a mark', [...TEXT].map((letter) => `${letter}\u0000`).join(''), 'bad-file encoding'],
-    ['UTF-16 of the other order', [...TEXT].map((letter) => `\u0000${letter}`).join(''), 'bad-file encoding'],
     ['UTF-16 read as UTF-8', `\uFFFD\uFFFD${TEXT}`, 'bad-file encoding'],
     ['a file that was cut', TEXT.slice(0, TEXT.indexOf('"flights"')), 'bad-file end 45:3'],
-    ['another end', `${TEXT}}`, 'bad-file text 75:1'],
     ['a name twice', changed('"version": 1,', '"version": 1,\n  "version": 1,'), 'duplicate version 4:3'],
     ['a newer version', changed('"version": 1', '"version": 2'), 'newer-version version 3:14'],
-    [
-      'a newer version, all different',
-      '{ "format": "sidus-timer library", "version": 7 }',
-      'newer-version version 1:47',
-    ],
     ['version 0', changed('"version": 1', '"version": 0'), 'out-of-range version 3:14'],
     ['version 1.5', changed('"version": 1', '"version": 1.5'), 'not-an-integer version 3:14'],
     ['no models', changed('"models"', '"model"'), 'wrong-type models 1:1'],
@@ -180,11 +152,6 @@ describe('a library file', () => {
     expect(breach(schema, JSON.parse(text))).toBeUndefined();
   });
 
-  it('does not name what is not known of a flight', () => {
-    expect(Object.keys(parseLibraryFile(TEXT).library.flights[0] ?? {})).toEqual(Object.keys(FLIGHT));
-    expect(TEXT).not.toMatch(/"utcOffset"|"maximum"|"counts"/);
-  });
-
   it('must not have an id twice', () => {
     const twice = { ...LIBRARY, settings: [SETTING, { ...SETTING, name: 'the same' }] };
     expect(() => formatLibraryFile(twice, HEAD)).toThrowError(
@@ -204,20 +171,6 @@ describe('a library file', () => {
     expect(() => formatLibraryFile({ ...LIBRARY, models }, HEAD)).toThrowError(
       expect.objectContaining({ code: 'too-large', field: 'file' }),
     );
-  });
-
-  it.each(['[', '{"a":', '{"format":"sidus-timer library","version":1,"x":['])(
-    'nested 400,000 times in %j is refused',
-    (part) => {
-      expect(refused(part.repeat(400_000))).toMatch(/^too-large .* 1:\d+$/);
-    },
-  );
-
-  it('is read from a text of any system, with or without a mark at its beginning', () => {
-    for (const end of ['\n', '\r\n', '\r', ' ']) {
-      expect(parseLibraryFile(`\uFEFF${TEXT.replaceAll('\n', end)}`).library).toEqual(LIBRARY);
-    }
-    expect(parseLibraryFile(JSON.stringify(JSON.parse(TEXT))).library).toEqual(LIBRARY);
   });
 
   it('carries what is known about the timers', () => {
@@ -269,12 +222,14 @@ describe('a library file', () => {
       facts: new Map<Setting, EntryFacts>([[SETTING, { versions: Array.from({ length: count }, () => VERSION) }]]),
     });
 
-  it.each([0, 1, 20])('carries %i earlier versions of a setting, and its schema says so', (count) => {
-    const text = versioned(count);
+  it('carries twenty earlier versions of a setting at most, and its schema says so', () => {
+    const text = versioned(20);
     const { facts, library, ignored } = parseLibraryFile(text);
-    expect([...facts.values()]).toEqual([{ versions: Array.from({ length: count }, () => VERSION) }]);
+    expect([...facts.values()]).toEqual([{ versions: Array.from({ length: 20 }, () => VERSION) }]);
     expect([library, ignored]).toEqual([LIBRARY, []]);
     expect(breach(schema, JSON.parse(text))).toBeUndefined();
+    expect(refused(versioned(21))).toMatch(/^wrong-count settings\[0\]\.versions /);
+    expect(breach(schema, JSON.parse(versioned(21)))).toBe('settings[0].versions: maxItems');
   });
 
   it.each<[string, string | RegExp, string, string]>([
@@ -289,32 +244,10 @@ describe('a library file', () => {
     expect(breach(schema, JSON.parse(text))).toMatch(/^settings\[0\]\.versions/);
   });
 
-  it('with 21 versions of a setting is refused, by the schema, too', () => {
-    expect(refused(versioned(21))).toMatch(/^wrong-count settings\[0\]\.versions /);
-    expect(breach(schema, JSON.parse(versioned(21)))).toBe('settings[0].versions: maxItems');
-  });
-
-  it('lists what the reading leaves out inside a program, by its place', () => {
-    const text = changed('"identity": {', '"identity": { "serial": 7,').replace(
-      '"slot": "start",',
-      '"slot": "start", "time": "0.00",',
-    );
-    expect(parseLibraryFile(text).ignored).toEqual([
-      'settings[0].program.identity.serial',
-      'settings[0].program.slots[0].time',
-    ]);
-  });
-
   it.each([
     [{ ...HEAD, writtenAt: Number.NaN }, 'not-an-integer', 'writtenAt'],
     [{ ...HEAD, writtenBy: 'x'.repeat(201) }, 'out-of-range', 'writtenBy'],
   ])('is not written with a head that cannot be read again (%#)', (head, code, field) => {
     expect(() => formatLibraryFile(LIBRARY, head)).toThrowError(expect.objectContaining({ code, field }));
-  });
-
-  it('fits its schema, and every rule of the schema is tested', () => {
-    expect(breach(schema, JSON.parse(TEXT))).toBeUndefined();
-    expect(breach(schema, { ...JSON.parse(TEXT), version: 2 })).toBe('version: const');
-    expect(() => breach({ multipleOf: 2 }, 3)).toThrow('the keyword multipleOf');
   });
 });

@@ -34,13 +34,6 @@ const refusal = (link: string): string => {
   return 'taken';
 };
 
-describe('a firmware that is no number', () => {
-  it.each(['5A6', '050306', ' 5.'])('comes back: %s', (firmware) => {
-    const program = { ...SHARED.program, identity: { ...SHARED.program.identity, firmware } };
-    expect(decodeLink(encodeLink({ ...SHARED, program })).program).toEqual(program);
-  });
-});
-
 describe('a link', () => {
   it('has the bytes that docs/file-format.md shows', () => {
     const small: SharedSetting = {
@@ -70,6 +63,11 @@ describe('a link', () => {
     expect(decodeLink(encodeLink(small))).toEqual(small);
   });
 
+  it.each(['5A6', '050306', ' 5.'])('brings back a firmware that is no number: %s', (firmware) => {
+    const program = { ...SHARED.program, identity: { ...SHARED.program.identity, firmware } };
+    expect(decodeLink(encodeLink({ ...SHARED, program })).program).toEqual(program);
+  });
+
   it('brings back whatever a pilot can share', () => {
     fc.assert(
       fc.property(shared, (setting) => {
@@ -90,9 +88,8 @@ describe('a link', () => {
     expect(spoken.length).toBeLessThan(200);
   });
 
-  it.each(['', LINK_MARK, 'https://example.org/#library', 'hello', 'A', '====', 'Ä', `${LINK_MARK}%41`])(
-    'is not %j',
-    (text) => expect(refusal(text)).toBe('bad-link link'),
+  it.each(['', 'https://example.org/#library', `${LINK_MARK}%41`])('is not %j', (text) =>
+    expect(refusal(text)).toBe('bad-link link'),
   );
 
   it.each<[string, (code: string) => string]>([
@@ -196,12 +193,6 @@ describe('a link', () => {
     const gap = noted(`  ab${' '.repeat(400)}${'x'.repeat(400)}`);
     const longest = encodeLink(noted('x'.repeat(300))).length;
     expect(decodeLink(encodeLink(gap, { longest })).note).toBe('  ab …');
-  });
-
-  it('carries as much of a short note as there is room for', () => {
-    const note = '🛩'.repeat(3);
-    const longest = encodeLink({ ...SHARED, note }).length - 1;
-    expect(decodeLink(encodeLink({ ...SHARED, note }, { longest })).note).toBe('🛩 …');
   });
 
   it('is made only of a setting', () => {
