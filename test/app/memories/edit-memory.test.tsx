@@ -1,13 +1,10 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { ProgramField } from '../../../src/program/index.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, type BenchOptions, idle, run, selected, sets } from '../bench/bench.js';
 import { connected, field, goTo, loadedAgain, lookAt, press, startWrite, type } from '../screen.js';
 
 beforeEach(() => localStorage.clear());
-
-const DT: ProgramField = { kind: 'time', slot: 10 };
 
 /** M3 is opened in the table while M1 flies next: there DT is 4:00, in M1 it is 3:00. */
 async function editing(options: BenchOptions = {}): Promise<AppBench> {
@@ -347,23 +344,6 @@ describe('while M3 is in the table', () => {
 });
 
 describe('a job on M3 that is cut', () => {
-  it('while M3 is read for the table: M1 stays there', async () => {
-    const app = await connected({ plug: { granted: true } });
-    await lookAt('M3');
-    app.timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && app.timer.core.memory === 2 && app.adapter.unplug();
-    await press('Edit M3');
-    app.timer.core.onAnswer = undefined;
-    expect([app.session.onScreen.memory.value, document.querySelector('.unfinished')?.textContent]).toEqual([
-      0,
-      expect.stringContaining(en.recovery.mayFly({ memory: 'M3 of the F1Q 536' })),
-    ]);
-    app.adapter.replug();
-    await idle();
-    expect(app.timer.core.memory).toBe(2);
-    expect(where(app)).toEqual([2, 2]);
-    expect(document.querySelector('.unfinished')?.textContent).toContain('M3 flies next');
-  });
-
   it('while it is written: M3 is uncertain, is opened by the band, and the write is finished there', async () => {
     const app = await editing({ plug: { granted: true } });
     await type('DT time', '2:00');
@@ -430,20 +410,5 @@ describe('a job on M3 that is cut', () => {
     expect(where(app)).toEqual([0, 0]);
     await startWrite();
     expect(dtOf(app)).toEqual([30_000, 21_000, 24_000]);
-  });
-});
-
-describe('a timer', () => {
-  it('with 255 memories opens the last one', async () => {
-    const app = await connected({ identity: { timerClass: 'Q', memories: 255 } });
-    fireEvent.change(screen.getByRole('combobox', { name: en.program.memory }), { target: { value: '254' } });
-    await idle();
-    await press('Edit M255');
-    expect([where(app), app.timer.core.memory]).toEqual([[254, 0], 0]);
-    app.editor.type(DT, '2:00');
-    await idle();
-    await press('Write 1 change…');
-    await startWrite();
-    expect([app.timer.core.memories[254]?.times[10], app.timer.core.memory]).toEqual([12_000, 0]);
   });
 });

@@ -206,14 +206,6 @@ describe('a copy that fails early says so', () => {
     expect(value?.step === 'done' && value.stopped).toBeTruthy();
   });
 
-  it('in the middle, where it is not known what the memory holds', async () => {
-    const made = await bench();
-    made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.adapter.unplug();
-    await job(made, COPY);
-    expect(ends(made)).toEqual([[3, 'unknown']]);
-    expect(made.session.knowledge.uncertain.value).toMatchObject([{ before: { memory: 3 } }]);
-  });
-
   it('when another memory becomes current: it may have taken values, also if it was verified before', async () => {
     const made = await bench();
     await run(made.memories.backUp());
@@ -233,24 +225,6 @@ describe('a copy that fails early says so', () => {
       [3, 'untouched'],
     ]);
     expect(made.write.current.value).toMatchObject({ stopped: { code: 'other-memory' }, strayed: 0 });
-  });
-
-  it('for each memory of a set', async () => {
-    const made = await bench();
-    await run(made.memories.backUp());
-    const backups = [...made.session.backups.list.value].reverse();
-    for (const memory of [1, 2, 3]) made.timer.core.memories[memory]?.times.splice(10, 1, 36_000);
-    let writes = 0;
-    made.timer.core.onAnswer = ({ name }) => {
-      if (name === 'SETTIMERS' && ++writes === 2) made.adapter.unplug();
-    };
-    await job(made, { kind: 'restore', backups });
-    expect(ends(made)).toEqual([
-      [0, 'verified'],
-      [1, 'verified'],
-      [2, 'unknown'],
-      [3, 'untouched'],
-    ]);
   });
 });
 
@@ -395,16 +369,6 @@ describe('which memory is current', () => {
     await run(made.session.timer.disconnect());
     await run(made.session.timer.connect());
     expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
-  });
-
-  it('can be changed only while the timer does nothing else', async () => {
-    const made = await bench();
-    const reading = made.session.reader.read();
-    await made.memories.backUp();
-    await run(reading);
-    await run(made.session.timer.disconnect());
-    await made.memories.backUp();
-    expect(selected(made)).toEqual([]);
   });
 });
 

@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
-import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { limited, type Storage } from '../../../src/app/storage/index.js';
+import { describe, expect, it, vi } from 'vitest';
+import type { Storage } from '../../../src/app/storage/index.js';
 import { Knowledge, type TimerAtHand } from '../../../src/app/timer/knowledge.js';
 import { openValues, possibleValues } from '../../../src/app/timer/known.js';
 import { UnfinishedRecords } from '../../../src/app/timer/unfinished.js';
@@ -101,13 +101,6 @@ describe('a write', () => {
     expect(one.knowledge.uncertain.value).toMatchObject([{ key: expect.stringMatching(/^timer\//), before: BEFORE }]);
   });
 
-  it('counts as cut off when its job ends without a report', async () => {
-    const { knowledge } = await page();
-    await knowledge.begin(BEFORE, GOAL);
-    knowledge.jobOver();
-    expect(knowledge.of(0).state).toBe('uncertain');
-  });
-
   it.each([
     ['crash or a reload in the middle of it', false],
     ['crash or a reload after it was cut off', true],
@@ -157,31 +150,6 @@ describe('a write', () => {
     await knowledge.begin(BEFORE, GOAL);
     await records.keepAgain();
     expect(store.unfinished.records.size, 'only what is still deleted').toBe(1);
-  });
-
-  it('waits for the storage 5 s and no longer', async () => {
-    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
-    onTestFinished(() => void vi.useRealTimers());
-    const store = new MemoryStore();
-    const { knowledge, records } = await page(store, limited(store, { heard: () => {} }));
-    store.unfinished.save = () => new Promise(() => {});
-    store.unfinished.all = () => new Promise(() => {});
-    let kept: boolean | null = null;
-    void knowledge.begin(BEFORE, GOAL).then((result) => {
-      kept = result;
-    });
-    await vi.advanceTimersByTimeAsync(4999);
-    expect(kept).toBeNull();
-    await vi.advanceTimersByTimeAsync(1);
-    expect(kept).toBe(false);
-    const refreshed = records.loadAgain();
-    await vi.advanceTimersByTimeAsync(5000);
-    await refreshed;
-    const again = records.loadAgain();
-    await vi.advanceTimersByTimeAsync(250);
-    await again;
-    knowledge.jobOver();
-    expect(knowledge.of(0).state).toBe('uncertain');
   });
 });
 

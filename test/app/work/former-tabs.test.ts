@@ -1,6 +1,6 @@
 import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
-import { draftSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
+import { draftSchema } from '../../../src/app/storage/records.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, run } from '../bench/bench.js';
 
@@ -52,18 +52,4 @@ describe('the work of two tabs of an earlier version', () => {
     expect(['7', '8']).toContain(bench.editor.textOf(S1));
     expect(kept(bench)).toEqual([7, 8]);
   });
-});
-
-it('a write that a tab of an earlier version had in progress counts as interrupted', async () => {
-  const bench = await connectedBench();
-  const { knowledge, editor } = bench.session;
-  const before = editor.baseline.value;
-  if (!before) throw new Error('nothing was read');
-  await run(knowledge.begin(before, before));
-  const store = new MemoryStore();
-  for (const [key, record] of bench.store.unfinished.records)
-    store.unfinished.records.set(key, v.parse(unfinishedSchema, { ...record, tab: 2 }));
-  const next = await appBench({ store });
-  await idle();
-  expect(next.session.knowledge.uncertain.value).toHaveLength(1);
 });

@@ -8,7 +8,6 @@ import {
   connectedBench,
   goOn,
   idle,
-  MemoryStore,
   reloaded,
   review,
   run,
@@ -39,9 +38,8 @@ const BEFORE = [18000, 35, 55];
 const GOAL = [24000, 7, 8];
 
 /** The pilot has edited a time and two positions, and the timer falls asleep after the answer to such a request. */
-async function writing(last: Name, isBroken = false): Promise<AppBench> {
-  const store = new MemoryStore();
-  const bench = await connectedBench({ store });
+async function writing(last: Name): Promise<AppBench> {
+  const bench = await connectedBench();
   expect(held(bench)).toEqual(BEFORE);
   bench.editor.type(DT, '4:00');
   bench.editor.type(S1, '7');
@@ -54,7 +52,6 @@ async function writing(last: Name, isBroken = false): Promise<AppBench> {
     // Who is there is asked before and after the reading that comes before the first value.
     if (name === last && (name !== 'GETSWVER' || questions === 2)) bench.timer.core.sleep();
   };
-  store.broken = isBroken;
   bench.write.goOn();
   return bench;
 }
@@ -227,6 +224,13 @@ describe('another way in which a write can end', () => {
     expect(notice(bench)).toBeUndefined();
   });
 
+  it('at another kind of timer is not offered', async () => {
+    const bench = await interrupted('SETTIMERS');
+    await run(bench.session.timer.trySimulated('Q'));
+    expect(offer(bench)).toBeNull();
+    expect(bench.store.unfinished.records.size).toBe(1);
+  });
+
   it('shows the goal as edits when the pilot says that it is the same timer, and writes nothing', async () => {
     const bench = await interrupted('SETTIMERS', strange);
     await run(takeGoal(bench.session));
@@ -248,30 +252,6 @@ describe('another way in which a write can end', () => {
     await run(bench.session.reader.selectMemory(0));
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
     expect(notice(bench), 'there is no notice of edits: they are those of the interrupted write').toBeUndefined();
-  });
-
-  it('in another memory is not shown again once the pilot has said “another timer”', async () => {
-    const bench = await interrupted('SETTIMERS', ({ timer }) => {
-      timer.core.memory = 2;
-    });
-    bench.session.recovery.setAside();
-    await run(bench.session.reader.read());
-    expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 1]);
-  });
-
-  it('at another kind of timer is not offered', async () => {
-    const bench = await interrupted('SETTIMERS');
-    await run(bench.session.timer.trySimulated('Q'));
-    expect(offer(bench)).toBeNull();
-    expect(bench.store.unfinished.records.size).toBe(1);
-  });
-
-  it('that succeeds leaves only the backup', async () => {
-    const bench = await connectedBench();
-    bench.editor.type(DT, '4:00');
-    await review(bench);
-    await finishDialog(bench);
-    expect([bench.store.unfinished.records.size, bench.store.backups.records.size]).toEqual([0, 1]);
   });
 });
 
@@ -324,28 +304,6 @@ describe('before the first byte of a write', () => {
     const [unfinished, backup] = kept as [{ before: unknown; goal: { times: number[] } }, { program: unknown }];
     expect(unfinished.goal.times[10]).toBe(24000);
     expect(backup.program).toEqual(unfinished.before);
-  });
-
-  it('a browser that keeps nothing is reported, and this page remembers', async () => {
-    const bench = await writing('SETTIMERS', true);
-    await idle();
-    expect([bench.session.runner.job.value?.asking, sets(bench)]).toEqual([true, []]);
-    bench.session.runner.answer(true);
-    await asked(bench);
-    bench.write.dismiss();
-    bench.timer.core.onAnswer = undefined;
-    expect(bench.store.unfinished.records.size).toBe(0);
-    bench.timer.core.press();
-    await idle();
-    expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
-    void finishWrite(bench.session, bench.write, 'before');
-    await asked(bench);
-    bench.session.safety.confirm();
-    bench.write.goOn();
-    await idle();
-    bench.session.runner.answer(true);
-    await asked(bench);
-    expect([held(bench), offer(bench)]).toEqual([BEFORE, null]);
   });
 });
 

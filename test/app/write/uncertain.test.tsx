@@ -2,7 +2,7 @@ import { fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { en } from '../../tools/en.js';
 import { type AppBench, idle, MemoryStore } from '../bench/bench.js';
-import { button, connected, late, loadedAgain, opened, press, startWrite, type } from '../screen.js';
+import { button, connected, late, loadedAgain, press, startWrite, type } from '../screen.js';
 
 const SENTENCE = 'It is not known what M1 holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
 const ELSEWHERE = SENTENCE.replace('M1', 'M1 of the F1Q 536');
@@ -31,23 +31,6 @@ async function cut(): Promise<AppBench> {
   expect(bench.timer.core.content.times[10]).toBe(36_000);
   return bench;
 }
-
-it('the result of a write to a timer that falls asleep says so until the timer is back and read', async () => {
-  const { timer } = await connected();
-  await type('DT time', '6:00');
-  timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();
-  await write();
-  const said = (): string => screen.getByRole('dialog').textContent;
-  expect([said().includes(en.write.unknown.title), said().includes(en.timer['no-answer'].title)]).toEqual([true, true]);
-  timer.core.onAnswer = undefined;
-  timer.core.press();
-  await idle();
-  expect([said().includes(en.write.unknown.title), said().includes(en.timer['no-answer'].title)]).toEqual([
-    false,
-    false,
-  ]);
-  expect(said()).toContain(en.write.cut({ memory: 'M1' }));
-});
 
 describe('after a write whose answer never came', () => {
   let bench: AppBench;
@@ -151,13 +134,6 @@ describe('after a write whose answer never came', () => {
     expect(screen.getByText(en.notes['write-completed'].title)).toBeTruthy();
   });
 
-  it('it goes by a fresh reading after a reload', async () => {
-    const after = await loadedAgain(bench);
-    await press(en.knowledge.connect);
-    expect(band()).toBeNull();
-    expect(after.editor.baseline.value?.times[10]).toBe(36_000);
-  });
-
   it('it stays when the reading is not explained, and the pilot says which timer it is', async () => {
     const after = await loadedAgain(bench);
     (after.timer.core.content.positions[1] as number[])[5] = 77;
@@ -246,11 +222,6 @@ describe('the words for what is known', () => {
     expect(described('DT time')).toContain('last read 3:00 min');
     expect(screen.getByText(/^Marked fields differ from what was last read, \d\d:\d\d\.$/)).toBeTruthy();
     expect(document.body.textContent).not.toMatch(/They have not been written|not known whether/);
-  });
-
-  it('are absent on a page that knows of no timer', async () => {
-    await opened();
-    expect(band()).toBeNull();
   });
 });
 
