@@ -20,6 +20,7 @@ export interface Clock {
 // Declared here, so that this room needs neither the types of the DOM nor those of Node.
 declare function setTimeout(callback: () => void, ms: number): number;
 declare function clearTimeout(timer: number): void;
+declare function queueMicrotask(callback: () => void): void;
 declare const performance: { readonly timeOrigin: number; now(): number };
 declare const MessageChannel: new () => {
   port1: { onmessage: (() => void) | null; close(): void };
@@ -36,6 +37,17 @@ export const realClock: Clock = {
   },
   wall: () => Date.now(),
 };
+
+/** Calls back in this turn, after the caller has gone on. @returns a function that cancels the call. */
+export function soon(callback: () => void): () => void {
+  let isDue = true;
+  queueMicrotask(() => {
+    if (isDue) callback();
+  });
+  return () => {
+    isDue = false;
+  };
+}
 
 /** Waits until every promise that does not depend on the clock has settled. */
 function settle(): Promise<void> {

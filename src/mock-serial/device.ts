@@ -1,6 +1,6 @@
 import type { Bytes } from '../line/index.js';
 import type { Cable } from './cable.js';
-import { networkError, READ_ERROR_KINDS } from './errors.js';
+import { READ_ERROR_KINDS } from './errors.js';
 import type { Receiver } from './receiver.js';
 import type { Transmitter } from './transmitter.js';
 import type {
@@ -12,7 +12,7 @@ import type {
   SetSignals,
   WriteErrorKind,
 } from './types.js';
-import { integer, oneOf } from './web-idl.js';
+import { oneOf } from './web-idl.js';
 
 const WRITE_ERROR_KINDS: readonly string[] = ['system', 'lost'] satisfies WriteErrorKind[];
 
@@ -53,43 +53,21 @@ export class Device implements MockDevice {
     return this.#unsent + this.#port.receiver.lost;
   }
 
-  /** Whether a read waits for bytes that have not come. */
-  get waits(): boolean {
-    return this.#readers.length > 0;
-  }
-
   read(): Promise<Bytes> {
     const bytes = this.#arrived.shift();
     if (bytes) return Promise.resolve(bytes);
     if (this.#unplugged) return Promise.resolve(new Uint8Array());
-    return new Promise((resolve) => {
-      this.#readers.push(resolve);
-      this.#port.transmitter.pull();
-    });
+    return new Promise((resolve) => this.#readers.push(resolve));
   }
 
-  write(bytes: ArrayLike<number>): Promise<void> {
-    // Not inside the promise: nobody need wait for it.
+  write(bytes: ArrayLike<number>): void {
     const sent = copyOf(bytes);
-    const written = new Promise<void>((resolve, reject) => {
-      const discarded = (): void => reject(networkError('The bytes were discarded.'));
-      if (this.#unplugged) {
-        this.#unsent += sent.length;
-        discarded();
-        return;
-      }
-      const { cable, receiver } = this.#port;
-      cable.sendToPage(sent);
-      cable.behindToPage(() => receiver.mark((kept) => (kept ? resolve() : discarded())), discarded);
-    });
-    // A caller that does not ask what became of the bytes gets no unhandled rejection.
-    written.catch(() => {});
-    return written;
+    if (this.#unplugged) this.#unsent += sent.length;
+    else this.#port.cable.sendToPage(sent);
   }
 
   join({ readable, writable }: Parameters<MockDevice['join']>[0]): void {
-    // A write is not awaited: what comes after an unplug is lost, and that must not end the stream.
-    const toPage = readable.pipeTo(new WritableStream({ write: (bytes) => void this.write(bytes) }));
+    const toPage = readable.pipeTo(new WritableStream({ write: (bytes) => this.write(bytes) }));
     Promise.all([toPage, this.#feed(writable.getWriter())]).catch(() => {});
   }
 
@@ -113,9 +91,9 @@ export class Device implements MockDevice {
     this.#port.setInputSignals(signals);
   }
 
-  failNextWrite(error: WriteErrorKind | Error = 'system', after = 0): void {
-    if (!(error instanceof Error)) oneOf(error, WRITE_ERROR_KINDS, 'error');
-    this.#port.transmitter.failNext(error, integer(after, Number.MAX_SAFE_INTEGER, 'after'));
+  failNextWrite(kind: WriteErrorKind = 'system'): void {
+    oneOf(kind, WRITE_ERROR_KINDS, 'kind');
+    this.#port.transmitter.failNext(kind);
   }
 
   /** Takes bytes that reach the device. */

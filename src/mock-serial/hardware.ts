@@ -28,7 +28,7 @@ export class Hardware {
   readonly info: PortInfo;
   readonly device: Device;
   readonly cable: Cable;
-  readonly receiver = new Receiver(() => this.cable.dropToPage());
+  readonly receiver = new Receiver();
   readonly transmitter: Transmitter;
   plugged = true;
   /** Whether the site has been told that it is plugged in. */
@@ -55,7 +55,7 @@ export class Hardware {
       { toDevice: (bytes) => this.device.arrive(bytes), toPage: (bytes) => this.receiver.push(bytes) },
       options,
     );
-    this.transmitter = new Transmitter(this.cable, () => this.device.waits, options.follows);
+    this.transmitter = new Transmitter(this.cable, options.follows);
   }
 
   /** The browser's ways that it follows. */
@@ -78,35 +78,25 @@ export class Hardware {
   }
 
   get outputSignals(): SetSignals {
-    const handshake = this.device.opened?.flowControl === 'hardware';
-    return { ...this.#output, ...(handshake && { requestToSend: !this.receiver.full }) };
+    return { ...this.#output };
   }
 
   get inputSignals(): InputSignals {
-    if (!this.#options.loopback) return { ...this.#input };
-    const { dataTerminalReady, requestToSend } = this.outputSignals;
-    return {
-      clearToSend: requestToSend,
-      dataCarrierDetect: dataTerminalReady,
-      dataSetReady: dataTerminalReady,
-      ringIndicator: false,
-    };
+    return { ...this.#input };
   }
 
   /** @throws NetworkError when the port is unplugged, forgotten or held by another program. */
   open(options: OpenedOptions): void {
     if (!this.plugged || this.forgotten || this.device.busy) throw networkError('Failed to open serial port.');
     this.cable.setRate(options);
-    const { backpressure = false, follows } = this.#options;
-    const isPatient = options.flowControl === 'hardware' || backpressure || follows('bufferNeverOverruns');
+    const { follows } = this.#options;
+    const hasHandshake = options.flowControl === 'hardware';
+    const isPatient = hasHandshake || follows('bufferNeverOverruns');
     this.receiver.open(options.bufferSize, isPatient, follows('forgottenStreamReturns') && this.#wasForgotten);
     this.#wasForgotten = false;
     this.transmitter.open(options.bufferSize);
-    this.#output = {
-      ...this.#output,
-      dataTerminalReady: true,
-      ...(follows('openRaisesRts') && { requestToSend: true }),
-    };
+    const requestToSend = hasHandshake || follows('openRaisesRts');
+    this.#output = { dataTerminalReady: true, requestToSend, break: false };
     this.device.setOpened(options);
   }
 
@@ -147,22 +137,15 @@ export class Hardware {
   }
 
   setOutputSignals(signals: OutputSignals): void {
-    const { dataTerminalReady, requestToSend, break: breaking } = signals;
-    const began = breaking === true && !this.#output.break;
-    this.#output = {
-      dataTerminalReady: dataTerminalReady ?? this.#output.dataTerminalReady,
-      requestToSend: requestToSend ?? this.#output.requestToSend,
-      break: breaking ?? this.#output.break,
-    };
-    if (!began || !this.#options.loopback) return;
-    // A line that is held down reads as a zero byte without a stop bit.
-    this.device.write([0]);
-    this.device.error('break');
+    this.#output = { ...this.#output, ...defined(signals) };
   }
 
   setInputSignals(signals: Partial<InputSignals>): void {
-    for (const [name, value] of Object.entries(signals)) {
-      if (value !== undefined) this.#input = { ...this.#input, [name]: value };
-    }
+    this.#input = { ...this.#input, ...defined(signals) };
   }
+}
+
+/** Without the members that are undefined. */
+function defined<T extends object>(signals: T): { [Key in keyof T]: Exclude<T[Key], undefined> } {
+  return Object.fromEntries(Object.entries(signals).filter(([, value]) => value !== undefined)) as never;
 }

@@ -2,10 +2,6 @@ import type { Bytes } from '../line/index.js';
 import { streamError } from './errors.js';
 import type { ReadErrorKind } from './types.js';
 
-type Item = Bytes | ReadErrorKind;
-/** Called with whether all bytes before it are in the buffer. */
-type Mark = (kept: boolean) => void;
-
 /**
  * The reading side of a port: a buffer of `bufferSize` bytes, and the stream that hands them to the page. The stream
  * itself holds nothing (high-water mark 0), so an error never overtakes a byte that came before it.
@@ -19,35 +15,21 @@ export class Receiver {
   /** Nothing comes any more. Bytes that have arrived can still be read. */
   #over = false;
   #capacity = 0;
+  /** Whether the device waits for room. Its bytes wait here, too. */
   #patient = false;
-  #size = 0;
-  /** The content of the buffer, in the order in which it came. */
-  #queue: Item[] = [];
-  /** Bytes that wait for room, when the device is patient. */
-  #backlog: (Item | Mark)[] = [];
-  /** How many bytes were lost before the last mark. */
-  #lostBefore = 0;
+  /** What the page has not read, in the order in which it came. */
+  #queue: (Bytes | ReadErrorKind)[] = [];
   /** The standard's [[readable]]. */
   stream: ReadableStream<Bytes> | null = null;
   #controller: ReadableByteStreamController | null = null;
   /** Whether the page waits for a read. */
   #wanted = false;
-  readonly #onCancel: () => void;
-
-  /** @param onCancel called when the page cancels the stream, so that nothing comes that was sent before. */
-  constructor(onCancel: () => void) {
-    this.#onCancel = onCancel;
-  }
-
-  get full(): boolean {
-    return this.#size >= this.#capacity;
-  }
 
   /**
    * @param patient whether the device waits for room. Otherwise bytes are lost.
    * @param keeps whether the stream and the bytes of before come back, without the loss that ended them.
    */
-  open(capacity: number, patient: boolean, keeps = false): void {
+  open(capacity: number, patient: boolean, keeps: boolean): void {
     if (!keeps) this.close();
     this.#queue = this.#queue.filter((item) => item !== 'lost');
     this.#open = true;
@@ -60,7 +42,7 @@ export class Receiver {
   /** Forgets the stream and the content of the buffer. */
   close(): void {
     this.#open = false;
-    this.#discard();
+    this.#queue = [];
     this.#replaceStream();
   }
 
@@ -87,81 +69,47 @@ export class Receiver {
       this.lost += bytes.length;
       return;
     }
-    const room = this.#capacity - this.#size;
     // A page that waits takes bytes as they come: a burst on a line that takes no time does not overrun it.
-    if (this.#patient || this.#wanted || bytes.length <= room) this.#backlog.push(bytes);
-    else this.#backlog.push(bytes.slice(0, room), ...this.#overrun(bytes.length - room));
-    this.#refill();
+    const room = this.#patient || this.#wanted ? bytes.length : Math.max(0, this.#capacity - this.#held);
+    if (room > 0) this.#queue.push(bytes.slice(0, room));
+    if (room < bytes.length) {
+      this.lost += bytes.length - room;
+      if (this.#queue.at(-1) !== 'overrun') this.#queue.push('overrun');
+    }
     this.#serve();
   }
 
   fail(kind: ReadErrorKind): void {
     if (!this.#open || this.#over) return;
-    if (kind === 'lost') {
-      this.#over = true;
-      this.#dropBacklog();
-    }
-    this.#backlog.push(kind);
-    this.#refill();
+    this.#over = kind === 'lost';
+    this.#queue.push(kind);
     this.#serve();
   }
 
-  /** Calls `tell` once it is known whether all bytes since the last mark are in the buffer. */
-  mark(tell: Mark): void {
-    const lost = this.lost - this.#lostBefore;
-    this.#lostBefore = this.lost;
-    if (lost > 0) tell(false);
-    else if (this.#backlog.length > 0) this.#backlog.push(tell);
-    else tell(true);
-  }
-
-  #overrun(bytes: number): ReadErrorKind[] {
-    this.lost += bytes;
-    return this.#queue.at(-1) === 'overrun' ? [] : ['overrun'];
-  }
-
-  /** Moves bytes from the backlog to the buffer while there is room. Errors take no room. */
-  #refill(): void {
-    for (let next = this.#backlog.shift(); next !== undefined; next = this.#backlog.shift()) {
-      if (typeof next === 'function') {
-        next(true);
-        continue;
-      }
-      const room = this.#capacity - this.#size;
-      if (typeof next !== 'string' && next.length > room) {
-        this.#backlog.unshift(next.slice(room));
-        if (room === 0) return;
-        next = next.slice(0, room);
-      }
-      if (next.length === 0) continue;
-      this.#queue.push(next);
-      if (typeof next !== 'string') this.#size += next.length;
-    }
+  get #held(): number {
+    return this.#queue.reduce((sum, item) => sum + (typeof item === 'string' ? 0 : item.length), 0);
   }
 
   #serve(): void {
     const controller = this.#controller;
-    const next = this.#queue[0];
-    if (!controller || !this.#wanted || next === undefined) return;
+    if (!controller || !this.#wanted) return;
+    const next = this.#queue.shift();
+    if (next === undefined) return;
     this.#wanted = false;
     if (typeof next === 'string') {
       if (next === 'lost') this.#fatal = true;
-      this.#queue.shift();
       controller.error(streamError(next));
       this.#replaceStream();
       return;
     }
     const view = controller.byobRequest?.view;
-    const length = Math.min(next.length, view?.byteLength ?? next.length);
-    if (length === next.length) this.#queue.shift();
-    else this.#queue[0] = next.slice(length);
-    this.#size -= length;
-    this.#refill();
+    const length = Math.min(next.length, view?.byteLength ?? this.#capacity);
+    if (length < next.length) this.#queue.unshift(next.slice(length));
     if (view) {
       new Uint8Array(view.buffer, view.byteOffset, view.byteLength).set(next.subarray(0, length));
       controller.byobRequest?.respond(length);
     } else {
-      controller.enqueue(next as Bytes);
+      controller.enqueue(next.slice(0, length));
     }
   }
 
@@ -173,29 +121,11 @@ export class Receiver {
   }
 
   async #cancel(): Promise<void> {
-    const stream = this.stream;
+    const { stream } = this;
     // The page cannot read of the loss any more, and yet there is no new stream after it.
     if (this.#over) this.#fatal = true;
-    this.#discard();
-    this.#onCancel();
+    this.#queue = [];
     await null;
     if (this.stream === stream) this.#replaceStream();
-  }
-
-  #discard(): void {
-    this.#queue = [];
-    this.#dropBacklog();
-    this.#size = 0;
-  }
-
-  /** Bytes that were held back never get into the buffer. */
-  #dropBacklog(): void {
-    const dropped = this.#backlog;
-    this.#backlog = [];
-    for (const each of dropped) {
-      if (typeof each === 'function') each(false);
-      else if (typeof each !== 'string') this.lost += each.length;
-    }
-    this.#lostBefore = this.lost;
   }
 }

@@ -32,11 +32,10 @@ function bytesOf(chunk: unknown): Uint8Array {
 
 /**
  * The writing side of a port: the stream that takes the page's bytes, and a buffer of `bufferSize` bytes that have not
- * left yet. On a free cable they leave in their own time. On any other they leave when the device reads them.
+ * left yet. They leave in their own time.
  */
 export class Transmitter {
   readonly #cable: Cable;
-  readonly #deviceWaits: () => boolean;
   /** The standard's [[writeFatal]]: the page knows of the loss from a stream. */
   #fatal = false;
   /** The device is gone. */
@@ -46,9 +45,8 @@ export class Transmitter {
   readonly #follows: FollowsWay;
   #onEnded: (() => void)[] = [];
   #capacity = 0;
-  /** Bytes from the page that have not left: those in `#waiting`, and on a free cable those on the wire. */
+  /** How many bytes from the page have not left. */
   #held = 0;
-  #waiting: Uint8Array[] = [];
   readonly #departures = new Set<() => void>();
   /** The standard's [[writable]]. */
   stream: WritableStream<Uint8Array> | null = null;
@@ -57,12 +55,11 @@ export class Transmitter {
   #operation: Operation | null = null;
   /** What the buffer had room for of each chunk when the page wrote it, in the order of the writes. */
   #heads: Uint8Array[] = [];
-  #failure: { readonly error: WriteErrorKind | Error; after: number } | null = null;
+  /** How the next operation fails. */
+  #failure: WriteErrorKind | null = null;
 
-  /** @param deviceWaits whether the device waits for bytes that it has not been sent. */
-  constructor(cable: Cable, deviceWaits: () => boolean, follows: FollowsWay) {
+  constructor(cable: Cable, follows: FollowsWay) {
     this.#cable = cable;
-    this.#deviceWaits = deviceWaits;
     this.#follows = follows;
   }
 
@@ -108,14 +105,8 @@ export class Transmitter {
   }
 
   /** See `MockDevice.failNextWrite`. */
-  failNext(error: WriteErrorKind | Error, after: number): void {
-    this.#failure = { error, after };
-  }
-
-  /** The device waits for bytes. */
-  pull(): void {
-    this.#pump();
-    this.#operation?.advance();
+  failNext(kind: WriteErrorKind): void {
+    this.#failure = kind;
   }
 
   /** The device is gone. A stream that nobody uses notices it at its next use. */
@@ -150,7 +141,7 @@ export class Transmitter {
 
   async #write(chunk: unknown): Promise<void> {
     const head = this.#heads.shift() as Uint8Array;
-    bytesOf(chunk);
+    const whole = bytesOf(chunk);
     if (this.#spared) {
       this.#spared = false;
       if (!this.#follows('lostWriteEndsStream')) return;
@@ -163,18 +154,14 @@ export class Transmitter {
     }
     let done = 0;
     await this.#run(() => {
-      // Read afresh each time: the page may detach the buffer while this waits for room.
-      const rest = (): Uint8Array => (done < head.length ? head : bytesOf(chunk));
-      for (let bytes = rest(); done < bytes.length; bytes = rest()) {
+      // Of no length any more if the page detaches the buffer while this waits for room.
+      while (done < Math.max(head.length, whole.length)) {
         if (this.#failed()) return;
-        const room = Math.min(this.#capacity - this.#held, this.#failure?.after ?? Number.POSITIVE_INFINITY);
+        const room = this.#capacity - this.#held;
         if (room === 0) return;
-        const piece = bytes.slice(done, done + room);
+        const piece = (done < head.length ? head : whole).slice(done, done + room);
         done += piece.length;
-        if (this.#failure) this.#failure.after -= piece.length;
-        this.#waiting.push(piece);
-        this.#held += piece.length;
-        this.#pump();
+        this.#depart(piece);
       }
       this.#operation?.resolve();
     });
@@ -185,7 +172,7 @@ export class Transmitter {
     try {
       await this.#run(() => {
         // Nothing is left to send, so a loss does not matter: a browser says the same.
-        if (this.#held === 0 && !(this.#failure?.after === 0 && this.#failed())) this.#operation?.resolve();
+        if (this.#held === 0 && !(this.#failure && this.#failed())) this.#operation?.resolve();
       });
     } finally {
       // Also when an abort has ended the wait: the stream then ends without another call.
@@ -196,7 +183,7 @@ export class Transmitter {
   #abort(): Promise<void> {
     this.#discard();
     return this.#run(() => {
-      if (this.#failure?.after === 0 && this.#failed()) return;
+      if (this.#failure && this.#failed()) return;
       this.#operation?.resolve();
       this.#replaceStream();
     });
@@ -208,15 +195,13 @@ export class Transmitter {
    */
   #run(advance: () => void): Promise<void> {
     return new Promise((resolve, reject) => {
-      const settle = <Reason extends unknown[]>(by: (...reason: Reason) => void, ...reason: Reason): void => {
-        if (this.#operation === operation) this.#operation = null;
-        by(...reason);
-      };
-      const operation: Operation = {
-        advance,
-        resolve: () => settle(resolve),
-        reject: (reason) => settle(reject, reason),
-      };
+      const settling =
+        (settle: (reason?: never) => void) =>
+        (reason?: unknown): void => {
+          if (this.#operation === operation) this.#operation = null;
+          settle(reason as never);
+        };
+      const operation: Operation = { advance, resolve: settling(resolve as () => void), reject: settling(reject) };
       this.#operation = operation;
       queueMicrotask(() => {
         if (this.#operation === operation) advance();
@@ -226,36 +211,23 @@ export class Transmitter {
 
   /** Fails the operation if the device is gone, or a test asked for a failure. */
   #failed(): boolean {
-    if (!this.#gone && this.#failure?.after !== 0) return false;
-    const error = this.#gone ? 'lost' : (this.#failure?.error as WriteErrorKind | Error);
+    const kind = this.#gone ? 'lost' : this.#failure;
+    if (!kind) return false;
     if (!this.#gone) this.#failure = null;
-    if (error === 'lost') {
-      this.#gone = true;
-      this.#fatal = true;
-    }
-    this.#fail(typeof error === 'string' ? streamError(error) : error);
+    if (kind === 'lost') this.#gone = this.#fatal = true;
+    this.#operation?.reject(streamError(kind));
+    this.#replaceStream();
     return true;
   }
 
-  #fail(error: Error): void {
-    this.#operation?.reject(error);
-    this.#replaceStream();
-  }
-
-  /** Moves bytes from the buffer to the line: on a free cable all, on any other a chunk for each read of the device. */
-  #pump(): void {
-    while (this.#waiting.length > 0) {
-      if (!this.#cable.free && (this.#departures.size > 0 || !this.#deviceWaits())) return;
-      const bytes = this.#waiting.shift() as Uint8Array;
-      this.#depart(bytes, this.#cable.sendToDevice(bytes));
-    }
-  }
-
-  #depart(bytes: Uint8Array, at: number): void {
+  /** Puts bytes on the line. They count until they have left. */
+  #depart(bytes: Uint8Array): void {
+    this.#held += bytes.length;
+    const at = this.#cable.sendToDevice(bytes);
     const cancel = this.#cable.clock.after(at - this.#cable.clock.now(), () => {
       this.#departures.delete(cancel);
       this.#held -= bytes.length;
-      this.pull();
+      this.#operation?.advance();
     });
     this.#departures.add(cancel);
   }
@@ -273,7 +245,6 @@ export class Transmitter {
     for (const cancel of this.#departures) cancel();
     if (this.#departures.size > 0) this.#cable.dropToDevice();
     this.#departures.clear();
-    this.#waiting = [];
     this.#held = 0;
   }
 }

@@ -101,7 +101,7 @@ export interface PlugOptions {
   readonly clock?: Clock;
   /**
    * Bytes take as long as they would at the rate with which the page opened the port. Default false: the line takes no
-   * time and needs no clock, and bytes that the page writes stay in the port's buffer until the device reads them.
+   * time and needs no clock.
    */
   readonly timing?: boolean;
   /** Milliseconds that a byte takes in either direction, beyond its time on the wire. Default 0. */
@@ -113,21 +113,6 @@ export interface PlugOptions {
   readonly chunks?: readonly number[];
   /** Damage on the line. */
   readonly fault?: { readonly toDevice?: Fault; readonly toPage?: Fault };
-  /**
-   * The page receives its own bytes, as on a single wire for both directions.
-   * The device receives them, too. Default false.
-   */
-  readonly echo?: boolean;
-  /**
-   * Only wires at the end of the cable. The page's bytes come back, a break as a zero byte and a break, RTS as CTS, DTR
-   * as DSR and DCD. The device receives nothing. Default false.
-   */
-  readonly loopback?: boolean;
-  /**
-   * While the page's buffer is full, the device waits; otherwise its bytes are lost with BufferOverrunError. Always on
-   * when the page opens the port with hardware flow control. Default false.
-   */
-  readonly backpressure?: boolean;
 }
 
 /** How a `MockSerial` is made. */
@@ -179,13 +164,12 @@ export interface MockDevice {
   /** The page's `setSignals()` and `getSignals()` fail with NetworkError while this is true. */
   failSignals: boolean;
   /**
-   * The signals that the page has set. Opening raises DTR (and, under hardware flow control, RTS while there is room).
-   * Closing drops all.
+   * The signals that the page has set. Opening raises DTR, and RTS under hardware flow control. Closing drops all.
    */
   readonly signals: SetSignals;
   /**
-   * Bytes that were written here and that the page will never see. The port was unplugged or closed, or its buffer
-   * full, when they came, or they were held back and never got into it.
+   * How many bytes were written here that the page will never see: the port was unplugged or closed, or its buffer
+   * full, when they came. Under hardware flow control the device waits for room.
    */
   readonly lost: number;
   /**
@@ -197,11 +181,9 @@ export interface MockDevice {
   read(): Promise<Bytes>;
   /**
    * Sends bytes to the page. `lost` counts those that arrive while the port is unplugged or closed.
-   * @returns a promise that settles when all bytes are in the port's buffer, and rejects with NetworkError when some
-   * were lost. You need not wait for it.
    * @throws TypeError when they are no bytes.
    */
-  write(bytes: ArrayLike<number>): Promise<void>;
+  write(bytes: ArrayLike<number>): void;
   /**
    * Lets a pair of streams answer here, such as a `VirtualTimer` of `sidus-timer/simulator`: it gets what the page
    * writes, also after the port was plugged in again, and the page gets what it sends. When its streams fail, the
@@ -219,11 +201,9 @@ export interface MockDevice {
    */
   setSignals(signals: Partial<InputSignals>): void;
   /**
-   * Makes the page's writing fail.
-   * @param error its kind, or an error of your own. Default `system`.
-   * @param after how many more bytes get through first; default 0: the next write, `close()` or `abort()` of the
-   * writable fails.
-   * @throws TypeError when there is no such kind, or `after` is negative or no number.
+   * Makes the page's next write, or its next `close()` or `abort()` of the writable, fail.
+   * @param kind default `system`.
+   * @throws TypeError when there is no such kind.
    */
-  failNextWrite(error?: WriteErrorKind | Error, after?: number): void;
+  failNextWrite(kind?: WriteErrorKind): void;
 }

@@ -1,3 +1,4 @@
+import { VirtualClock } from '../../src/line/index.js';
 import { MockSerial, type MockSerialPort, type OpenOptions, type PlugOptions } from '../../src/mock-serial/index.js';
 
 /** A port that is plugged in, granted and open. */
@@ -6,6 +7,12 @@ export async function openPort(options: Partial<OpenOptions> = {}, plug: PlugOpt
   const port = serial.plug({ usbVendorId: 1, usbProductId: 2 }, { granted: true, ...plug });
   await port.open({ baudRate: 9600, ...options });
   return { serial, port, device: port.device };
+}
+
+/** An open port on a clock that is turned by hand. */
+export async function timed(options: PlugOptions = {}, baudRate = 9600, bufferSize = 255) {
+  const clock = new VirtualClock();
+  return { clock, ...(await openPort({ baudRate, bufferSize }, { clock, timing: true, ...options })) };
 }
 
 /** The name of the error with which a promise rejects. */
@@ -58,9 +65,4 @@ export async function isPending(promise: Promise<unknown>): Promise<boolean> {
   promise.then(settle, settle);
   await settled();
   return pending;
-}
-
-/** Takes a view's buffer away, as posting it to a worker does. */
-export function detach(view: Uint8Array): void {
-  structuredClone(view.buffer, { transfer: [view.buffer as ArrayBuffer] });
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { MockSerial, type OutputSignals } from '../../src/mock-serial/index.js';
-import { failure, isPending, openPort, reading, settled } from './helper.js';
+import { failure, openPort } from './helper.js';
 
 describe('setSignals() method', () => {
   test('step 4: sets what is given and leaves the rest', async () => {
@@ -52,40 +52,5 @@ describe('getSignals() method', () => {
     const { port, device } = await openPort();
     device.failSignals = true;
     expect(await failure(port.getSignals())).toBe('NetworkError');
-  });
-});
-
-describe('loopback', () => {
-  test('a break comes back once, as a zero byte and a BreakError', async () => {
-    const { port } = await openPort({}, { loopback: true });
-    const reader = reading(port);
-    await port.setSignals({ break: true });
-    expect((await reader.read()).value).toEqual(Uint8Array.of(0));
-    expect(await failure(reader.read())).toBe('BreakError');
-    await port.setSignals({ break: true });
-    await port.setSignals({ break: false });
-    expect(await isPending(reading(port).read())).toBe(true);
-  });
-
-  test('RTS comes back as CTS, DTR as DSR and DCD', async () => {
-    const { port } = await openPort({}, { loopback: true });
-    const off = { dataCarrierDetect: false, clearToSend: false, ringIndicator: false, dataSetReady: false };
-    expect(await port.getSignals()).toEqual({ ...off, dataCarrierDetect: true, dataSetReady: true });
-    await port.setSignals({ dataTerminalReady: false, requestToSend: true });
-    const signals = await port.getSignals();
-    expect(signals).toEqual({ ...off, clearToSend: true });
-    expect(Object.keys(signals)).toEqual(Object.keys(signals).sort());
-  });
-
-  test('hardware flow control: CTS falls when the page has written more than it has room to read', async () => {
-    const { port } = await openPort({ flowControl: 'hardware' }, { loopback: true });
-    const writer = port.writable?.getWriter();
-    let written = 0;
-    while ((await port.getSignals()).clearToSend) {
-      await writer?.write(new Uint8Array(1));
-      await settled();
-      written++;
-    }
-    expect(written).toBe(255);
   });
 });

@@ -182,7 +182,7 @@ const port = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 });
 const timer = new VirtualTimer({ identity: { timerClass: 'Q' } });
 const pipe = async () => {
   const answers = timer.readable.getReader();
-  for (let next = answers.read(); ; next = answers.read()) void port.device.write((await next).value).catch(() => {});
+  for (let next = answers.read(); ; next = answers.read()) port.device.write((await next).value);
 };
 const asked = async () => {
   const writer = timer.writable.getWriter();

@@ -92,11 +92,12 @@ describe('the package in a browser', () => {
     const page = await pageOf('/empty.html');
     const heard = await page.evaluate(async () => {
       const serial = navigator.serial as unknown as InstanceType<typeof SidusMockSerial.MockSerial>;
-      const plugged = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 }, { loopback: true });
+      const plugged = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 });
       serial.choose(plugged);
       const port = await navigator.serial.requestPort({ filters: [{ usbVendorId: 0x0403 }] });
       await port.open({ baudRate: 9600 });
       await port.writable?.getWriter().write(Uint8Array.of(1, 2, 3));
+      plugged.device.write(await plugged.device.read());
       const { value } = (await port.readable?.getReader().read()) ?? {};
       return [...(value ?? [])];
     });

@@ -1,4 +1,4 @@
-import { ByteLine, type Clock, realClock } from '../../line/index.js';
+import { ByteLine, type Clock, realClock, soon } from '../../line/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { SerialPortLike } from '../../serial/index.js';
 import { exampleMemories, ReplayTimer, type TimerCore, VirtualTimer } from '../../simulator/index.js';
@@ -13,16 +13,7 @@ const LATENCY = 40;
  */
 const promptInBackground: Clock = {
   ...realClock,
-  after(ms, callback) {
-    if (!document.hidden) return realClock.after(ms, callback);
-    let due = true;
-    queueMicrotask(() => {
-      if (due) callback();
-    });
-    return () => {
-      due = false;
-    };
-  },
+  after: (ms, callback) => (document.hidden ? soon(callback) : realClock.after(ms, callback)),
 };
 
 /** What the timer of each class holds until the page is closed: a pilot connects again to see what was written. */
