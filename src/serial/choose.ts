@@ -1,5 +1,5 @@
 import { ConnectionError } from './errors.js';
-import type { SerialLike, SerialPortLike } from './types.js';
+import type { SerialLike } from './types.js';
 
 /** What a browser says about itself before anything is tried. */
 export interface Surroundings {
@@ -25,34 +25,8 @@ export function availability(surroundings: Surroundings): 'insecure' | 'unsuppor
   return serial ? null : 'unsupported';
 }
 
-/**
- * The plugged-in ports that the pilot has allowed before. Needs no click.
- * @param policyAllows see {@link Surroundings}.
- * @throws ConnectionError `policy` or `not-allowed`.
- */
-export async function rememberedPorts(serial: SerialLike, policyAllows?: boolean): Promise<SerialPortLike[]> {
-  try {
-    return (await serial.getPorts()).filter(({ connected }) => connected !== false);
-  } catch (error) {
-    throw refused(error, policyAllows);
-  }
-}
-
-/**
- * Lets the pilot choose a port in the browser's own dialog. Call it from a click. It asks without filters: a list of
- * USB vendors would hide Bluetooth ports and unknown adapters.
- * @param policyAllows see {@link Surroundings}.
- * @throws ConnectionError `nothing-chosen`, `policy` or `not-allowed`.
- */
-export async function choosePort(serial: SerialLike, policyAllows?: boolean): Promise<SerialPortLike> {
-  try {
-    return await serial.requestPort();
-  } catch (error) {
-    throw refused(error, policyAllows);
-  }
-}
-
-function refused(error: unknown, policyAllows: boolean | undefined): ConnectionError {
+/** What a browser's refusal to list its ports, or to show its chooser, comes to. */
+export function refused(error: unknown, policyAllows: boolean | undefined): ConnectionError {
   const name = error instanceof DOMException ? error.name : '';
   if (name === 'NotFoundError') return new ConnectionError('nothing-chosen', 'no port was chosen', error);
   // The browser gives the same error when nobody has clicked.

@@ -1,7 +1,7 @@
 import { type AssumedQuirks, asyncDisposable, type LineEntry, tell } from '../client/index.js';
 import { type Clock, realClock } from '../line/index.js';
 import type { Identity } from '../protocol/index.js';
-import { choosePort, rememberedPorts } from './choose.js';
+import { refused } from './choose.js';
 import { ConnectionError } from './errors.js';
 import type { LinkState } from './link-state.js';
 import { type LinkEvent, nextStatus } from './link-table.js';
@@ -88,7 +88,9 @@ export class TimerLink {
    */
   async ports(): Promise<KnownPort[]> {
     const { serial, policyAllows } = this.#options;
-    return serial ? (await rememberedPorts(serial, policyAllows)).map(known) : [];
+    const ports = await serial?.getPorts().catch((error) => Promise.reject(refused(error, policyAllows)));
+    // Some browsers list what is not plugged in, too.
+    return (ports ?? []).filter(({ connected }) => connected !== false).map(known);
   }
 
   /**
@@ -104,12 +106,13 @@ export class TimerLink {
     try {
       if (!serial) throw new ConnectionError('unsupported', 'this browser has no Web Serial');
       if (this.#state.status === 'off') this.#enter('choose', { status: 'choosing' });
-      port = await choosePort(serial, policyAllows);
-    } catch (error) {
+      // Without filters: a list of USB vendors would hide Bluetooth ports and unknown adapters.
+      port = await serial.requestPort();
+    } catch (failure) {
+      const error = failure instanceof ConnectionError ? failure : refused(failure, policyAllows);
       const { status } = this.#state;
       const isShown = status === 'choosing' || status === 'off';
-      if (chooser === this.#chooser && isShown)
-        this.#enter('failed', { status: 'off', error: error as ConnectionError });
+      if (chooser === this.#chooser && isShown) this.#enter('failed', { status: 'off', error });
       return;
     }
     if (chooser === this.#chooser) await this.connect(port, settings);

@@ -30,8 +30,7 @@ const VENDORS: ReadonlyMap<number, PortKind> = new Map([
   [0x067b, 'pl2303'],
 ]);
 
-/** @param info what the port's `getInfo()` gives. */
-export function portKind({ usbVendorId, bluetoothServiceClassId }: PortInfo): PortKind {
+function portKind({ usbVendorId, bluetoothServiceClassId }: PortInfo): PortKind {
   if (bluetoothServiceClassId !== undefined) return 'bluetooth';
   if (usbVendorId === undefined) return 'other';
   return VENDORS.get(usbVendorId) ?? 'usb';

@@ -245,19 +245,6 @@ describe('waiting for a timer', () => {
     },
   );
 
-  it('opens the port half as often as before while nothing answers', async () => {
-    const { clock, link, port } = linkBench({ answersAt: 0 });
-    const open = port.open.bind(port);
-    let openings = 0;
-    port.open = (options) => {
-      openings++;
-      return open(options);
-    };
-    await clock.run(link.connect(port));
-    await clock.advance(120_000);
-    expect(openings).toBeLessThan(40);
-  });
-
   it('stops within one reply time', async () => {
     for (let ms = 0; ms < 1000; ms += 90) {
       const { clock, link, port } = await waiting({ plug: { timing: true } });
@@ -284,16 +271,6 @@ describe('a port that is busy', () => {
     port.device.busy = false;
     await clock.advance(500);
     expect(link.state.status).toBe('on');
-  });
-
-  it('is given up after 15 seconds', async () => {
-    const { clock, connect, link, port } = linkBench({ plug: { busy: true } });
-    const begin = clock.now();
-    await connect();
-    expect(clock.now() - begin).toBe(15_000);
-    expect(link.state).toMatchObject({ status: 'off', error: { code: 'busy', cause: { name: 'NetworkError' } } });
-    port.device.busy = false;
-    expect(await canBeOpened(port)).toBe(true);
   });
 });
 

@@ -105,16 +105,6 @@ describe('a port that returns', () => {
     expect(port.device.opened).not.toBeNull();
   });
 
-  it.each(['the same', 'a new'])('is noticed when it was unplugged for no time, as %s object', async (as) => {
-    const { link, clock, adapter, states } = await on();
-    adapter.unplug();
-    if (as === 'a new') adapter.returnAsNew();
-    else adapter.replug();
-    await clock.advance(1000);
-    expect(way(states)).toBe('away > opening > searching > on');
-    expect(portOf(link)).toBe(adapter.port);
-  });
-
   it.each(['the same', 'a new'])('comes back at once, however often in a row, as %s object', async (as) => {
     const { link, clock, adapter } = await on();
     for (let i = 0; i < 20; i++) {
@@ -271,28 +261,6 @@ describe('a port that returns', () => {
     await clock.advance(1000);
     expect(link.state.status).toBe('on');
   });
-
-  it('is opened as soon as another program releases it', async () => {
-    const { link, clock, adapter, port, states } = await on();
-    adapter.unplug();
-    await clock.advance(1000);
-    port.device.busy = true;
-    adapter.replug();
-    await clock.advance(5000);
-    expect(link.state).toMatchObject({ status: 'opening', refusals: 6 });
-    port.device.busy = false;
-    await clock.advance(1500);
-    expect(way(states)).toBe('away > opening > searching > on');
-  });
-
-  it('identifies the timer again, and reports another one as another', async () => {
-    const { link, clock, adapter, timer } = await on();
-    adapter.unplug();
-    Object.assign(timer.core.identity, { firmware: '600' });
-    adapter.replug();
-    await clock.advance(1000);
-    expect(connectionOf(link).identity.firmware).toBe('600');
-  });
 });
 
 describe('a stream that fails with its plug in', () => {
@@ -363,17 +331,5 @@ describe('a line that is disturbed', () => {
       expect(await clock.run(client.readProgram())).toMatchObject({ positions });
       expect(client.damageSeen).toBe(true);
     });
-  });
-
-  it('can be read to the end when bytes are lost, changed or doubled', async () => {
-    for (const damage of [[], [0x55], [0x45, 0x45]]) {
-      const toPage = (byte: number, index: number) => (index === 70 ? damage : [byte]);
-      const { clock, link } = await on({ plug: { timing: true, fault: { toPage } } });
-      const program = await clock.run(connectionOf(link).client.readProgram());
-      expect(
-        program.positions,
-        `the program is read right with these bytes in place of one: ${JSON.stringify(damage)}`,
-      ).toEqual(positions);
-    }
   });
 });

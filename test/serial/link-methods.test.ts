@@ -242,6 +242,16 @@ describe('stop()', () => {
     expect(port.device.opened).toBeNull();
   });
 
+  it('ends the wait for a lost port, in a browser that never says which ports it has', async () => {
+    const { clock, link, adapter, serial } = await on();
+    serial.getPorts = () => new Promise(() => {});
+    adapter.unplug();
+    await clock.advance(10_000);
+    expect(link.state.status).toBe('away');
+    await clock.run(link.stop());
+    expect(link.state.status).toBe('off');
+  });
+
   it('closes a port that opens after it was given up, and can connect to it then', async () => {
     const { clock, link, port, states } = linkBench();
     const open = port.open.bind(port);
@@ -317,6 +327,13 @@ describe('connect()', () => {
 });
 
 describe('choose()', () => {
+  it('asks without filters: adapters of every kind are offered', async () => {
+    const { clock, link, serial } = linkBench();
+    const asked = vi.spyOn(serial, 'requestPort');
+    await clock.run(link.choose());
+    expect(asked.mock.calls).toEqual([[]]);
+  });
+
   it('keeps the connection when nothing is chosen', async () => {
     const { serial, link, states } = await on();
     serial.choose(null);
@@ -393,6 +410,12 @@ describe('the ports', () => {
     const ports = await link.ports();
     expect(ports).toEqual([{ port, kind: 'ftdi', key: 'usb:0403:6001', info: port.getInfo() }]);
     expect(ports[0]?.port).toBe(port);
+  });
+
+  it('are not those that a browser lists although they are gone', async () => {
+    const ports = [false, true, undefined].map((connected) => ({ connected, getInfo: () => ({}) }));
+    const serial = { getPorts: async () => ports } as never;
+    expect((await new TimerLink({ serial }).ports()).map(({ port }) => port)).toEqual(ports.slice(1));
   });
 
   it('are refused where a policy forbids them', async () => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_SETTINGS, LINK_TABLE, type LinkEvent, type LinkStatus } from '../../src/serial/index.js';
-import { nextStatus } from '../../src/serial/link-table.js';
+import { DEFAULT_SETTINGS, LINK_TABLE, type LinkStatus } from '../../src/serial/index.js';
+import { type LinkEvent, nextStatus } from '../../src/serial/link-table.js';
 import { answerNonsense, canBeOpened } from './bench.js';
 import { type LinkBench, type LinkBenchOptions, linkBench, slowChooser, way } from './link-bench.js';
 

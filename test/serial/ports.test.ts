@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_SETTINGS, portKey, portKind, RATES } from '../../src/serial/index.js';
+import { MockSerial } from '../../src/mock-serial/index.js';
+import { DEFAULT_SETTINGS, RATES } from '../../src/serial/index.js';
+import { known } from '../../src/serial/ports.js';
 import { quietRate, ratesToTry } from '../../src/serial/settings.js';
 
 describe('a port', () => {
@@ -15,7 +17,8 @@ describe('a port', () => {
     [{ bluetoothServiceClassId: 0x1101 }, 'bluetooth', `bluetooth:${uuid}`],
     [{}, 'other', 'other'],
   ] as const)('%o is called %s and remembered as %s', (info, kind, key) => {
-    expect([portKind(info), portKey(info)]).toEqual([kind, key]);
+    const port = Object.assign(new MockSerial().plug(), { getInfo: () => info });
+    expect(known(port)).toEqual({ port, info, kind, key });
   });
 });
 
