@@ -17,6 +17,8 @@ const OPEN_EVERY = 1000;
 const OPEN_FOR = 15_000;
 /** Milliseconds from one quiet question to the next. */
 const ASK_EVERY = 1000;
+/** For how many quiet questions in a row to stay at a rate at which a reply seems to come, byte by byte. */
+const HOLD = 20;
 
 /** Why a port session ended. The port is closed. */
 export type PortSessionEnd =
@@ -181,9 +183,11 @@ export class PortSession {
   async #wait(): Promise<ProbedTimer | 'refused'> {
     const { clock } = this.#context;
     const rates = this.#rates;
-    for (let asked = 0; !this.#isOver; asked++) {
+    let baudRate: number = rates[0];
+    for (let asked = 0, held = 0; !this.#isOver; asked++) {
       const begin = clock.now();
-      const baudRate = quietRate(rates, asked);
+      held = this.#listenerAt(baudRate).isReplyBegun && held < HOLD ? held + 1 : 0;
+      if (held === 0) baudRate = quietRate(rates, asked);
       if (asked > 0) this.#tell('asked', this.#waiting(baudRate, asked));
       const isOpen = await this.#setRate(baudRate);
       if (!isOpen && baudRate === rates[0]) break;

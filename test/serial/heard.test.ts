@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { MockSerialPort } from '../../src/mock-serial/index.js';
-import { DEFAULT_SETTINGS, type Heard } from '../../src/serial/index.js';
+import { DEFAULT_SETTINGS, type Heard, RATES } from '../../src/serial/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { connectionOf, linkBench } from './link-bench.js';
 
@@ -49,6 +49,15 @@ describe('bytes that are not from a timer', () => {
       for (let i = 0; i < 4; i++) port.device.error('framing');
     });
     expect(heard).toMatchObject({ kind: 'noise' });
+  });
+
+  it.each(RATES)('are a slow timer at %i baud when they make its replies, one byte each 300 ms', async (rate) => {
+    const { connect, states, clock } = linkBench({ gap: 300, answersAt: rate, plug: { timing: true } });
+    await connect();
+    await clock.advance(120_000);
+    const heard = states.map((state) => (state.status === 'waiting' ? state.heard : null));
+    expect(heard.find((each) => each?.kind === 'slow')).toMatchObject({ baudRate: rate });
+    expect(heard.at(-1)).toMatchObject({ kind: 'slow' });
   });
 
   it('do not count when only a few come as a plug is pushed in', async () => {

@@ -73,8 +73,9 @@ export function titled(title: string): Said {
 /** How many of the last bytes are shown. */
 const SHOWN = 20;
 
-function heardSaid({ sample }: Heard): Pick<Waiting, 'said' | 'now'> {
-  const { heard, itSaid } = messages.value.link;
+function heardSaid({ kind, sample, baudRate }: Heard): Pick<Waiting, 'said' | 'now'> {
+  const { heard, itSaid, slow } = messages.value.link;
+  if (kind === 'slow') return { said: { title: slow.title, advice: slow.advice({ rate: baudRate }) }, now: '' };
   const last = sample.slice(-SHOWN);
   return { said: heard, now: last.length === 0 ? '' : itSaid({ bytes: hexOf(last), text: readable(last) }) };
 }

@@ -977,6 +977,8 @@ link_stages_steps_other = Is the timer on another adapter?
 link_refused = The page tries again for 15 seconds. Another program may have the adapter.
 link_heard_title = Something is heard, but no timer answers.
 link_heard_advice = Wake the timer and hold the head closer, out of the sun, or choose another adapter.
+link_slow_title = A timer answers, but too slowly.
+link_slow_advice = Its bytes come one by one at { $rate } baud, with gaps so long that no answer is whole in time. This page cannot read it. Try another adapter, or a cable in place of Bluetooth.
 # The bytes that came in place of an answer.
 link_itSaid = What came: { $bytes } (“{ $text }”).
 link_trySelectBare = Try it without a correct checksum

@@ -328,6 +328,10 @@ export interface PageSentences {
       readonly title: string;
       readonly advice: string;
     };
+    readonly slow: {
+      readonly title: string;
+      readonly advice: (params: { readonly rate: Text }) => string;
+    };
     readonly itSaid: (params: { readonly bytes: Text; readonly text: Text }) => string;
     readonly trySelectBare: string;
     readonly lost: {
