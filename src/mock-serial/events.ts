@@ -8,17 +8,16 @@ const AT_TARGET = 2;
 const BUBBLING = 3;
 
 type ListenerArguments = Parameters<EventTarget['addEventListener']>;
+type Listener = NonNullable<ListenerArguments[1]>;
 type Options = ListenerArguments[2];
-
-interface Entry {
-  readonly type: string;
-  readonly listener: NonNullable<ListenerArguments[1]>;
-  readonly capture: boolean;
-  readonly once: boolean;
-}
 
 /** The browser's own events. */
 const announced = new WeakSet<Event>();
+/**
+ * What an event shows to a listener at this point of its way. Only a listener sees it: a platform may read the same
+ * properties while it passes the event to its listeners, as happy-dom does.
+ */
+const views = new WeakMap<Event, PropertyDescriptorMap>();
 
 /** Fires an event of the browser's own at a port. It bubbles to Serial. */
 export function announce(target: EventTarget, type: 'connect' | 'disconnect'): void {
@@ -29,12 +28,18 @@ export function announce(target: EventTarget, type: 'connect' | 'disconnect'): v
 
 /**
  * An event target with a parent, and with handlers for the standard's two events. Outside a document no event target of
- * the platform passes an event along. So this one does it by the steps of the DOM standard.
+ * the platform passes an event along. So this one keeps its listeners in targets of the platform, one for the way down
+ * and one for the way up, and hands the event from one to the next, with the port as `target` all the way.
  */
 export class ConnectionTarget extends EventTarget {
   readonly #parent: ConnectionTarget | null;
   readonly #onceNeverFires: boolean;
-  #entries: readonly Entry[] = [];
+  readonly #down = new EventTarget();
+  readonly #up = new EventTarget();
+  /** Listeners that the browser's own events pass by: see `ChromiumWays.onceNeverFires`. */
+  readonly #passedBy = new EventTarget();
+  /** Each listener, called on this object and not on the target of the platform that keeps it. */
+  readonly #bound = new WeakMap<object, (event: Event) => void>();
   readonly #handlers = new Map<string, EventHandler>();
 
   /** @param onceNeverFires see `ChromiumWays`. */
@@ -70,12 +75,9 @@ export class ConnectionTarget extends EventTarget {
   ): void;
   override addEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void;
   override addEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void {
-    if (listener === null || listener === undefined) return;
-    if (!isObject(listener)) throw new TypeError('A listener must be a function or an object.');
-    const { capture = false, once = false, signal } = listenerOptions(options);
-    if (signal?.aborted || this.#find(type, listener, capture)) return;
-    this.#entries = [...this.#entries, { type, listener, capture, once }];
-    signal?.addEventListener('abort', () => this.removeEventListener(type, listener, capture));
+    const of = listenerOptions(options);
+    const keeper = of.capture ? this.#down : of.once && this.#onceNeverFires ? this.#passedBy : this.#up;
+    if (listener) keeper.addEventListener(type, this.#bind(listener), of);
   }
 
   /** The `removeEventListener()` method. Removing a listener that is not there does no harm. */
@@ -86,74 +88,67 @@ export class ConnectionTarget extends EventTarget {
   ): void;
   override removeEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void;
   override removeEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void {
-    const found = this.#find(type, listener, listenerOptions(options).capture ?? false);
-    this.#entries = this.#entries.filter((entry) => entry !== found);
+    const of = listenerOptions(options);
+    if (!listener) return;
+    for (const keeper of of.capture ? [this.#down] : [this.#up, this.#passedBy])
+      keeper.removeEventListener(type, this.#bind(listener), of);
   }
 
   /** @throws InvalidStateError when the event is being dispatched already. */
   override dispatchEvent(event: Event): boolean {
-    if (!(event instanceof Event)) throw new TypeError('The argument is no Event.');
     if (event.eventPhase > 0) throw invalidState('The event is being dispatched.');
     const path = this.#parent ? [this, this.#parent] : [this];
-    let current: ConnectionTarget | null = null;
-    let phase = 0;
-    let isStopped = false;
-    let isStoppedAtOnce = false;
+    let stopped = false;
     const stop = (): void => {
-      isStopped = true;
+      stopped = true;
     };
-    const shown: PropertyDescriptorMap = {
-      target: { value: this },
-      srcElement: { value: this },
-      currentTarget: { get: () => current },
-      eventPhase: { get: () => phase },
-      composedPath: { value: () => (current ? [...path] : []) },
-      stopPropagation: { value: stop },
-      stopImmediatePropagation: { value: () => (isStopped = isStoppedAtOnce = true) },
-      cancelBubble: { get: () => isStopped, set: (value) => value && stop() },
+    const stopAtOnce = (): void => {
+      stop();
+      Event.prototype.stopImmediatePropagation.call(event);
     };
-    // An event has getters for these properties, which only the platform sets.
-    for (const [name, property] of Object.entries(shown))
-      Object.defineProperty(event, name, { ...property, configurable: true });
-    const pass = (at: ConnectionTarget, capture: boolean): void => {
-      if (isStopped) return;
-      current = at;
-      phase = at === this ? AT_TARGET : capture ? CAPTURING : BUBBLING;
-      for (const entry of at.#entries) {
-        const isMeant = entry.type === event.type && entry.capture === capture && at.#entries.includes(entry);
-        if (isMeant && !isStoppedAtOnce) at.#hear(event, entry);
-      }
+    const target = { target: { value: this }, srcElement: { value: this } };
+    const pass = (current: ConnectionTarget, phase: number, ...keepers: EventTarget[]): void => {
+      views.set(event, {
+        ...target,
+        currentTarget: { value: current },
+        eventPhase: { value: current === this ? AT_TARGET : phase },
+        composedPath: { value: () => [...path] },
+        stopPropagation: { value: stop },
+        stopImmediatePropagation: { value: stopAtOnce },
+        cancelBubble: { get: () => stopped, set: (value) => value && stop() },
+      });
+      for (const keeper of stopped ? [] : keepers) keeper.dispatchEvent(event);
     };
-    for (const each of [...path].reverse()) pass(each, true);
-    for (const each of event.bubbles ? path : [this]) pass(each, false);
-    current = null;
-    phase = 0;
+    for (const each of [...path].reverse()) pass(each, CAPTURING, each.#down);
+    for (const each of event.bubbles ? path : [this])
+      pass(each, BUBBLING, each.#up, ...(announced.has(event) ? [] : [each.#passedBy]));
+    show(event, { ...target, composedPath: { value: () => [] } });
     return !event.defaultPrevented;
   }
 
-  #hear(event: Event, entry: Entry): void {
-    if (entry.once && this.#onceNeverFires && announced.has(event)) return;
-    const { listener } = entry;
-    if (entry.once) this.#entries = this.#entries.filter((each) => each !== entry);
-    try {
-      if (typeof listener === 'function') listener.call(this, event);
-      else listener.handleEvent(event);
-    } catch (error) {
-      // Like any error that nobody catches. The event goes on.
-      queueMicrotask(() => {
-        throw error;
+  /** @throws TypeError when it can be no listener. */
+  #bind(listener: Listener): (event: Event) => void {
+    const bound =
+      this.#bound.get(listener) ??
+      ((event: Event): void => {
+        const view = views.get(event) ?? {};
+        show(event, view);
+        try {
+          if (typeof listener === 'function') listener.call(this, event);
+          else listener.handleEvent(event);
+        } finally {
+          for (const name of Object.keys(view)) Reflect.deleteProperty(event, name);
+        }
       });
-    }
-  }
-
-  #find(type: string, listener: unknown, capture: boolean): Entry | undefined {
-    return this.#entries.find((it) => it.type === type && it.listener === listener && it.capture === capture);
+    this.#bound.set(listener, bound);
+    return bound;
   }
 
   /** A handler that replaces another keeps its place among the listeners. After null it comes last. */
   #setHandler(type: string, handler: EventHandler): void {
-    this.#handlers.set(type, isObject(handler) ? handler : null);
-    if (isObject(handler)) this.addEventListener(type, this.#callHandler);
+    const isSet = (typeof handler === 'object' && handler !== null) || typeof handler === 'function';
+    this.#handlers.set(type, isSet ? handler : null);
+    if (isSet) this.addEventListener(type, this.#callHandler);
     else this.removeEventListener(type, this.#callHandler);
   }
 
@@ -165,10 +160,12 @@ export class ConnectionTarget extends EventTarget {
 }
 
 /** What Web IDL makes of the third argument: null and undefined stand for no options. */
-function listenerOptions(options: Options | null): AddEventListenerOptions {
+function listenerOptions(options: Options | null): { capture?: boolean; once?: boolean } {
   return typeof options === 'object' ? { ...options } : { capture: Boolean(options) };
 }
 
-function isObject(value: unknown): boolean {
-  return typeof value === 'function' || (typeof value === 'object' && value !== null);
+// An event has getters for these properties, which only the platform sets.
+function show(event: Event, properties: PropertyDescriptorMap): void {
+  for (const [name, property] of Object.entries(properties))
+    Object.defineProperty(event, name, { ...property, configurable: true });
 }
