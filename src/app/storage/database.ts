@@ -1,14 +1,12 @@
 import { deleteDB, type IDBPDatabase, openDB } from 'idb';
-import type { BaseIssue, BaseSchema } from 'valibot';
 import * as v from 'valibot';
 import { on } from '../browser/lifecycle.js';
 import { service } from '../browser/services.js';
-import { withPresentNames } from './former-names.js';
-import type { AsideRecord } from './records.js';
+import { type AsideRecord, RECORDS } from './records.js';
 
 /** The shelves of the browser's storage. Each record has its own key. */
-export const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside', 'models', 'settings', 'flights'] as const;
-type StoreName = (typeof STORES)[number];
+type StoreName = keyof typeof RECORDS;
+export const STORES = Object.keys(RECORDS) as StoreName[];
 
 type Schema = Record<StoreName, { key: string; value: unknown }>;
 
@@ -26,9 +24,6 @@ export interface Keeper<T extends { readonly key: string }> {
   /** All readable records, in the order of their keys. Those that cannot be read are set aside. */
   all(): Promise<T[]>;
 }
-
-/** The shelves with programs, parts of which had other names before version 4. */
-const RENAMED = ['drafts', 'unfinished', 'backups'] as const;
 
 /** The version of the shelves. A browser refuses it when a newer version of this page has been here. */
 const VERSION = 5;
@@ -60,14 +55,10 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
       if (!service('indexedDB')) return reject(new Error('the browser has no storage for this page'));
       let isEmpty = false;
       openDB<Schema>(name, VERSION, {
-        async upgrade(database, before, _, change) {
+        upgrade(database, before) {
           isEmpty = before === 0;
           for (const store of STORES) {
             if (!database.objectStoreNames.contains(store)) database.createObjectStore(store, { keyPath: 'key' });
-          }
-          if (isEmpty || before >= 4) return;
-          for (const store of RENAMED) {
-            for await (const entry of change.objectStore(store)) await entry.update(withPresentNames(entry.value));
           }
         },
         blocked: () => {
@@ -177,7 +168,7 @@ function drawn(): Promise<void> {
 export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   readonly #opened: Opened;
   readonly #name: StoreName;
-  readonly #schema: BaseSchema<unknown, T, BaseIssue<unknown>>;
+  readonly #schema: v.GenericSchema<unknown, T>;
   readonly #durability: IDBTransactionDurability;
   readonly #onLeft: (records: readonly AsideRecord[]) => void;
   /** Records that wait for an idle browser, by key. */
@@ -185,20 +176,12 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   /** The last save of each key. */
   readonly #saving = new Map<string, Promise<void>>();
 
-  /**
-   * @param durability see {@link changeShelves}.
-   * @param onLeft called with records that can neither be read nor be set aside.
-   */
-  constructor(
-    opened: Opened,
-    name: StoreName,
-    schema: BaseSchema<unknown, T, BaseIssue<unknown>>,
-    durability: IDBTransactionDurability = 'relaxed',
-    onLeft: (records: readonly AsideRecord[]) => void = () => {},
-  ) {
+  /** @param onLeft called with records that can neither be read nor be set aside. */
+  constructor(opened: Opened, name: StoreName, onLeft: (records: readonly AsideRecord[]) => void = () => {}) {
+    const { schema, durability } = RECORDS[name];
     this.#opened = opened;
     this.#name = name;
-    this.#schema = schema;
+    this.#schema = schema as v.GenericSchema<unknown, unknown> as v.GenericSchema<unknown, T>;
     this.#durability = durability;
     this.#onLeft = onLeft;
   }

@@ -1,6 +1,7 @@
+import type { InferOutput } from 'valibot';
 import { type Change, changeShelves, deleteStorage, type Keeper, openStorage, Shelf, STORES } from './database.js';
 import { StorageQuestions, type StorageWatch } from './limit.js';
-import * as records from './records.js';
+import type * as records from './records.js';
 
 export type { Change, Keeper } from './database.js';
 export { STORES as SHELVES } from './database.js';
@@ -15,19 +16,8 @@ export interface LibraryChange {
   readonly flights?: Change<records.FlightRecord>;
 }
 
-/** What stands on each shelf. */
-interface Records {
-  readonly drafts: records.Draft;
-  readonly unfinished: records.Unfinished;
-  readonly backups: records.Backup;
-  readonly ports: records.PortRecord;
-  /** Records of the other shelves that cannot be read. */
-  readonly aside: records.AsideRecord;
-  readonly models: records.ModelRecord;
-  readonly settings: records.SettingRecord;
-  readonly flights: records.FlightRecord;
-}
-type Shelves = { readonly [Name in keyof Records]: Keeper<Records[Name]> };
+type Records = typeof records.RECORDS;
+type Shelves = { readonly [Name in keyof Records]: Keeper<InferOutput<Records[Name]['schema']>> };
 
 /** Everything that the browser keeps, so that it survives a reload, a crash and a flat battery. */
 export interface Storage extends Shelves {
@@ -51,18 +41,12 @@ export function browserStorage(name = 'sidus-timer', onEmptied?: () => void): St
   const note = (found: readonly records.AsideRecord[]): void => {
     for (const record of found) left.set(`${record.shelf}/${String((record.stored as { key: unknown }).key)}`, record);
   };
-  const aside = new Shelf(opened, 'aside', records.asideSchema);
+  const shelves = Object.fromEntries(STORES.map((name) => [name, new Shelf(opened, name, note)])) as unknown as Shelves;
+  const { aside } = shelves;
   const moved = aside.all.bind(aside);
   aside.all = async () => [...(await moved()), ...left.values()];
   return {
-    drafts: new Shelf(opened, 'drafts', records.draftSchema, 'relaxed', note),
-    unfinished: new Shelf(opened, 'unfinished', records.unfinishedSchema, 'strict', note),
-    backups: new Shelf(opened, 'backups', records.backupSchema, 'strict', note),
-    ports: new Shelf(opened, 'ports', records.portSchema, 'relaxed', note),
-    aside,
-    models: new Shelf(opened, 'models', records.modelSchema, 'strict', note),
-    settings: new Shelf(opened, 'settings', records.settingSchema, 'strict', note),
-    flights: new Shelf(opened, 'flights', records.flightSchema, 'strict', note),
+    ...shelves,
     change: (change) => changeShelves(opened, { ...change }),
     erase: () => deleteStorage(opened, name),
   };
