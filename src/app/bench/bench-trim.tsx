@@ -106,7 +106,7 @@ export function Trim({ session, follow, field, name, use = '' }: TrimProps) {
     ));
   return (
     // biome-ignore lint/a11y/useSemanticElements: a fieldset cannot be laid out as a grid everywhere
-    <div class="trim" role="group" aria-label={`${label} ${use}`.trim()}>
+    <div class="row trim" role="group" aria-label={`${label} ${use}`.trim()}>
       <p>
         {name} <bdi>{use}</bdi>{' '}
         {isChanged && (

@@ -101,7 +101,7 @@ export function SettingPage(props: SettingPageProps) {
           onGo(addressPath(to, record.key));
         }}
       />
-      <p class="hint setting-origin">
+      <p class="hint sentence">
         {words.setting.origin({ source: words.setting.from[setting.from], time: clockText(setting.at) })}
         {'. '}
         {timerText(setting.program.identity)}

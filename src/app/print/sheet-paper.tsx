@@ -101,7 +101,7 @@ function SheetHead({ sheet }: { readonly sheet: Sheet }) {
         <span>{dotted([sheet.timer, ...sheet.others.map(({ label, text }) => `${label} ${text}`)])}</span>
         {sheet.simulated && <span class="leaf-loud">{moreMessages.value.print.simulated}</span>}
       </p>
-      <p class="hint leaf-origin">{sheet.origin}</p>
+      <p class="hint sentence leaf-origin">{sheet.origin}</p>
     </div>
   );
 }

@@ -174,9 +174,9 @@ function TimeUnit({ table, identity, slot }: Pick<SlotProps, 'identity' | 'slot'
     return time === undefined ? null : figureOf(identity, { kind: 'time', slot }, time).unit;
   }).value;
   return unit === 'min' ? (
-    <span class="row-unit" aria-hidden="true">
+    <small class="row-unit" aria-hidden="true">
       {messages.value.times.units[unit]}
-    </span>
+    </small>
   ) : null;
 }
 
@@ -184,5 +184,7 @@ function TimeUnit({ table, identity, slot }: Pick<SlotProps, 'identity' | 'slot'
 function ReservedTime({ table }: Pick<RowsProps, 'table'>) {
   const { program } = messages.value;
   const time = useComputed(() => table.editor.working.value?.times[0] ?? 0).value;
-  return time === 0 ? null : <span class="row-unit">{program.reserved({ time: secondsText(formatTime(time)) })}</span>;
+  return time === 0 ? null : (
+    <small class="row-unit">{program.reserved({ time: secondsText(formatTime(time)) })}</small>
+  );
 }

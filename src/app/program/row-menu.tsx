@@ -102,7 +102,7 @@ function Moved({ tools, identity }: Pick<RowMenuProps, 'tools' | 'identity'>) {
   const { value: moved } = tools.moved;
   const { edits, program } = messages.value;
   return (
-    <p class="hint row-panel-moved" role="status">
+    <p class="hint sentence row-panel-moved" role="status">
       {moved === 0
         ? slotsText(identity, tools.moving.value, program.motorStop)
         : edits.shift.moved({ time: formatInterval(Math.abs(moved)), later: moved > 0 })}

@@ -59,7 +59,7 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
         else problem.value = () => messages.value.unreadable[parsed.unreadable];
       }}
     >
-      <p class="hint row-panel-moved" role="status">
+      <p class="hint sentence row-panel-moved" role="status">
         {lowest === highest ? words.now({ position: lowest }) : words.nowRange({ lowest, highest })}
       </p>
       <div class="shift-fields step-fields">

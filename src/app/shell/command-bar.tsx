@@ -36,7 +36,7 @@ export function CommandBar({ session, write, bench, follow, saveSetting, onField
   // The buttons of a phone are a little higher.
   useHeight(bar, '--bar', picture ? 53 : 52);
   return (
-    <section class="actions" ref={bar}>
+    <section class="row actions" ref={bar}>
       <FollowNote session={session} bench={bench} follow={follow} />
       <BlockedNote editor={editor} />
       <UndoButtons session={session} write={write} />

@@ -131,7 +131,7 @@ function ProgramExits({ session, sharing, onPrint }: Pick<ProgramViewProps, 'ses
   // Texts that are no value yet come and go while somebody types.
   const isSavable = useComputed(() => session.opened.savable.value).value;
   return (
-    <div class="program-exits">
+    <div class="row gap-1 program-exits">
       <button type="button" class="quiet" disabled={!isSavable} onClick={() => offerScreen(session, sharing)}>
         {views.share}
       </button>

@@ -232,7 +232,7 @@ function Figure({ session, identity, field, onPress }: FigureProps) {
   return (
     <button type="button" onClick={onPress}>
       <span key={`${name} ${figure} ${unit}`} class={`strip-figure ${isShort || !isValid ? 'bad' : look}`}>
-        <small>{name}</small> <b>{figure}</b> <small class="strip-unit">{unit}</small>
+        <small class="sentence">{name}</small> <b>{figure}</b> <small class="strip-unit">{unit}</small>
       </span>
     </button>
   );

@@ -5,7 +5,7 @@ import './key-figures.css';
 /** The figures that a pilot looks at first, large: DT, and on class Q the motor stop. */
 export function KeyFigures({ program }: { readonly program: TimerProgram }) {
   return (
-    <dl class="figure-list">
+    <dl class="row figure-list">
       {keyFigures(program).map(({ label, text }) => (
         <div key={label}>
           <dt class="hint">{label}</dt>

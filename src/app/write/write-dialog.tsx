@@ -101,7 +101,7 @@ function KeyFigures({ session, change }: ChangeProps) {
         const isBad = at === 0 && session.shortDt.isShort(goal);
         return (
           <span key={fieldKey(field)} class={isBad ? 'bad-text' : undefined}>
-            <span class="hint key-name">{isBad ? program.shortDt : fieldInSentence(identity, field)}</span>{' '}
+            <span class="hint sentence key-name">{isBad ? program.shortDt : fieldInSentence(identity, field)}</span>{' '}
             <strong>{figureText(identity, field, to)}</strong>{' '}
             <small>{from === to ? words.asItIs : words.insteadOf({ value: figureText(identity, field, from) })}</small>
           </span>
