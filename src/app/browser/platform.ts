@@ -1,5 +1,5 @@
 export type System = 'windows' | 'mac' | 'linux' | 'chromeos' | 'android' | 'ios' | 'other';
-export type Browser = 'chrome' | 'edge' | 'opera' | 'brave' | 'firefox' | 'safari' | 'other';
+export type Browser = 'chrome' | 'edge' | 'opera' | 'brave' | 'firefox' | 'other';
 
 /**
  * The pilot's system and browser, as far as the browser tells. It only chooses sentences. What a browser can do, the
@@ -8,8 +8,6 @@ export type Browser = 'chrome' | 'edge' | 'opera' | 'brave' | 'firefox' | 'safar
 export interface Platform {
   readonly system: System;
   readonly browser: Browser;
-  /** Major version, in the counting of the browser's maker; null when it is not given. */
-  readonly version: number | null;
   /** Whether it is a phone or a tablet. */
   readonly mobile: boolean;
 }
@@ -41,24 +39,20 @@ const SYSTEMS: Readonly<Record<string, System>> = {
 /** The first match counts: most browsers also name those that they imitate. */
 const BROWSERS: readonly (readonly [Browser, RegExp])[] = [
   ['other', /SamsungBrowser|YaBrowser|Vivaldi|UCBrowser|DuckDuckGo|MiuiBrowser|HuaweiBrowser|Opera Mini|; wv\)/],
-  ['edge', /\bEdg(?:e|A|iOS)?\/(\d+)/],
-  ['opera', /\b(?:OPR|OPT|OPX|OPiOS)\/(\d+)/],
-  ['firefox', /\b(?:Firefox|FxiOS)\/(\d+)/],
-  ['chrome', /\b(?:HeadlessChrome|Chrome|Chromium|CriOS)\/(\d+)/],
-  ['safari', /\bVersion\/(\d+).* Safari\//],
+  ['edge', /\bEdg(?:e|A|iOS)?\//],
+  ['opera', /\b(?:OPR|OPT|OPX|OPiOS)\//],
+  ['firefox', /\b(?:Firefox|FxiOS)\//],
+  ['chrome', /\b(?:HeadlessChrome|Chrome|Chromium|CriOS)\//],
 ];
 
 /** Reads these properties of a browser, such as `navigator`. */
 export function platformOf(nameplate: Nameplate): Platform {
   const { userAgent, userAgentData, brave } = nameplate;
   const system = systemOf(nameplate);
-  const found = BROWSERS.find(([, pattern]) => pattern.test(userAgent));
-  const version = found?.[1].exec(userAgent)?.[1];
   const isBrave = brave !== undefined || userAgentData?.brands?.some(({ brand }) => brand === 'Brave');
   return {
     system,
-    browser: isBrave ? 'brave' : (found?.[0] ?? 'other'),
-    version: version === undefined ? null : Number(version),
+    browser: isBrave ? 'brave' : (BROWSERS.find(([, pattern]) => pattern.test(userAgent))?.[0] ?? 'other'),
     mobile: system === 'android' || system === 'ios',
   };
 }

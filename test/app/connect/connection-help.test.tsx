@@ -16,11 +16,11 @@ const SPP: PortInfo = { bluetoothServiceClassId: '00001101-0000-1000-8000-00805f
 const LINK = { state: signal({ status: 'off', error: null } as const), settings: signal(null) };
 const ADDRESS = 'https://timers.example/set/';
 const SYSTEMS: readonly System[] = ['windows', 'mac', 'linux', 'chromeos', 'android', 'ios', 'other'];
-const BROWSERS: readonly Browser[] = ['chrome', 'edge', 'opera', 'brave', 'firefox', 'safari', 'other'];
+const BROWSERS: readonly Browser[] = ['chrome', 'edge', 'opera', 'brave', 'firefox', 'other'];
 const CODES = [...Object.keys(en.connection), 'waiting'] as HelpCode[];
 
 function on(system: System, browser: Browser = 'chrome'): Platform {
-  return { system, browser, version: 138, mobile: system === 'android' || system === 'ios' };
+  return { system, browser, mobile: system === 'android' || system === 'ios' };
 }
 
 /** The codes of the steps for this system, and what there is to copy. */
@@ -74,7 +74,7 @@ describe('what to do', () => {
     ['not-allowed', on('android'), null, []],
     ['unsupported', on('windows', 'brave'), null, ['address']],
     ['unsupported', on('android', 'brave'), null, []],
-    ['unsupported', on('mac', 'safari'), null, []],
+    ['unsupported', on('mac', 'other'), null, []],
   ])('%s on %o, port %o: %j', (code, platform, info, codes) => {
     expect(steps(code, platform, info).codes).toEqual(codes);
   });
@@ -101,9 +101,9 @@ describe('what to do', () => {
 
 describe('the sentence', () => {
   it('is about this browser when its name tells why it cannot', () => {
-    expect(connectionSaid('unsupported', on('ios', 'safari'))).toEqual(en.unsupported.ios);
+    expect(connectionSaid('unsupported', on('ios', 'other'))).toEqual(en.unsupported.ios);
     expect(connectionSaid('unsupported', on('windows', 'other'))).toEqual(en.connection.unsupported);
-    expect(connectionSaid('busy', on('ios', 'safari'))).toEqual(en.connection.busy);
+    expect(connectionSaid('busy', on('ios', 'other'))).toEqual(en.connection.busy);
   });
 
   it.each(Object.entries(en.unsupported))('about %s says what still works', (_, { advice }) => {
@@ -122,7 +122,7 @@ describe('the help under a notice', () => {
 
   it('is not shown when the sentence says everything', () => {
     const { container } = render(
-      <ConnectionHelp code="unsupported" platform={on('ios', 'safari')} info={null} link={LINK} />,
+      <ConnectionHelp code="unsupported" platform={on('ios', 'other')} info={null} link={LINK} />,
     );
     expect(container.textContent).toBe('');
   });
