@@ -1,41 +1,28 @@
 import { render, screen } from '@testing-library/preact';
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { App } from '../../src/app/app.js';
-import { SHELF_CALLS, SHELVES } from '../../src/app/storage/index.js';
 import type { ProgramField } from '../../src/program/index.js';
 import { en } from '../tools/en.js';
-import { type AppBench, appBench, type BenchOptions, connectedBench, idle, MemoryStore, run } from './bench/bench.js';
+import { type AppBench, appBench, type BenchOptions, connectedBench, idle, run } from './bench/bench.js';
+import { FAULTS, FaultyStore } from './faults.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
-const CALLS = Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[];
-
-/** Each call of the storage ends as `how` says, until the function that comes back is called. */
-function hold(store: MemoryStore, how: () => Promise<unknown>): () => void {
-  const held: (() => void)[] = [];
-  for (const shelf of SHELVES) {
-    for (const call of CALLS) {
-      const own = store[shelf][call].bind(store[shelf]) as (argument: never) => Promise<unknown>;
-      const spy = vi.spyOn(store[shelf] as Record<typeof call, typeof own>, call);
-      spy.mockImplementation((argument) => how().then(() => own(argument)));
-      held.push(() => spy.mockImplementation(own));
-    }
-  }
-  return () => {
-    for (const release of held) release();
-  };
-}
 
 /** Each call of the storage waits until the function that comes back is called. */
-function delay(store: MemoryStore): () => void {
+function delay(store: FaultyStore): () => void {
   let answer = (): void => {};
   const answered = new Promise<void>((resolve) => {
     answer = resolve;
   });
-  const release = hold(store, () => answered);
-  return () => {
-    release();
-    answer();
-  };
+  store.before = () => answered;
+  return answer;
+}
+
+/** A storage that never answers. */
+function silent(): FaultyStore {
+  const store = new FaultyStore();
+  store.before = FAULTS.hangs;
+  return store;
 }
 
 async function drawn(options: BenchOptions): Promise<AppBench> {
@@ -48,18 +35,17 @@ async function drawn(options: BenchOptions): Promise<AppBench> {
 }
 
 /** What a pilot has left behind: M1 with S1 of function 2 at 7. */
-async function left(): Promise<MemoryStore> {
-  const bench = await connectedBench();
+async function left(): Promise<FaultyStore> {
+  const store = new FaultyStore();
+  const bench = await connectedBench({ store });
   bench.editor.type(S1, '7');
   await idle();
-  return bench.store;
+  return store;
 }
 
 describe('a storage that does not answer', () => {
   it('is reported after five seconds, and not before', async () => {
-    const store = new MemoryStore();
-    hold(store, () => new Promise(() => {}));
-    await drawn({ store });
+    await drawn({ store: silent() });
     await idle(4900);
     expect(screen.queryByText(en.keeping.notKnown, { exact: false })).toBeNull();
     await idle(100);
@@ -67,8 +53,7 @@ describe('a storage that does not answer', () => {
   });
 
   it('does not prevent reading, typing and writing', async () => {
-    const store = new MemoryStore();
-    hold(store, () => new Promise(() => {}));
+    const store = silent();
     const bench = await drawn({ store });
     await run(bench.session.timer.connect());
     bench.editor.type(S1, '7');
@@ -78,8 +63,7 @@ describe('a storage that does not answer', () => {
   });
 
   it.each([0, 1000, 20_000])('lets the program be drawn within one limit, %i ms after the page', async (wait) => {
-    const store = new MemoryStore();
-    hold(store, () => new Promise(() => {}));
+    const store = silent();
     const bench = await drawn({ store });
     await idle(wait);
     const begun = performance.now();
@@ -119,8 +103,8 @@ describe('a storage that does not answer', () => {
 });
 
 it('a storage that refuses does not keep, and that is said', async () => {
-  const store = new MemoryStore();
-  hold(store, () => Promise.reject(new DOMException('as a browser does', 'QuotaExceededError')));
+  const store = new FaultyStore();
+  store.before = FAULTS['is full'];
   const bench = await drawn({ store });
   expect(bench.keeping.kept.value).toBe(false);
   expect(screen.getByText(en.keeping.notKept, { exact: false })).toBeTruthy();
