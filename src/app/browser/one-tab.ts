@@ -58,7 +58,7 @@ export class OneTab {
   readonly #channel: TabChannel | null;
   #isFree: () => void = () => {};
   #release: () => void = () => {};
-  #queued = new AbortController();
+  readonly #queued = new AbortController();
   /** Whether the tab at work has said so since it was asked last. */
   #isBusy = false;
   #silence: ReturnType<typeof setTimeout> | undefined;
@@ -86,7 +86,8 @@ export class OneTab {
     } catch {
       return 'unknown';
     }
-    this.#queue();
+    // At the end of all tabs that wait.
+    this.#take({ signal: this.#queued.signal }).then(this.#isFree, () => {});
     try {
       await attempt(() => this.free, RELOAD_WAIT);
       return 'alone';
@@ -129,13 +130,6 @@ export class OneTab {
     this.#release();
   }
 
-  /** Waits at the end of all tabs that wait. */
-  #queue(): void {
-    this.#queued.abort();
-    this.#queued = new AbortController();
-    this.#take({ signal: this.#queued.signal }).then(this.#isFree, () => {});
-  }
-
   /** @returns whether it was given. */
   #take(options: LockOptions): Promise<boolean> {
     return new Promise((resolve, reject) => {
@@ -165,9 +159,6 @@ export class OneTab {
       if (message.kind === 'who') return;
       this.#leave = async () => {};
       void leave();
-    } else if (message.kind === 'give') {
-      // The tab that was asked for comes first.
-      this.#queue();
     }
   }
 

@@ -139,20 +139,6 @@ describe('two tabs', () => {
     await vi.advanceTimersByTimeAsync(6100);
     expect(second.tab.silent.value).toBe(true);
   });
-
-  it('of several that wait, the one that was asked for comes first', async () => {
-    const { tab } = browser();
-    const first = await tab();
-    working(first);
-    const [second, third] = [await tab(), await tab()];
-    third.tab.ask();
-    await vi.advanceTimersByTimeAsync(20);
-    expect([second.free(), third.free()]).toEqual([false, true]);
-    const since = Date.now();
-    working(third);
-    await vi.advanceTimersByTimeAsync(20);
-    expect(second.tab.other.value?.since).toBe(since);
-  });
 });
 
 it('a page that is loaded again does not find itself in its way', async () => {
