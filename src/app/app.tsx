@@ -88,12 +88,7 @@ export function App({ models }: { readonly models: AppModels }) {
       views.path.value === FLIGHTS ? (
         <parts.Flights session={session} log={models.flights} />
       ) : views.path.value === COMPARE ? (
-        <parts.Compare
-          session={session}
-          pair={models.comparedPair}
-          following={follow.on.value}
-          onBack={() => views.show('library')}
-        />
+        <parts.Compare session={session} pair={models.comparedPair} following={follow.on.value} />
       ) : (
         <parts.Library models={models} />
       ),

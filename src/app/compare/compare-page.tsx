@@ -21,11 +21,10 @@ export interface ComparePageProps {
   readonly pair: ComparedPair;
   /** Whether the servos follow edits: they would move with each value that is taken. */
   readonly following: boolean;
-  readonly onBack: () => void;
 }
 
 /** Two programs side by side. Single values can be taken from one into the other, if that one is on the screen. */
-export function ComparePage({ session, pair, following, onBack }: ComparePageProps) {
+export function ComparePage({ session, pair, following }: ComparePageProps) {
   const compare = useMemo(() => new Compare(session, pair), [session, pair]);
   const { compare: words } = moreMessages.value;
   const heading = useRef<HTMLHeadingElement>(null);
@@ -37,7 +36,7 @@ export function ComparePage({ session, pair, following, onBack }: ComparePagePro
   const second = compare.second.value;
   return (
     <section class="stack gap-3 compare-page" aria-labelledby="compare-title">
-      <BackHead back={messages.value.views.names.library} to={onBack} titleId="compare-title" heading={heading}>
+      <BackHead back={messages.value.views.names.library} to="#library" titleId="compare-title" heading={heading}>
         {words.title}
       </BackHead>
       <div class="row gap-4 compare-choice">

@@ -5,8 +5,8 @@ import './back-head.css';
 interface BackHeadProps {
   /** The name of the place to which it leads back. */
   readonly back: string;
-  /** The address of that place, or how to get there. */
-  readonly to: `#${string}` | (() => void);
+  /** The address of that place. */
+  readonly to: `#${string}`;
   readonly titleId?: string;
   /** The heading, if it can have the focus. */
   readonly heading?: RefObject<HTMLHeadingElement | null> | null;
@@ -16,21 +16,12 @@ interface BackHeadProps {
 
 /** The head of a page that replaced another, with a way back to that. */
 export function BackHead({ back, to, titleId, heading = null, children }: BackHeadProps) {
-  const way = (
-    <>
-      <Icon path="M8 4L2 10L8 16" width={10} />
-      {back}
-    </>
-  );
   return (
     <div class="row back-head">
-      {typeof to === 'string' ? (
-        <a href={to}>{way}</a>
-      ) : (
-        <button type="button" class="quiet" onClick={to}>
-          {way}
-        </button>
-      )}
+      <a href={to}>
+        <Icon path="M8 4L2 10L8 16" width={10} />
+        {back}
+      </a>
       {children && (
         <h1 id={titleId} ref={heading} tabIndex={heading ? -1 : undefined}>
           {children}
