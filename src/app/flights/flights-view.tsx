@@ -72,7 +72,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
         <>
           {/* A part of a day would have a wrong total. */}
           {filter.day === null && (list.value.length >= MANY || filter !== NO_FILTER) && <FilterBar log={log} />}
-          <div class="row flights-sum">
+          <div class="row between flights-sum">
             <TotalsLine records={shown} />
             {shown.length < list.value.length && (
               <button type="button" class="quiet" onClick={() => log.showOnly()}>

@@ -45,7 +45,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
       log.fillIn(logged.id);
     };
     return (
-      <div class="row flying-this" {...box}>
+      <div class="row between flying-this" {...box}>
         <p role="status">
           <strong>
             {dotted([words.logged({ time: timeOfDay(logged) }), logged.modelName || noModel, logged.place])}
@@ -67,7 +67,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   if (!held && last) {
     const names = [last.modelName || noModel, last.settingName, heldText(last.program)];
     return (
-      <div class="row flying-this" {...box}>
+      <div class="row between flying-this" {...box}>
         <p class="hint">{dotted(names)}</p>
         <button type="button" class="primary" onClick={() => log.flyAgain(last)}>
           {words.again}
@@ -77,7 +77,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   }
   if (!held) return null;
   return (
-    <div class="row flying-this" {...box}>
+    <div class="row between flying-this" {...box}>
       {/* After a write, the figures stand above. */}
       <p class="hint">{again ? heldText(held) : words.purpose}</p>
       <button type="button" class={again ? 'primary' : undefined} onClick={() => log.flying()}>

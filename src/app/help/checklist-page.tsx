@@ -39,7 +39,7 @@ export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
           </li>
         ))}
       </ul>
-      <div class="row checklist-foot">
+      <div class="row between checklist-foot">
         <p class={left === 0 ? 'all-done' : ''} role="status">
           {left === 0 ? words.done : words.left({ count: left })}
         </p>

@@ -29,7 +29,7 @@ export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
   const settings = library.settings.list.value.filter(({ setting }) => setting.model === record.key);
   return (
     <div class="stack gap-4 model-page" key={record.key}>
-      <div class="row library-head">
+      <div class="row between library-head">
         <h2>{words.model.facts}</h2>
         <div class="buttons">{places.modelButtons(record)}</div>
       </div>

@@ -7,7 +7,6 @@ import { BackupList } from '../write/backup-list.js';
 import type { WriteJob } from '../write/write-job.js';
 import type { Memories } from './memories.js';
 import { MemoryCards } from './memory-cards.js';
-import './memories-page.css';
 
 export interface MemoriesPageProps {
   readonly session: Session;
@@ -35,7 +34,7 @@ export function MemoriesPage(props: MemoriesPageProps) {
   const baseline = session.editor.baseline.value;
   return (
     <div class="stack gap-4">
-      <div class="row memories-head">
+      <div class="row between">
         <h1>{views.names.memories}</h1>
         {baseline && baseline.memory !== null && (
           <div class="buttons">

@@ -46,7 +46,7 @@ function Unfinished({ entry }: { readonly entry: Entry }) {
   const asked = useSignal<Way['sure'] | null>(null);
   const sure = asked.value;
   return (
-    <section class={`row ${isGrave ? 'uncertain' : 'recovery'}`} aria-label={name}>
+    <section class={`row between ${isGrave ? 'uncertain' : 'recovery'}`} aria-label={name}>
       <p key={title}>
         <strong>{title}</strong> {said && <span>{said}</span>}
       </p>

@@ -168,7 +168,9 @@ function SheetLines({ title, lines }: { readonly title: string; readonly lines: 
     <div class="leaf-lines">
       <h3>{title}</h3>
       {lines.map((line, at) => (
-        <p key={at}>{line || '\u00a0'}</p>
+        <p key={at} class="as-typed">
+          {line || '\u00a0'}
+        </p>
       ))}
     </div>
   );

@@ -86,7 +86,7 @@ export function SettleView({ session, settle, recording, connect }: SettleViewPr
       {seen && (
         <dl class="ruled settle-list">
           {settledTexts(settle.answers.value, seen.identity.timerClass).map(([name, text]) => (
-            <div class="row" key={name}>
+            <div class="row between" key={name}>
               <dt>{name}</dt>
               <dd class={text === null ? 'hint' : ''}>{text ?? words.open}</dd>
             </div>

@@ -151,7 +151,7 @@ export function StatusStrip(props: StatusStripProps & { readonly hash: string })
             choice,
             isPhone: isNarrow,
             actions: isFolded ? (
-              <div class="row strip-actions">
+              <div class="row between">
                 {isNarrow && <StripModel session={session} />}
                 {actions}
               </div>

@@ -26,7 +26,7 @@ export function CopyButton({ label, text }: CopyButtonProps) {
     }
   };
   return (
-    <span class="copy-button">
+    <span class="row copy-button">
       <button type="button" onClick={() => void copy()} onBlur={() => (copied.value = false)}>
         {label}
       </button>

@@ -41,7 +41,7 @@ function ExportReminder({ files }: { readonly files: LibraryFiles }) {
   const due = files.marks.due.value;
   if (due === null) return null;
   return (
-    <div class="row export-reminder">
+    <div class="row between export-reminder">
       <p>{moreMessages.value.files.reminder({ changes: due })}</p>
       <button type="button" class="quiet" onClick={() => files.marks.putOff()}>
         {messages.value.notNow}

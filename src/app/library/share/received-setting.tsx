@@ -112,7 +112,7 @@ function Shown(props: ReceivedSettingProps & { readonly shared: SharedSetting })
         onChoose={(key) => (chosen.value = key)}
       />
       <ProgramFacts program={program} names={program.positions.map((_, servo) => servoName(servo))} />
-      {note !== '' && <p class="facts-note">{note}</p>}
+      {note !== '' && <p class="as-typed">{note}</p>}
       {tags.length > 0 && <p class="hint">{tags.join(', ')}</p>}
       {obstacle !== null && <p class="hint">{moreMessages.value.obstacles[obstacle]}</p>}
       {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten}</p>}
