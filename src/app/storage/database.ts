@@ -35,59 +35,46 @@ const LOOK_AGAIN = 300;
 type Opened = () => Promise<IDBPDatabase<Schema>>;
 
 /**
- * Opens the storage. Every use of it fails where the browser keeps nothing, and while an old version of this page holds
- * it. A browser may close it at any time, as when its data is cleared or its own storage process ends: then the next
- * use opens it again.
+ * Opens the storage. Every use of it fails where the browser keeps nothing, and waits while an old version of this page
+ * holds it. A browser may close it at any time, as when its data is cleared or its own storage process ends: then the
+ * next use opens it again.
  * @param onEmptied called when everything was deleted while this page was open, but not by a tab of this page.
  */
 export function openStorage(name: string, onEmptied: () => void = () => {}): Opened {
-  /** What prevented the opening may be gone: then it is open after all. */
-  let late: IDBPDatabase<Schema> | undefined;
   let wasOpen = false;
   const forget = (): void => {
-    late = undefined;
     opened = undefined;
   };
+  const openOnce = async (): Promise<IDBPDatabase<Schema>> => {
+    if (!service('indexedDB')) throw new Error('the browser has no storage for this page');
+    let isEmpty = false;
+    const database = await openDB<Schema>(name, VERSION, {
+      upgrade(changed, before) {
+        isEmpty = before === 0;
+        for (const store of STORES) {
+          if (!changed.objectStoreNames.contains(store)) changed.createObjectStore(store, { keyPath: 'key' });
+        }
+      },
+      blocking: (_, version, event) => {
+        (event.target as IDBDatabase).close();
+        // A newer version of this page changes the storage; the next use says so. What a tab deletes stays closed.
+        if (version !== null) forget();
+      },
+      terminated: () => {
+        forget();
+        lookAgain();
+      },
+    });
+    if (wasOpen && isEmpty) onEmptied();
+    wasOpen = true;
+    return database;
+  };
   const open = (): Promise<IDBPDatabase<Schema>> => {
-    let isBlocked = false;
-    // Where storage is switched off, opening may throw at once instead of rejecting later.
-    const opening = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
-      if (!service('indexedDB')) return reject(new Error('the browser has no storage for this page'));
-      let isEmpty = false;
-      openDB<Schema>(name, VERSION, {
-        upgrade(database, before) {
-          isEmpty = before === 0;
-          for (const store of STORES) {
-            if (!database.objectStoreNames.contains(store)) database.createObjectStore(store, { keyPath: 'key' });
-          }
-        },
-        blocked: () => {
-          isBlocked = true;
-          reject(new Error('another tab holds an older version of the storage'));
-        },
-        blocking: (_, version, event) => {
-          (event.target as IDBDatabase).close();
-          // A newer version of this page changes the storage; the next use says so. What a tab deletes stays closed.
-          if (version !== null) forget();
-        },
-        terminated: () => {
-          forget();
-          lookAgain();
-        },
-      }).then((database) => {
-        late = database;
-        resolve(database);
-        if (wasOpen && isEmpty) onEmptied();
-        wasOpen = true;
-      }, reject);
-    });
-    opening.catch(() => {
-      // It may be over with the next try. An opening that is blocked goes on by itself.
-      if (opened === opening && !isBlocked) opened = undefined;
-    });
+    const opening = openOnce();
+    // What prevented it may be over with the next try. Each user gets the error.
+    opening.catch(() => opened === opening && forget());
     return opening;
   };
-  // Each user gets the error. At this moment there is none yet.
   let opened: Promise<IDBPDatabase<Schema>> | undefined = open();
   /** Whether everything was deleted is said at once, not with the next change. While it deletes, a browser refuses. */
   const lookAgain = (tries = 10): void => {
@@ -95,9 +82,9 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
       if (tries > 0) setTimeout(lookAgain, LOOK_AGAIN, tries - 1);
     });
   };
-  const current = async (): Promise<IDBPDatabase<Schema>> => {
+  const current = (): Promise<IDBPDatabase<Schema>> => {
     opened ??= open();
-    return late ?? (await opened);
+    return opened;
   };
   return current;
 }
