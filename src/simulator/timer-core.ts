@@ -18,12 +18,6 @@ import {
 import { firstContent, type MemoryContent, requireContent } from './memory.js';
 import type { TimerQuirks } from './quirks.js';
 
-/**
- * The phase of a timer, from connecting the battery to landing. It answers in every phase but `asleep`. Only sleep and
- * the switch change it; a test may set any other.
- */
-export type TimerPhase = 'discharged' | 'armed' | 'running' | 'finished' | 'asleep';
-
 /** How many requests it keeps: those of some thirty readings. More would grow for as long as a page is open. */
 const KEPT = 1000;
 
@@ -42,7 +36,7 @@ export interface TimerCoreOptions {
 }
 
 /**
- * The timer itself, without the line: memories, servos, motor lock, phase, and the answer to each request. A bad frame
+ * The timer itself, without the line: memories, servos, motor lock, sleep, and the answer to each request. A bad frame
  * or a value out of range gets no answer, because the protocol has none for it.
  */
 export class TimerCore {
@@ -56,8 +50,8 @@ export class TimerCore {
   idleThrottle = 30;
   /** Class Q: locked after a flight, by rule and for safety. */
   motorLocked: boolean;
-  /** The phase that it is in. */
-  phase: TimerPhase = 'discharged';
+  /** Whether it sleeps, and answers nothing. */
+  isAsleep = false;
   /** Where each servo stands, in steps. Connecting the battery moves them to their DT positions. */
   servos: number[];
   /** The slot to which the servos were last moved. */
@@ -70,7 +64,6 @@ export class TimerCore {
   readonly #clock: Clock;
   readonly #sleepAfter: number;
   #awakeSince: number;
-  #phaseBeforeSleep: TimerPhase = 'discharged';
 
   /**
    * @param options its identity, its quirks, and what it holds.
@@ -104,14 +97,12 @@ export class TimerCore {
 
   /** Puts it to sleep at once. It keeps everything. */
   sleep(): void {
-    if (this.phase === 'asleep') return;
-    this.#phaseBeforeSleep = this.phase;
-    this.phase = 'asleep';
+    this.isAsleep = true;
   }
 
   /** Presses the start switch briefly, which wakes it. */
   press(): void {
-    if (this.phase === 'asleep') this.phase = this.#phaseBeforeSleep;
+    this.isAsleep = false;
     this.#awakeSince = this.#clock.now();
   }
 
@@ -121,7 +112,7 @@ export class TimerCore {
    */
   answer(frame: Frame, bare = false): Bytes | undefined {
     if (this.#clock.now() - this.#awakeSince > this.#sleepAfter) this.sleep();
-    if (this.phase === 'asleep') return undefined;
+    if (this.isAsleep) return undefined;
     const request = this.#understand(frame);
     if (!request || !this.#takes(request, frame, bare)) return undefined;
     this.#awakeSince = this.#clock.now();

@@ -44,7 +44,7 @@ const EXAMPLE: Identity = { timerClass: 'B', firmware: '536', functions: 10, mem
 
 /**
  * A simulated timer at the far end of a pair of byte streams: read its replies from `readable`, write requests to
- * `writable`. It answers as docs/protocol.md reads the source. Memories, positions, motor lock, sleep and phase are in
+ * `writable`. It answers as docs/protocol.md reads the source. Memories, positions, motor lock and sleep are in
  * {@link TimerCore | core}, where tests may read and change them.
  * @example
  * ```ts

@@ -1,5 +1,5 @@
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
-import type { Browser, Platform, System } from '../browser/platform.js';
+import type { Platform, System } from '../browser/platform.js';
 import type { PageSentences } from '../messages/sentences.js';
 
 /** What there is help for: a connection that failed, or a timer that does not answer. */
@@ -95,18 +95,12 @@ function isBluetooth(info: PortInfo | null): boolean {
   return info?.bluetoothServiceClassId !== undefined;
 }
 
-/** Settings pages that a browser opens only when their address is typed. */
-const SCHEMES: Partial<Readonly<Record<Browser, string>>> = {
-  chrome: 'chrome',
-  edge: 'edge',
-  opera: 'opera',
-  brave: 'brave',
-};
-
-/** Where a browser on a computer lists the pages that may not use serial ports. */
+/**
+ * Where a browser on a computer lists the pages that may not use serial ports, which it opens only when the address is
+ * typed. Each of them takes this one, and shows it under its own name.
+ */
 function permissionsPage({ browser, mobile }: Platform): string | null {
-  const scheme = SCHEMES[browser];
-  return mobile || scheme === undefined ? null : `${scheme}://settings/content/serialPorts`;
+  return mobile || browser === 'firefox' || browser === 'other' ? null : 'chrome://settings/content/serialPorts';
 }
 
 /**

@@ -47,12 +47,6 @@ describe('what is known to differ can be forgotten', () => {
     expect(bench.editor.baseline.value?.times).toEqual(core.content.times);
     expect(quirksKept(bench)).not.toMatchObject({ [KIND]: { bigEndianTimes: true } });
   });
-
-  it('and is not shown before a timer is connected', async () => {
-    await opened({ store: kept(), info: FTDI, plug: { granted: true } });
-    await goTo('settings');
-    expect(screen.queryByText(en.aboutTimer.title)).toBeNull();
-  });
 });
 
 describe('what the line says of the timer', () => {
@@ -97,19 +91,6 @@ describe('something else than a timer', () => {
     bench.serial.choose(other);
     await press(en.header.choosePort);
     expect(bench.session.link.state.value).toMatchObject({ port: other });
-  });
-
-  it('is still waited for when no other port is chosen', async () => {
-    const bench = await opened({ info: FTDI, quirks: { echo: true }, plug: { granted: true } });
-    bench.timer.core.sleep();
-    await press('Connect');
-    expect(screen.getByText(en.link.heard.title)).toBeTruthy();
-    bench.serial.choose(null);
-    await press(en.header.choosePort);
-    expect(bench.session.link.state.value.status).toBe('waiting');
-    bench.timer.core.press();
-    await idle();
-    expect(bench.editor.baseline.value).not.toBeNull();
   });
 
   it('an impossible identity is shown as it came', async () => {

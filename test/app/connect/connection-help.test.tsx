@@ -80,10 +80,7 @@ describe('what to do', () => {
   });
 
   it.each<[Browser, readonly string[]]>([
-    ['chrome', ['chrome://settings/content/serialPorts']],
-    ['edge', ['edge://settings/content/serialPorts']],
-    ['opera', ['opera://settings/content/serialPorts']],
-    ['brave', ['brave://settings/content/serialPorts']],
+    ['edge', ['chrome://settings/content/serialPorts']],
     ['firefox', []],
     ['other', []],
   ])('says where %s keeps the permission', (browser, copy) => {

@@ -1,6 +1,5 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { Adapter } from '../../serial/bench.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { button, connected, field, goTo, opened, press, type } from '../screen.js';
@@ -60,12 +59,6 @@ describe('the adapters that are known', () => {
     await goTo('program');
     await press('Connect');
     expect(screen.getByText(en.connection['nothing-chosen'].title)).toBeTruthy();
-  });
-
-  it('are not shown before one was allowed', async () => {
-    await opened({ info: FTDI });
-    await goTo('settings');
-    expect(screen.queryByRole('heading', { name: en.ports.title })).toBeNull();
   });
 });
 
@@ -170,15 +163,6 @@ describe('what to do while no timer answers', () => {
     expect(button('Disconnect')).toBeTruthy();
   });
 
-  it('offers another port, and keeps asking at this one until one is chosen', async () => {
-    const bench = await asleep();
-    await idle(2000);
-    const other = new Adapter(bench.serial, { identity: { timerClass: 'B' } });
-    bench.serial.choose(other.port);
-    await press(en.header.choosePort);
-    expect(bench.session.connection.value?.identity.timerClass).toBe('B');
-  });
-
   it('takes no extra room when a program is on the screen', async () => {
     const { timer } = await connected();
     await press('Disconnect');
@@ -269,32 +253,6 @@ describe('the serial settings', () => {
   });
 });
 
-describe('about this timer', () => {
-  it('is what it did differently, and how it is connected', async () => {
-    await connected({ info: FTDI, quirks: { timersReplyAs66: true } });
-    await goTo('settings');
-    fireEvent.click(screen.getByText(en.aboutTimer.title));
-    expect(screen.getByText(en.aboutTimer.quirkNames['timers-reply-66'])).toBeTruthy();
-    expect(screen.queryByText(en.aboutTimer.nothingFound)).toBeNull();
-    expect(screen.getByText('F1Q, firmware 536, 9 functions and DT, 4 memories, 3 servos')).toBeTruthy();
-    expect(screen.getByText(/^FTDI adapter.*9600 baud$/)).toBeTruthy();
-  });
-
-  it('is what is known to differ; a click changes it, and a fresh reading follows', async () => {
-    const { session } = await connected();
-    await goTo('settings');
-    fireEvent.click(screen.getByText(en.aboutTimer.title));
-    const box = screen.getByRole<HTMLInputElement>('checkbox', { name: en.aboutTimer.assumptions.bigEndianTimes });
-    expect(box.checked).toBe(false);
-    fireEvent.click(box);
-    await idle();
-    expect(session.connection.value?.client.quirksAssumed).toEqual({ bigEndianTimes: true });
-    expect(box.checked).toBe(true);
-    await goTo('program');
-    expect(field('DT time').value).not.toBe('3:00');
-  });
-});
-
 describe('the write dialog', () => {
   it('shows what was read and what the timer holds now, if that has changed', async () => {
     const { timer } = await connected();
@@ -315,46 +273,9 @@ describe('the write dialog', () => {
     expect(rows(conflicts)).toEqual([['DT', '3:00 min', '3:05 min']]);
     expect(rows(difference)).toEqual([['DT', '3:05 min', '4:00 min']]);
   });
-
-  it('says calmly that nothing was written when it was stopped before the first value', async () => {
-    const { timer } = await connected();
-    await type('DT time', '4:00');
-    await press('Write…');
-    await tickSafety();
-    timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && fireEvent.click(button('Stop'));
-    await press('Write 1 change');
-    expect(screen.queryByRole('dialog')).toBeNull();
-    expect(screen.getByText(en.write.refused).closest('.notice')?.className).toBe('notice');
-  });
 });
 
-describe('what an interrupted job left behind', () => {
-  it('is shown with its values, and can be finished from there', async () => {
-    const { timer } = await connected();
-    await type('DT time', '4:00');
-    await type('Function 2, S1', '7');
-    await press('Write…');
-    await tickSafety();
-    timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();
-    await press('Write 2 changes');
-    timer.core.onAnswer = undefined;
-    await press('Close');
-    timer.core.press();
-    await idle();
-    const region = screen.getByRole('region', { name: en.recovery.title });
-    const panel = within(region);
-    expect(region.querySelector('summary')?.textContent).toBe('Compare');
-    expect(document.querySelectorAll('.notice'), 'there is no notice beside it').toHaveLength(0);
-    expect(panel.getByText(/The timer holds 1 value of that write; 1 value is still as before\./)).toBeTruthy();
-    await press(en.recovery.finish);
-    await tickSafety();
-    await press('Write 1 change');
-    expect(timer.core.content.positions[0]?.[2]).toBe(7);
-    await press('Close');
-    expect(screen.queryByRole('region', { name: en.recovery.title })).toBeNull();
-    expect(button('Write…').disabled).toBe(false);
-  });
-
+describe('an interrupted write', () => {
   it('says in the dialog that a lost port comes back', async () => {
     const { timer, adapter } = await connected();
     await type('DT time', '4:00');

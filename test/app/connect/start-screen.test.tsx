@@ -45,13 +45,6 @@ describe('a new program', () => {
     expect(new Set(editor.working.value?.times)).toEqual(new Set([0]));
   });
 
-  it('is cancelled by Cancel and by Escape', async () => {
-    const { editor } = await opened();
-    await press(en.newProgram.title);
-    await press('Cancel');
-    expect([screen.queryByRole('dialog'), editor.working.value]).toEqual([null, null]);
-  });
-
   it('is written by way of Connect: the difference is shown first', async () => {
     const { timer } = await opened({ plug: { granted: true } });
     await make();
@@ -154,26 +147,7 @@ describe('what this device keeps', () => {
   });
 });
 
-describe('after Disconnect', () => {
-  it('the program stays, marked as last read with its time, and Close program leads to the start', async () => {
-    await connected();
-    await press('Disconnect');
-    expect(field('DT time').value).toBe('3:00');
-    expect(screen.getByText(/^As last read \d\d:\d\d$/)).toBeTruthy();
-    await press(en.header.closeProgram);
-    expect(screen.getByRole('heading', { name: en.start.title })).toBeTruthy();
-  });
-});
-
 describe('the page on this device', () => {
-  it('is ready offline when all of it is kept, and not before', async () => {
-    const { models } = await opened();
-    expect(screen.queryByText(en.start.readyOffline)).toBeNull();
-    models.installation.isKept();
-    await idle(0);
-    expect(screen.getByText(en.start.readyOffline)).toBeTruthy();
-  });
-
   it('is installed by a click, where the browser offers that', async () => {
     const { models } = await opened();
     const window = new EventTarget();

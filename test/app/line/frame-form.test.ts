@@ -61,11 +61,7 @@ describe('a frame by hand', () => {
 
   it.each([
     ['71', 'GETMEMORY'],
-    ['77 05', 'SETLOWRPM'],
-    ['73 01', 'SETMEMORY'],
-    ['69 04', 'MOVETOFUNC'],
     ['6d', 'UNLOCK'],
-    ['6f', 'JUMP2'],
   ])('needs a second click and is sent once, then all is read: %s', async (typed, command) => {
     const { form, asking, asked } = await atForm();
     asking(typed);

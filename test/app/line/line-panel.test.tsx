@@ -158,13 +158,6 @@ describe('on a page without traffic', () => {
     expect(await screen.findByText(words.unused)).toBeTruthy();
   });
 
-  it('a report is copied', async () => {
-    const written = clipboard();
-    await panelOf(await appBench());
-    await press(words.copyReport);
-    expect(written.mock.calls[0]?.[0]).toContain('# Timer: not identified');
-  });
-
   it('the line is shown as soon as there is something on it', async () => {
     const { session } = await panelOf(await appBench());
     await run(session.timer.connect());
@@ -352,15 +345,6 @@ describe('a frame by hand', () => {
       timer.core.answered.filter(({ name }) => name === 'GETMEMORY'),
       'once, and twice in the reading',
     ).toHaveLength(3);
-  });
-
-  it('is not sent when the pilot cancels', async () => {
-    const { timer } = await opened();
-    await typed('6d');
-    await press(send.send);
-    timer.core.answered.length = 0;
-    await press(en.cancel);
-    expect([screen.queryByRole('dialog'), timer.core.answered]).toEqual([null, []]);
   });
 
   it('that was lost with its adapter may have done what it asks for', async () => {

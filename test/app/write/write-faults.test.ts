@@ -196,7 +196,7 @@ async function readAgain(bench: AppBench): Promise<void> {
   const { timer, adapter, session, write } = bench;
   timer.core.onAnswer = undefined;
   write.dismiss();
-  if (timer.core.phase === 'asleep') timer.core.press();
+  if (timer.core.isAsleep) timer.core.press();
   adapter.replug();
   await idle();
   if (session.connection.value) void session.reader.read();
