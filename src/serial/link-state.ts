@@ -35,25 +35,18 @@ export type LinkState =
       readonly port: SerialPortLike;
       /** How often the port has refused to open. */
       readonly refusals: number;
-      /** When the link gives up, in milliseconds by its clock; null while the port has not refused. */
-      readonly until: number | null;
     }
   | {
       readonly status: 'searching';
       readonly port: SerialPortLike;
       /** The rate that is being tried, in bits a second. */
       readonly baudRate: number;
-      /** The number of this rate among those to try, from 1 to `steps`. */
-      readonly step: number;
-      readonly steps: number;
     }
   | {
       readonly status: 'waiting';
       readonly port: SerialPortLike;
       /** The rate at which the link asks, in bits a second. */
       readonly baudRate: number;
-      /** How often it has asked without an answer since it began to wait. */
-      readonly asked: number;
       /** What else talks on the port, at any rate; null while nothing does. */
       readonly heard: Heard | null;
     }

@@ -89,7 +89,7 @@ export class PortSession {
     if (!on) return;
     this.#on = null;
     const [rate] = this.#rates;
-    this.#tell(why, why === 'silent' ? this.#waiting(rate, 0) : this.#searching(0));
+    this.#tell(why, why === 'silent' ? this.#waiting(rate) : this.#searching(rate));
     on.leave(why === 'silent' ? 'wait' : 'search');
   }
 
@@ -131,11 +131,11 @@ export class PortSession {
     const refused = async (): Promise<void> => {
       until ??= clock.now() + OPEN_FOR;
       refusals++;
-      this.#tell('refused', this.#opening(refusals, until));
+      this.#tell('refused', this.#opening(refusals));
       await pause(clock, OPEN_EVERY, this.#over.signal);
     };
     if (event === 'refused') await refused();
-    else this.#tell(event, this.#opening(0, null));
+    else this.#tell(event, this.#opening(0));
     while (!this.#isOver) {
       try {
         await this.#opener.open({ ...settings, baudRate }, this.#over.signal);
@@ -150,7 +150,7 @@ export class PortSession {
     if (!this.#opener.settings) return;
     this.#openedAt ??= clock.now();
     this.#context.wasOpen = true;
-    this.#tell('opened', this.#searching(0));
+    this.#tell('opened', this.#searching(baudRate));
   }
 
   /** Finds a timer and stays with it, until the port refuses to open at another rate or the session ends. */
@@ -168,14 +168,14 @@ export class PortSession {
   async #search(): Promise<ProbedTimer | 'silent' | 'refused'> {
     const rates = this.#rates;
     for (const [index, baudRate] of rates.entries()) {
-      if (index > 0) this.#tell('asked', this.#searching(index));
+      if (index > 0) this.#tell('asked', this.#searching(baudRate));
       // The adapter may not know a rate. Another program may have taken the port in the meantime, which shows below.
       if (!(await this.#setRate(baudRate))) continue;
       const found = (await this.#ask()) ?? (index === 0 ? await this.#ask() : null);
       if (found) return found;
     }
     if (!(await this.#setRate(rates[0]))) return 'refused';
-    this.#tell('silent', this.#waiting(rates[0], 0));
+    this.#tell('silent', this.#waiting(rates[0]));
     return 'silent';
   }
 
@@ -188,7 +188,7 @@ export class PortSession {
       const begin = clock.now();
       held = this.#listenerAt(baudRate).isReplyBegun && held < HOLD ? held + 1 : 0;
       if (held === 0) baudRate = quietRate(rates, asked);
-      if (asked > 0) this.#tell('asked', this.#waiting(baudRate, asked));
+      if (asked > 0) this.#tell('asked', this.#waiting(baudRate));
       const isOpen = await this.#setRate(baudRate);
       if (!isOpen && baudRate === rates[0]) break;
       const found = isOpen && (await this.#ask());
@@ -282,18 +282,16 @@ export class PortSession {
     if (!this.#isOver) this.#context.tell(event, state);
   }
 
-  #opening(refusals: number, until: number | null): LinkState {
-    return { status: 'opening', port: this.#known.port, refusals, until };
+  #opening(refusals: number): LinkState {
+    return { status: 'opening', port: this.#known.port, refusals };
   }
 
-  #searching(index: number): LinkState {
-    const rates = this.#rates;
-    const baudRate = rates[index] as number;
-    return { status: 'searching', port: this.#known.port, baudRate, step: index + 1, steps: rates.length };
+  #searching(baudRate: number): LinkState {
+    return { status: 'searching', port: this.#known.port, baudRate };
   }
 
-  #waiting(baudRate: number, asked: number): LinkState {
+  #waiting(baudRate: number): LinkState {
     const heard = clearest([...this.#listeners.values()].map((listener) => listener.heard));
-    return { status: 'waiting', port: this.#known.port, baudRate, asked, heard };
+    return { status: 'waiting', port: this.#known.port, baudRate, heard };
   }
 }

@@ -7,11 +7,8 @@ export class FarEnd {
   #controller: ReadableStreamDefaultController<Bytes> | undefined;
   #isCut = false;
 
-  /**
-   * @param timer what the errors call it: `virtual timer`.
-   * @param receive called with the bytes that are written.
-   */
-  constructor(timer: string, receive: (bytes: Uint8Array) => void) {
+  /** @param receive called with the bytes that are written. */
+  constructor(receive: (bytes: Uint8Array) => void) {
     this.readable = new ReadableStream<Bytes>({
       start: (controller) => {
         this.#controller = controller;
@@ -22,7 +19,7 @@ export class FarEnd {
     });
     this.writable = new WritableStream<Uint8Array>({
       write: (bytes) => {
-        if (this.#isCut) throw new Error(`The line to the ${timer} is cut.`);
+        if (this.#isCut) throw new Error('The line to the timer is cut.');
         receive(bytes);
       },
     });

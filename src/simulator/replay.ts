@@ -56,8 +56,6 @@ export class ReplayTimer {
   readonly readable: ReadableStream<Bytes>;
   /** Takes the bytes for the timer. */
   readonly writable: WritableStream<Uint8Array>;
-  /** The requests that the recording does not hold, oldest first, as they came but with at most five zeros. */
-  readonly unknown: Bytes[] = [];
   readonly #clock: Clock;
   readonly #exchanges: readonly Exchange[];
   readonly #end: FarEnd;
@@ -66,7 +64,6 @@ export class ReplayTimer {
   #next = 0;
   /** When the current reply will be complete: a timer answers one request after the other. */
   #busyUntil = Number.NEGATIVE_INFINITY;
-  readonly #due = new Set<() => void>();
 
   /**
    * @param entries as `parseCapture` gives them. They are copied.
@@ -76,23 +73,15 @@ export class ReplayTimer {
     this.#clock = clock;
     const { unasked, exchanges } = sorted(entries);
     this.#exchanges = exchanges;
-    const decoder = requestDecoder((request, wire) => this.#answer(request, wire));
+    const decoder = requestDecoder((request) => this.#answer(request));
     this.#reader = new RequestReader(decoder, clock);
-    this.#end = new FarEnd('recorded timer', (bytes) => this.#reader.push(bytes));
+    this.#end = new FarEnd((bytes) => this.#reader.push(bytes));
     this.readable = this.#end.readable;
     this.writable = this.#end.writable;
     this.#send(unasked, clock.now());
   }
 
-  /** Cuts the line, like a pulled cable: reading and writing fail from now on, and bytes on their way never arrive. */
-  cut(reason: unknown = new Error('The line to the recorded timer is cut.')): void {
-    this.#reader.stop();
-    for (const cancel of this.#due) cancel();
-    this.#due.clear();
-    this.#end.cut(reason);
-  }
-
-  #answer(request: string, wire: Bytes): void {
+  #answer(request: string): void {
     const { length } = this.#exchanges;
     for (let step = 0; step < length; step++) {
       const index = (this.#next + step) % length;
@@ -104,26 +93,21 @@ export class ReplayTimer {
       this.#send(exchange.pieces, begin);
       return;
     }
-    this.unknown.push(wire);
   }
 
   #send(pieces: readonly Piece[], begin: number): void {
     for (const { after, bytes } of pieces) {
-      const cancel = this.#clock.after(begin + after - this.#clock.now(), () => {
-        this.#due.delete(cancel);
-        this.#end.send(bytes.slice());
-      });
-      this.#due.add(cancel);
+      this.#clock.after(begin + after - this.#clock.now(), () => this.#end.send(bytes.slice()));
     }
   }
 }
 
 /** Finds requests, also those with a bare checksum, and reports each from its length byte on. */
-function requestDecoder(tell: (request: string, wire: Bytes) => void): FrameDecoder {
+function requestDecoder(tell: (request: string) => void): FrameDecoder {
   const everyLetter = Array.from({ length: 256 }, (_, letter) => letter);
   return new FrameDecoder({
     quirks: { bareChecksum: everyLetter },
-    onFrame: (_, wire) => tell(wire.subarray(wire.findIndex((byte) => byte !== 0)).join(' '), wire),
+    onFrame: (_, wire) => tell(wire.subarray(wire.findIndex((byte) => byte !== 0)).join(' ')),
   });
 }
 

@@ -95,13 +95,13 @@ export class VirtualTimer {
       baudRate,
       latency,
     });
-    this.#end = new FarEnd('virtual timer', (bytes) => void this.#toTimer.send(bytes));
+    this.#end = new FarEnd((bytes) => void this.#toTimer.send(bytes));
     this.readable = this.#end.readable;
     this.writable = this.#end.writable;
   }
 
   /** Cuts the line, like a pulled cable: reading and writing fail from now on, and bytes on their way never arrive. */
-  cut(reason: unknown = new Error('The line to the virtual timer is cut.')): void {
+  cut(reason: unknown = new Error('The line to the timer is cut.')): void {
     this.#toTimer.cut();
     this.#fromTimer.cut();
     this.#end.cut(reason);

@@ -180,16 +180,6 @@ describe('timing', () => {
     expect(clock.now()).toBeCloseTo(103);
   });
 
-  test('an error does not wait for bytes that are lost on the way', async () => {
-    const toPage = (byte: number) => (byte < 10 ? [] : [byte, byte]);
-    const { clock, port, device } = await timed({ fault: { toPage }, chunks: [4] });
-    const reader = reading(port);
-    device.write(counted(96));
-    device.error('parity');
-    expect(await clock.run(collect(async () => (await reader.read()).value, 172))).toHaveLength(172);
-    expect(await clock.run(failure(reader.read()))).toBe('ParityError');
-  });
-
   test('an error on its way when the plug is pulled does not arrive, a later one does', async () => {
     const { clock, serial, port, device } = await timed();
     device.write(counted(48));

@@ -69,20 +69,6 @@ describe('readable attribute: errors', () => {
     expect(await failure(second.read())).toBe('BreakError');
   });
 
-  test('an error that a read waited for leaves the next stream’s bytes their place', async () => {
-    const { port, device } = await openPort();
-    const read = failure(reading(port).read());
-    await settled();
-    device.error('parity');
-    expect(await read).toBe('ParityError');
-    const second = reading(port);
-    device.write([1]);
-    device.error('break');
-    await settled();
-    expect((await second.read()).value).toEqual(Uint8Array.of(1));
-    expect(await failure(second.read())).toBe('BreakError');
-  });
-
   test('each of several errors ends its own stream', async () => {
     const { port, device } = await openPort();
     device.error('break');
@@ -106,18 +92,6 @@ describe('readable attribute: errors', () => {
     await port.open({ baudRate: 9600 });
     device.write([10]);
     expect((await reading(port).read()).value).toEqual(Uint8Array.of(10));
-  });
-
-  test('lost: what had come is read from a stream that is fetched afterwards', async () => {
-    const { port, device } = await openPort();
-    device.write(DATA);
-    device.error('lost');
-    await settled();
-    const reader = reading(port);
-    expect((await reader.read()).value).toEqual(Uint8Array.from(DATA));
-    expect(await failure(reader.read())).toBe('NetworkError');
-    expect(port.readable).toBeNull();
-    await port.close();
   });
 
   test('an error while the port is closed is dropped', async () => {

@@ -134,17 +134,3 @@ describe('getInfo() method', () => {
     expect(port.getInfo()).not.toBe(port.getInfo());
   });
 });
-
-describe('forget() method', () => {
-  test('notes at readable and writable: running operations fail as if the device were lost', async () => {
-    const { port } = clicked();
-    await port.open({ baudRate: 9600, bufferSize: 1 });
-    const read = port.readable?.getReader().read() as Promise<unknown>;
-    const written = port.writable?.getWriter().write(Uint8Array.of(1, 2)) as Promise<unknown>;
-    const failures = Promise.all([failure(read), failure(written)]);
-    await port.forget();
-    expect(await failures).toEqual(['NetworkError', 'NetworkError']);
-    expect(port.readable).toBeNull();
-    expect(port.writable).toBeNull();
-  });
-});

@@ -12,7 +12,7 @@ describe('wait()', () => {
     port.device.onopenchange = () => opened++;
     timer.core.sleep();
     link.wait();
-    expect(link.state).toEqual({ status: 'waiting', port, baudRate: 9600, asked: 0, heard: null });
+    expect(link.state).toEqual({ status: 'waiting', port, baudRate: 9600, heard: null });
     await clock.advance(2500);
     expect(opened, 'the port is neither closed nor opened again').toBe(0);
     timer.core.press();

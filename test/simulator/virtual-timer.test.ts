@@ -145,7 +145,7 @@ describe('the virtual timer', () => {
     const { timer, send, received, clock } = timerOnLine();
     timer.cut();
     await clock.advance(0);
-    expect(received).toEqual(['The line to the virtual timer is cut.']);
+    expect(received).toEqual(['The line to the timer is cut.']);
     await expect(send(Uint8Array.of(1))).rejects.toThrow('cut');
   });
 
