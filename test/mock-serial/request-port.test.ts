@@ -46,6 +46,9 @@ describe('requestPort() method', () => {
   });
 
   const usb = { usbVendorId: 0x0403, usbProductId: 0x6001 };
+  const spp = { bluetoothServiceClassId: 0x1101 };
+  const own = { bluetoothServiceClassId: CUSTOM };
+  const allowed = { allowedBluetoothServiceClassIds: [CUSTOM] };
   const rows: readonly (readonly [string, PortInfo, PortRequestOptions, boolean])[] = [
     ['no filters', usb, {}, true],
     ['an empty list', usb, { filters: [] }, true],
@@ -55,40 +58,15 @@ describe('requestPort() method', () => {
     ['another product', usb, { filters: [{ usbVendorId: 0x0403, usbProductId: 1 }] }, false],
     ['one of several', usb, { filters: [{ usbVendorId: 1 }, usb] }, true],
     ['a port that is no USB device, USB filters', {}, { filters: [usb] }, false],
-    ['a service class on USB', usb, { filters: [{ bluetoothServiceClassId: 0x1101 }] }, false],
-    ['the Serial Port Profile, no filters', { bluetoothServiceClassId: 0x1101 }, {}, true],
-    ['the Serial Port Profile, USB filters', { bluetoothServiceClassId: 0x1101 }, { filters: [usb] }, false],
-    [
-      'the Serial Port Profile among USB filters',
-      { bluetoothServiceClassId: 0x1101 },
-      { filters: [usb, { bluetoothServiceClassId: SERIAL_PORT_PROFILE }] },
-      true,
-    ],
-    ['a service class of one’s own', { bluetoothServiceClassId: CUSTOM }, {}, false],
-    [
-      'a service class of one’s own, filtered for only',
-      { bluetoothServiceClassId: CUSTOM },
-      { filters: [{ bluetoothServiceClassId: CUSTOM }] },
-      false,
-    ],
-    [
-      'a service class of one’s own, allowed',
-      { bluetoothServiceClassId: CUSTOM },
-      { allowedBluetoothServiceClassIds: [CUSTOM] },
-      true,
-    ],
-    [
-      'a service class of one’s own, allowed and filtered for',
-      { bluetoothServiceClassId: CUSTOM },
-      { filters: [{ bluetoothServiceClassId: CUSTOM }], allowedBluetoothServiceClassIds: [CUSTOM] },
-      true,
-    ],
-    [
-      'another service class of one’s own',
-      { bluetoothServiceClassId: CUSTOM },
-      { filters: [{ bluetoothServiceClassId: 0x1101 }], allowedBluetoothServiceClassIds: [CUSTOM] },
-      false,
-    ],
+    ['a service class on USB', usb, { filters: [spp] }, false],
+    ['the Serial Port Profile, no filters', spp, {}, true],
+    ['the Serial Port Profile, USB filters', spp, { filters: [usb] }, false],
+    ['the same among them', spp, { filters: [usb, { bluetoothServiceClassId: SERIAL_PORT_PROFILE }] }, true],
+    ['a service class of one’s own', own, {}, false],
+    ['a service class of one’s own, filtered for only', own, { filters: [own] }, false],
+    ['a service class of one’s own, allowed', own, allowed, true],
+    ['a service class of one’s own, allowed and filtered for', own, { filters: [own], ...allowed }, true],
+    ['another service class of one’s own', own, { filters: [spp], ...allowed }, false],
     [
       'another class of the Bluetooth standard, blocked though allowed',
       { bluetoothServiceClassId: 0x1108 },

@@ -342,13 +342,6 @@ describe('choose()', () => {
     expect(link.state.status).toBe('on');
   });
 
-  it('connects to another port that is chosen', async () => {
-    const { serial, link, clock, port, states } = await on();
-    serial.choose(port);
-    await clock.run(link.choose());
-    expect(way(states)).toBe('closing > opening > searching > on');
-  });
-
   it('follows only the last of two choosers', async () => {
     const chooser = slowChooser();
     const { link, clock, port, states } = linkBench({ link: { serial: chooser } });
