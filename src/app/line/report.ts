@@ -18,6 +18,7 @@ const ENTRIES = 60;
  */
 export function reportText({ log, link, connection }: Pick<Session, 'log' | 'link' | 'connection'>): string {
   const { value: port } = connection;
+  const { userAgent, platform } = nameplate();
   const client = port?.client;
   const kept = log.entries.value;
   const found = [...(client?.quirksFound ?? [])].map(([code, params]) =>
@@ -27,7 +28,7 @@ export function reportText({ log, link, connection }: Pick<Session, 'log' | 'lin
   const delay = client?.delay ?? null;
   return captureText(log.introduced(kept.slice(-ENTRIES)), [
     programText(),
-    `Browser: ${browserText()}`,
+    `Browser: ${userAgent}, ${platform}`,
     `Page: ${media('(display-mode: standalone)')?.matches ? 'installed' : 'in a browser tab'}`,
     `Port: ${port ? `${port.kind}, ${port.portKey}, ${settingsText(port.settings)}` : 'none'}`,
     `${timerText(client?.identity ?? kept.at(-1)?.layout.identity)}${link.simulated.value ? ', simulated' : ''}`,
@@ -50,21 +51,6 @@ function programText(): string {
 
 function timerText(identity: Identity | null | undefined): string {
   return `Timer: ${identity ? identityText(identity) : 'not identified'}`;
-}
-
-/** What newer Chromium browsers say about themselves, in parts. */
-interface UserAgentData {
-  readonly brands: readonly { readonly brand: string; readonly version: string }[];
-  readonly platform: string;
-}
-
-/** Names and versions of the browser, and its system. */
-function browserText(): string {
-  const { userAgent, platform, userAgentData } = nameplate() as Navigator & { readonly userAgentData?: UserAgentData };
-  if (!userAgentData) return `${userAgent}, ${platform}`;
-  // The list always has one invented brand, so that pages do not rely on it.
-  const brands = userAgentData.brands.filter(({ brand }) => !/not.*brand/i.test(brand));
-  return [...brands.map(({ brand, version: number }) => `${brand} ${number}`), userAgentData.platform].join(', ');
 }
 
 /** `9600 8N1, DTR low`: names a line only where it is not left to the browser. */
