@@ -12,19 +12,20 @@ import type {
   SetSignals,
   WriteErrorKind,
 } from './types.js';
-import { oneOf } from './web-idl.js';
+import { defined, oneOf } from './web-idl.js';
 
 const WRITE_ERROR_KINDS: readonly string[] = ['system', 'lost'] satisfies WriteErrorKind[];
 
 /** What lies between the device and the page, as far as the device can reach it. */
 export interface PortSide {
-  readonly outputSignals: SetSignals;
   readonly follows: FollowsWay;
   readonly cable: Cable;
   readonly receiver: Receiver;
   readonly transmitter: Transmitter;
-  setInputSignals(signals: Partial<InputSignals>): void;
 }
+
+/** What a closed port leaves set. */
+export const NO_SIGNALS: SetSignals = { dataTerminalReady: false, requestToSend: false, break: false };
 
 /** The device's end of the cable: the bytes that have arrived, and the reads that wait for more. */
 export class Device implements MockDevice {
@@ -32,6 +33,9 @@ export class Device implements MockDevice {
   onopenchange: ((opened: OpenedOptions | null) => void) | null = null;
   busy: boolean;
   failSignals = false;
+  signals = NO_SIGNALS;
+  /** What it has set itself. */
+  input: InputSignals = { clearToSend: false, dataCarrierDetect: false, dataSetReady: false, ringIndicator: false };
   #port: PortSide;
   #unplugged = false;
   /** Bytes that were written here without a cable, and bytes that earlier ports of this device have lost. */
@@ -43,10 +47,6 @@ export class Device implements MockDevice {
   constructor(port: PortSide, busy: boolean) {
     this.#port = port;
     this.busy = busy;
-  }
-
-  get signals(): SetSignals {
-    return this.#port.outputSignals;
   }
 
   get lost(): number {
@@ -88,7 +88,7 @@ export class Device implements MockDevice {
   }
 
   setSignals(signals: Partial<InputSignals>): void {
-    this.#port.setInputSignals(signals);
+    this.input = { ...this.input, ...defined(signals) };
   }
 
   failNextWrite(kind: WriteErrorKind = 'system'): void {
@@ -109,6 +109,12 @@ export class Device implements MockDevice {
     this.onopenchange?.(opened);
   }
 
+  /** The page has closed the port, or lost it. */
+  letGo(): void {
+    this.signals = NO_SIGNALS;
+    this.setOpened(null);
+  }
+
   unplug(): void {
     this.#unplugged = true;
     const readers = this.#readers;
@@ -125,7 +131,7 @@ export class Device implements MockDevice {
   moveTo(port: PortSide): void {
     this.#unsent = this.lost;
     this.#port = port;
-    this.setOpened(null);
+    this.letGo();
     this.replug();
   }
 }

@@ -81,12 +81,6 @@ export class ConnectionTarget extends EventTarget {
   }
 
   /** The `removeEventListener()` method. Removing a listener that is not there does no harm. */
-  override removeEventListener(
-    type: 'connect' | 'disconnect',
-    listener: (this: this, event: Event) => void,
-    options?: Options,
-  ): void;
-  override removeEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void;
   override removeEventListener(type: string, listener: ListenerArguments[1] | null, options?: Options): void {
     const of = listenerOptions(options);
     if (!listener) return;

@@ -1,5 +1,5 @@
 import type { PortFilter, PortInfo, PortRequestOptions } from './types.js';
-import { dictionary, given, sequence, unsigned } from './web-idl.js';
+import { defined, dictionary, given, sequence, unsigned } from './web-idl.js';
 
 /** The end of every service class of the Bluetooth standard itself. */
 const BLUETOOTH_BASE_UUID = '-0000-1000-8000-00805f9b34fb';
@@ -24,13 +24,11 @@ export function normalizeInfo(info: PortInfo): PortInfo {
       throw new TypeError('A USB number must be a whole number from 0 to 65535.');
   }
   // Web IDL gives the members in the order of their names.
-  return {
-    ...(bluetoothServiceClassId !== undefined && {
-      bluetoothServiceClassId: serviceClassUuid(bluetoothServiceClassId),
-    }),
-    ...(usbProductId !== undefined && { usbProductId }),
-    ...(usbVendorId !== undefined && { usbVendorId }),
-  };
+  return defined({
+    bluetoothServiceClassId: given(bluetoothServiceClassId, serviceClassUuid),
+    usbProductId,
+    usbVendorId,
+  });
 }
 
 /** The checks of a filter in the steps of `requestPort()`. @throws TypeError */

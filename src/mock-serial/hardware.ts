@@ -5,15 +5,7 @@ import { networkError } from './errors.js';
 import { normalizeInfo } from './filters.js';
 import { Receiver } from './receiver.js';
 import { Transmitter } from './transmitter.js';
-import type {
-  FollowsWay,
-  InputSignals,
-  OpenedOptions,
-  OutputSignals,
-  PlugOptions,
-  PortInfo,
-  SetSignals,
-} from './types.js';
+import type { FollowsWay, OpenedOptions, PlugOptions, PortInfo } from './types.js';
 
 /** The options of a plugged port, with the browser's ways that it follows. */
 export interface HardwareOptions extends PlugOptions {
@@ -42,8 +34,6 @@ export class Hardware {
   #isLeft = false;
   /** Whether it was given up since it was last opened. */
   #wasForgotten = false;
-  #output: SetSignals = { dataTerminalReady: false, requestToSend: false, break: false };
-  #input: InputSignals = { clearToSend: false, dataCarrierDetect: false, dataSetReady: false, ringIndicator: false };
 
   /** @throws TypeError when the information names an invalid Bluetooth service class. */
   constructor(info: PortInfo, options: HardwareOptions, device?: Device) {
@@ -77,14 +67,6 @@ export class Hardware {
     return hardware;
   }
 
-  get outputSignals(): SetSignals {
-    return { ...this.#output };
-  }
-
-  get inputSignals(): InputSignals {
-    return { ...this.#input };
-  }
-
   /** @throws NetworkError when the port is unplugged, forgotten or held by another program. */
   open(options: OpenedOptions): void {
     if (!this.plugged || this.forgotten || this.device.busy) throw networkError('Failed to open serial port.');
@@ -96,7 +78,7 @@ export class Hardware {
     this.#wasForgotten = false;
     this.transmitter.open(options.bufferSize);
     const requestToSend = hasHandshake || follows('openRaisesRts');
-    this.#output = { dataTerminalReady: true, requestToSend, break: false };
+    this.device.signals = { dataTerminalReady: true, requestToSend, break: false };
     this.device.setOpened(options);
   }
 
@@ -107,8 +89,7 @@ export class Hardware {
 
   #letGo(): void {
     this.transmitter.close();
-    this.#output = { dataTerminalReady: false, requestToSend: false, break: false };
-    if (!this.#isLeft) this.device.setOpened(null);
+    if (!this.#isLeft) this.device.letGo();
   }
 
   forget(): void {
@@ -135,17 +116,4 @@ export class Hardware {
     this.cable.mend();
     this.device.replug();
   }
-
-  setOutputSignals(signals: OutputSignals): void {
-    this.#output = { ...this.#output, ...defined(signals) };
-  }
-
-  setInputSignals(signals: Partial<InputSignals>): void {
-    this.#input = { ...this.#input, ...defined(signals) };
-  }
-}
-
-/** Without the members that are undefined. */
-function defined<T extends object>(signals: T): { [Key in keyof T]: Exclude<T[Key], undefined> } {
-  return Object.fromEntries(Object.entries(signals).filter(([, value]) => value !== undefined)) as never;
 }

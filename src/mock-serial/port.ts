@@ -4,7 +4,7 @@ import { ConnectionTarget } from './events.js';
 import type { Hardware } from './hardware.js';
 import { checkOpenOptions, convertOpenOptions } from './open-options.js';
 import type { InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } from './types.js';
-import { asInterface, dictionary, given } from './web-idl.js';
+import { asInterface, defined, dictionary, given } from './web-idl.js';
 
 /**
  * A `SerialPort` of the Web Serial standard, with a `device` at its other end. `MockSerial.plug` makes one.
@@ -131,13 +131,12 @@ export class MockSerialPort extends ConnectionTarget {
    * @throws NetworkError when the device is unplugged or fails.
    */
   async setSignals(signals: OutputSignals = {}): Promise<void> {
-    const { break: breaking, dataTerminalReady, requestToSend } = converted(signals);
+    const set = defined(converted(signals));
     this.#checkOpened();
-    if (dataTerminalReady === undefined && requestToSend === undefined && breaking === undefined) {
-      throw new TypeError('At least one signal must be given.');
-    }
+    if (Object.keys(set).length === 0) throw new TypeError('At least one signal must be given.');
     this.#checkSignals('Failed to set control signals.');
-    this.#hardware.setOutputSignals({ dataTerminalReady, requestToSend, break: breaking });
+    const { device } = this.#hardware;
+    device.signals = { ...device.signals, ...set };
   }
 
   /**
@@ -148,7 +147,7 @@ export class MockSerialPort extends ConnectionTarget {
   async getSignals(): Promise<InputSignals> {
     this.#checkOpened();
     this.#checkSignals('Failed to get control signals.');
-    return this.#hardware.inputSignals;
+    return { ...this.#hardware.device.input };
   }
 
   #checkOpened(): void {

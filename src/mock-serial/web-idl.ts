@@ -15,6 +15,11 @@ export function given<T, Converted>(value: T | undefined, by: (value: T) => Conv
   return value === undefined ? undefined : by(value);
 }
 
+/** Without the members that are undefined. */
+export function defined<T extends object>(of: T): { [Key in keyof T]: Exclude<T[Key], undefined> } {
+  return Object.fromEntries(Object.entries(of).filter(([, value]) => value !== undefined)) as never;
+}
+
 /** Converts to a sequence, from anything that can be iterated and is not a text. @throws TypeError */
 export function sequence<T>(value: readonly T[], name: string): T[] {
   const isObject = typeof value === 'object' && value !== null;
