@@ -1,9 +1,11 @@
 import type { TimerProgram } from '../../program/index.js';
 import { byKey, Collection } from '../storage/collection.js';
 import type { Backup, Keeper } from '../storage/index.js';
-import { outdated } from './backup-thinning.js';
 
-/** What timers held before they were written, newest first. Thinned by age, see `outdated`. */
+/** The most backups that are kept: years of flying. The oldest go first. */
+const MOST = 1000;
+
+/** What timers held before they were written, newest first. */
 export class Backups extends Collection<Backup> {
   readonly #modelOf: () => string | null;
   /** The keys of the backups of the present timer. */
@@ -22,7 +24,7 @@ export class Backups extends Collection<Backup> {
     // The clock may have been ahead then: keys keep the order in which the backups were made.
     const newest = Date.parse(this.list.peek()[0]?.key.split('/')[0] ?? '');
     if (newest > this.#last) this.#last = newest;
-    this.#thin();
+    this.#deleteOldest();
   }
 
   /**
@@ -42,7 +44,7 @@ export class Backups extends Collection<Backup> {
     this.#ofTimer.add(key);
     const backup = { key, savedAt, reason, program, simulated, ...(model === null ? {} : { model }) };
     const isKept = await this.save(backup);
-    this.#thin();
+    this.#deleteOldest();
     return isKept;
   }
 
@@ -57,8 +59,12 @@ export class Backups extends Collection<Backup> {
     if (own.length > 0) void this.save(...own.map((each) => ({ ...each, model })));
   }
 
-  /** Deletes the outdated backups for good. */
-  #thin(): void {
-    void this.delete(...outdated(this.list.peek(), Date.now()).map(({ key }) => key));
+  #deleteOldest(): void {
+    void this.delete(
+      ...this.list
+        .peek()
+        .slice(MOST)
+        .map(({ key }) => key),
+    );
   }
 }
