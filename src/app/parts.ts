@@ -1,4 +1,3 @@
-import { fetchRule } from './records/recognition.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand, speaking } from './ui/on-demand.js';
 
@@ -36,6 +35,6 @@ export const fetchFiles = () => import('./all-else.js').then(speaking);
 export async function fetchParts(): Promise<void> {
   for (const file of allElse.isAskedFor ? [allElse, programFile] : [programFile, allElse]) await file.fetch();
   await figures.fetch();
-  // They are asked for again when they are needed, and then report what is wrong.
-  await Promise.all([fetchSimulated(), fetchRule()]).catch(() => {});
+  // It is asked for again when it is needed, and then reports what is wrong.
+  await fetchSimulated().catch(() => {});
 }

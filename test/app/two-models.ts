@@ -19,8 +19,11 @@ function programOf({ times, positions }: (typeof MAGPIE)[number], memory: number
   return { identity: IDENTITY, memory, times, positions: positions.map((row) => [...row]), idleThrottle: 30 };
 }
 
+/** What the timer of the Lancer holds in a memory. */
+export const lancerHeld = (memory: number): TimerProgram =>
+  programOf(LANCER[memory] as (typeof MAGPIE)[number], memory);
 /** What the timer of each model last held in M1. */
-export const LANCER_HELD = programOf(LANCER[0] as (typeof MAGPIE)[number], 0);
+export const LANCER_HELD = lancerHeld(0);
 export const MAGPIE_HELD = programOf(MAGPIE[0] as (typeof MAGPIE)[number], 0);
 /** A setting of each model. That of the Magpie is for its M2. */
 export const CALM = settingOf('calm', 'Lancer', LANCER_HELD);
@@ -56,9 +59,15 @@ export function twoModels(): MemoryStore {
 
 /** The page with both models, before anything is connected. The timer is that of the Lancer. */
 export async function lancerBench(store: MemoryStore = twoModels()): Promise<AppBench> {
+  const bench = await lancerStarted(store);
+  await run(bench.session.library.load());
+  return bench;
+}
+
+/** The same, before anything is read of the library. */
+export async function lancerStarted(store: MemoryStore): Promise<AppBench> {
   const bench = await appBench({ store, identity: IDENTITY });
   bench.timer.core.memories.splice(0, bench.timer.core.memories.length, ...structuredClone(LANCER));
-  await run(bench.session.library.load());
   return bench;
 }
 

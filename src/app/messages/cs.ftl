@@ -1447,7 +1447,6 @@ whichModel_recognition_dialog_moreMemories = Přečtěte i ostatní paměti: moh
 whichModel_recognition_dialog_none = Takový model této třídy není.
 whichModel_recognition_dialog_newModel = Nový model
 whichModel_recognition_dialog_keep = Uchovat jako nový model
-whichModel_recognition_dialog_taken = Model tohoto názvu už v seznamu je.
 whichModel_memoryNames_label = Název paměti { $memory }
 whichModel_memoryNames_give = Pojmenovat
 whichModel_crossing_title = Jsou to hodnoty modelu { $from }, ale tento časovač vypadá jako časovač modelu { $to }.

@@ -1410,7 +1410,6 @@ whichModel_recognition_dialog_moreMemories = Lesen Sie auch die anderen Speicher
 whichModel_recognition_dialog_none = Kein solches Modell dieser Klasse.
 whichModel_recognition_dialog_newModel = Ein neues Modell
 whichModel_recognition_dialog_keep = Als neues Modell behalten
-whichModel_recognition_dialog_taken = Ein Modell mit diesem Namen ist schon in der Liste.
 whichModel_memoryNames_label = Name von { $memory }
 whichModel_memoryNames_give = Benennen
 whichModel_crossing_title = Das sind Werte von { $from }, aber dieser Timer sieht aus wie der von { $to }.

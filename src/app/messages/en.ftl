@@ -1526,7 +1526,6 @@ whichModel_recognition_dialog_moreMemories = Read the other memories, too: they 
 whichModel_recognition_dialog_none = No such model of this class.
 whichModel_recognition_dialog_newModel = A new model
 whichModel_recognition_dialog_keep = Keep as a new model
-whichModel_recognition_dialog_taken = A model of this name is in the list already.
 whichModel_memoryNames_label = Name of { $memory }
 whichModel_memoryNames_give = Name
 # $to: the models to which the timer may belong.

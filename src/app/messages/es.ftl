@@ -1418,7 +1418,6 @@ whichModel_recognition_dialog_moreMemories = Lea también las otras memorias: pu
 whichModel_recognition_dialog_none = No hay tal modelo de esta clase.
 whichModel_recognition_dialog_newModel = Un modelo nuevo
 whichModel_recognition_dialog_keep = Conservar como modelo nuevo
-whichModel_recognition_dialog_taken = En la lista ya hay un modelo con este nombre.
 whichModel_memoryNames_label = Nombre de { $memory }
 whichModel_memoryNames_give = Nombre
 whichModel_crossing_title = Estos son valores de { $from }, pero este temporizador parece el de { $to }.

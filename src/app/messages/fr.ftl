@@ -1423,7 +1423,6 @@ whichModel_recognition_dialog_moreMemories = Lisez aussi les autres mémoires{"\
 whichModel_recognition_dialog_none = Aucun modèle correspondant dans cette classe.
 whichModel_recognition_dialog_newModel = Un nouveau modèle
 whichModel_recognition_dialog_keep = Conserver comme nouveau modèle
-whichModel_recognition_dialog_taken = Un modèle de ce nom est déjà dans la liste.
 whichModel_memoryNames_label = Nom de { $memory }
 whichModel_memoryNames_give = Nommer
 whichModel_crossing_title = Ce sont des valeurs du modèle { $from }, mais cette minuterie ressemble à celle du modèle { $to }.

@@ -1270,7 +1270,6 @@ whichModel_recognition_dialog_moreMemories = Olvassa ki a többi memóriát is: 
 whichModel_recognition_dialog_none = Nincs ilyen modell ebben az osztályban.
 whichModel_recognition_dialog_newModel = Új modell
 whichModel_recognition_dialog_keep = Megőrzés új modellként
-whichModel_recognition_dialog_taken = Ilyen nevű modell már van a listában.
 whichModel_memoryNames_label = { $memory } neve
 whichModel_memoryNames_give = Elnevezés
 whichModel_crossing_title = Ezek { $from } értékei, de ez az időzítő { $to } időzítőjének látszik.

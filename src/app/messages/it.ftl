@@ -1424,7 +1424,6 @@ whichModel_recognition_dialog_moreMemories = Leggere anche le altre memorie: pos
 whichModel_recognition_dialog_none = Nessun modello così di questa classe.
 whichModel_recognition_dialog_newModel = Un nuovo modello
 whichModel_recognition_dialog_keep = Conserva come nuovo modello
-whichModel_recognition_dialog_taken = Nell’elenco c’è già un modello con questo nome.
 whichModel_memoryNames_label = Nome di { $memory }
 whichModel_memoryNames_give = Nome
 whichModel_crossing_title = Questi sono valori di { $from }, ma questo timer sembra quello di { $to }.

@@ -1410,7 +1410,6 @@ whichModel_recognition_dialog_moreMemories = Lees ook de andere geheugens: missc
 whichModel_recognition_dialog_none = Zo’n model van deze klasse is er niet.
 whichModel_recognition_dialog_newModel = Een nieuw model
 whichModel_recognition_dialog_keep = Als nieuw model bewaren
-whichModel_recognition_dialog_taken = Een model met deze naam staat al in de lijst.
 whichModel_memoryNames_label = Naam van { $memory }
 whichModel_memoryNames_give = Benoemen
 whichModel_crossing_title = Dit zijn waarden van { $from }, maar deze timer lijkt op die van { $to }.

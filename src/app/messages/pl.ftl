@@ -1447,7 +1447,6 @@ whichModel_recognition_dialog_moreMemories = Odczytaj także inne pamięci: mog�
 whichModel_recognition_dialog_none = Nie ma takiego modelu tej klasy.
 whichModel_recognition_dialog_newModel = Nowy model
 whichModel_recognition_dialog_keep = Zachowaj jako nowy model
-whichModel_recognition_dialog_taken = Model o tej nazwie już jest na liście.
 whichModel_memoryNames_label = Nazwa pamięci { $memory }
 whichModel_memoryNames_give = Nazwij
 whichModel_crossing_title = To wartości modelu { $from }, ale ten timer wygląda na timer modelu { $to }.

@@ -1649,7 +1649,6 @@ export interface MoreSentences {
         readonly none: string;
         readonly newModel: string;
         readonly keep: string;
-        readonly taken: string;
       };
     };
     readonly or: (params: { readonly names: Text; readonly last: Text }) => string;

@@ -1452,7 +1452,6 @@ whichModel_recognition_dialog_moreMemories = Зчитайте й інші пам
 whichModel_recognition_dialog_none = Такої моделі цього класу немає.
 whichModel_recognition_dialog_newModel = Нова модель
 whichModel_recognition_dialog_keep = Лишити як нову модель
-whichModel_recognition_dialog_taken = Модель із такою назвою вже є у списку.
 whichModel_memoryNames_label = Назва { $memory }
 whichModel_memoryNames_give = Назвати
 whichModel_crossing_title = Це значення моделі { $from }, але цей таймер схожий на таймер моделі { $to }.

@@ -1,33 +1,22 @@
 import { useSignal } from '@preact/signals';
-import { useId } from 'preact/hooks';
 import { LIMITS, type Model } from '../../program/index.js';
 import { dayText, messages } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
-import { foldedText, searchFor } from '../messages/search.js';
-import type { FoundModel, PossibleModel, Recognition } from '../records/recognition.js';
+import type { FoundModel, Recognition } from '../records/recognition.js';
+import type { Candidate } from '../records/recognition-rule.js';
 import { CancelButton } from '../ui/form-buttons.js';
 import { Modal } from '../ui/modal.js';
 import './model-dialog.css';
 
-/** A list up to this length needs no search. */
-const SEARCHED = 8;
-
 /** The pilot says which model it is: one of the list, or a new one. */
 export function ModelDialog({ recognition }: { readonly recognition: Recognition }) {
   const { dialog } = moreMessages.value.whichModel.recognition;
-  const isAsked = recognition.tells.value && recognition.found.value?.kind !== 'same';
   return (
     <Modal open={recognition.choosing.value} title={dialog.title} onEscape={() => recognition.leave()}>
       <Choice recognition={recognition} />
       <NewModel recognition={recognition} />
       <div class="buttons">
-        {isAsked ? (
-          <button type="button" class="quiet" onClick={() => recognition.notNow()}>
-            {messages.value.notNow}
-          </button>
-        ) : (
-          <CancelButton onClick={() => recognition.leave()} />
-        )}
+        <CancelButton onClick={() => recognition.leave()} />
       </div>
     </Modal>
   );
@@ -35,7 +24,6 @@ export function ModelDialog({ recognition }: { readonly recognition: Recognition
 
 function Choice({ recognition }: { readonly recognition: Recognition }) {
   const { dialog } = moreMessages.value.whichModel.recognition;
-  const searched = useSignal('');
   const found = recognition.found.value;
   const possible = possibleOf(found);
   const near = new Map(possible.map((each) => [each.model.id, each]));
@@ -45,28 +33,15 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
     ...possible.flatMap(({ model }) => choices.filter(({ id }) => id === model.id)),
     ...choices.filter(({ id }) => !near.has(id)),
   ];
-  const isFound = searchFor(searched.value);
-  const shown = inOrder.filter(({ name }) => isFound(foldedText(name)));
   return (
     <>
       <p class="hint">{found?.kind === 'said' ? dialog.said({ model: found.model.name }) : dialog.lead}</p>
       {found?.kind === 'several' && <p class="hint">{dialog.moreMemories}</p>}
-      {inOrder.length > SEARCHED && (
-        <label class="field">
-          <span>{messages.value.label.search}</span>
-          <input
-            type="search"
-            value={searched.value}
-            autocomplete="off"
-            onInput={(event) => (searched.value = event.currentTarget.value)}
-          />
-        </label>
-      )}
       {inOrder.length === 0 ? (
         <p>{dialog.none}</p>
       ) : (
         <ul class="stack gap-1 model-choices" aria-label={moreMessages.value.library.models.title}>
-          {shown.map((model) => (
+          {inOrder.map((model) => (
             <Row
               key={model.id}
               model={model}
@@ -77,7 +52,6 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
           ))}
         </ul>
       )}
-      {inOrder.length > 0 && shown.length === 0 && <p role="status">{dialog.none}</p>}
     </>
   );
 }
@@ -85,7 +59,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
 interface RowProps {
   readonly model: Model;
   /** How well the reading fits this model; null when it says nothing. */
-  readonly near: PossibleModel | null;
+  readonly near: Candidate | null;
   readonly chosen: boolean;
   readonly onChoose: () => void;
 }
@@ -111,9 +85,7 @@ function Row({ model, near, chosen, onChoose }: RowProps) {
 function NewModel({ recognition }: { readonly recognition: Recognition }) {
   const { dialog } = moreMessages.value.whichModel.recognition;
   const name = useSignal('');
-  const note = useId();
   const wanted = name.value.trim();
-  const isTaken = recognition.choices.value.some((model) => model.name === wanted);
   return (
     <form
       class="row model-new"
@@ -130,15 +102,9 @@ function NewModel({ recognition }: { readonly recognition: Recognition }) {
           value={name.value}
           maxLength={LIMITS.name}
           autocomplete="off"
-          aria-describedby={isTaken ? note : undefined}
           onInput={(event) => (name.value = event.currentTarget.value)}
         />
       </label>
-      {isTaken && (
-        <p class="hint" id={note}>
-          {dialog.taken}
-        </p>
-      )}
       <button type="submit" disabled={wanted === ''}>
         {dialog.keep}
       </button>
@@ -146,7 +112,7 @@ function NewModel({ recognition }: { readonly recognition: Recognition }) {
   );
 }
 
-function possibleOf(found: FoundModel | null): readonly PossibleModel[] {
+function possibleOf(found: FoundModel | null): readonly Candidate[] {
   if (!found || found.kind === 'said') return [];
   return 'of' in found ? [found.of] : found.candidates;
 }

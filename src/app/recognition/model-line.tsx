@@ -1,7 +1,8 @@
 import { eitherOf } from '../messages/either.js';
 import { dayText, messages } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
-import type { FoundModel, PossibleModel, Recognition } from '../records/recognition.js';
+import type { FoundModel, Recognition } from '../records/recognition.js';
+import type { Candidate } from '../records/recognition-rule.js';
 import './model-line.css';
 
 /** How many candidates have a button. All of them are named. */
@@ -50,7 +51,7 @@ function saidOf(found: Exclude<FoundModel, { kind: 'said' }>): string {
 }
 
 /** The models that one press can choose. */
-function picksOf(found: Exclude<FoundModel, { kind: 'said' }>): readonly PossibleModel[] {
+function picksOf(found: Exclude<FoundModel, { kind: 'said' }>): readonly Candidate[] {
   if ('candidates' in found) return found.candidates;
   return found.kind === 'like' ? [found.of] : [];
 }

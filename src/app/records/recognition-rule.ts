@@ -1,4 +1,4 @@
-import type { TimerProgram } from '../../program/index.js';
+import type { Model, TimerProgram } from '../../program/index.js';
 import { slotCount } from '../../protocol/index.js';
 import { isOfOneShape } from '../editing/shape.js';
 
@@ -25,14 +25,14 @@ export interface HeldOnce {
 
 /** A model, as far as the rule looks at it. */
 export interface ModelHeld {
-  readonly key: string;
+  readonly model: Model;
   /** Each memory at most once. */
   readonly verified: readonly HeldOnce[];
 }
 
 /** A model that what was read may belong to. */
 export interface Candidate {
-  readonly key: string;
+  readonly model: Model;
   /** How many values differ, over the memories that were compared. */
   readonly differs: number;
   /** When what it was compared with was last seen, in milliseconds since 1970: the latest of them. */
@@ -42,7 +42,7 @@ export interface Candidate {
 /** Which model the timer belongs to, by what it holds. */
 export type Recognised =
   /** `same`: it holds what it held then. `like`: some values differ. */
-  | { readonly kind: 'same' | 'like'; readonly model: Candidate }
+  | { readonly kind: 'same' | 'like'; readonly model: Model; readonly of: Candidate }
   /** It may be any of these, two or more; the nearest first. */
   | { readonly kind: 'several'; readonly candidates: readonly Candidate[] }
   /** Nobody is named. It is like these in some memory; the nearest first, after them those that are excluded. */
@@ -63,7 +63,7 @@ interface Distance {
 
 /** A memory of a model beside the one that was read. */
 interface Compared {
-  readonly key: string;
+  readonly model: Model;
   readonly distance: Distance;
   readonly at: number;
   /** Whether what was read is nearer to it than to anything common. */
@@ -83,16 +83,16 @@ export function recognise(
 ): Recognised {
   const memories = read.map((program) => comparedWith(program, models, templates));
   const excluded = new Set(memories.flatMap(({ other }) => other));
-  const left = memories.map(({ like }) => like.filter(({ key }) => !excluded.has(key)));
-  const named = left.map(nearest).filter((keys) => keys.size > 0);
+  const left = memories.map(({ like }) => like.filter(({ model }) => !excluded.has(model.id)));
+  const named = left.map(nearest).filter((ids) => ids.size > 0);
   const candidates = candidatesOf(left);
   if (named.length === 0) {
-    const rest = candidatesOf(memories.map(({ like }) => like.filter(({ key }) => excluded.has(key))));
+    const rest = candidatesOf(memories.map(({ like }) => like.filter(({ model }) => excluded.has(model.id))));
     return { kind: 'unknown', candidates: [...candidates, ...rest] };
   }
-  const [one, ...more] = candidates.filter(({ key }) => named.every((keys) => keys.has(key)));
-  if (one && more.length === 0) return { kind: one.differs === 0 ? 'same' : 'like', model: one };
-  return { kind: 'several', candidates: candidates.filter(({ key }) => named.some((keys) => keys.has(key))) };
+  const [one, ...more] = candidates.filter(({ model }) => named.every((ids) => ids.has(model.id)));
+  if (one && more.length === 0) return { kind: one.differs === 0 ? 'same' : 'like', model: one.model, of: one };
+  return { kind: 'several', candidates: candidates.filter(({ model }) => named.some((ids) => ids.has(model.id))) };
 }
 
 /** One memory beside those of all models: which of them are like it, and which are not. */
@@ -111,31 +111,31 @@ function comparedWith(
   const limit = limitOf(read);
   const like: Compared[] = [];
   const other: string[] = [];
-  for (const { key, verified } of models) {
+  for (const { model, verified } of models) {
     const held = verified.find(({ program }) => isComparable(program, read));
     if (!held) continue;
     const distance = distanceOf(held.program, read);
-    if (distance.all > limit) other.push(key);
-    else like.push({ key, distance, at: held.at, tells: distance.trim < toCommon });
+    if (distance.all > limit) other.push(model.id);
+    else like.push({ model, distance, at: held.at, tells: distance.trim < toCommon });
   }
   return { like, other };
 }
 
-/** The models that a memory names. */
+/** The ids of the models that a memory names. */
 function nearest(like: readonly Compared[]): ReadonlySet<string> {
   const telling = like.filter(({ tells }) => tells).map(({ distance }) => distance.trim);
   if (telling.length === 0) return new Set();
   const most = Math.min(...telling) * ABOUT_AS_NEAR;
-  return new Set(like.filter(({ distance }) => distance.trim <= most).map(({ key }) => key));
+  return new Set(like.filter(({ distance }) => distance.trim <= most).map(({ model }) => model.id));
 }
 
 /** Each model that is like some of the memories, and unlike none; the nearest first. */
 function candidatesOf(memories: readonly (readonly Compared[])[]): Candidate[] {
   const all = new Map<string, Candidate & { compared: number }>();
-  for (const { key, distance, at } of memories.flat()) {
-    const before = all.get(key) ?? { key, differs: 0, at: 0, compared: 0 };
-    all.set(key, {
-      key,
+  for (const { model, distance, at } of memories.flat()) {
+    const before = all.get(model.id) ?? { model, differs: 0, at: 0, compared: 0 };
+    all.set(model.id, {
+      model,
       differs: before.differs + distance.all,
       at: Math.max(before.at, at),
       compared: before.compared + 1,
@@ -143,7 +143,7 @@ function candidatesOf(memories: readonly (readonly Compared[])[]): Candidate[] {
   }
   return [...all.values()]
     .sort((a, b) => b.compared - a.compared || a.differs - b.differs || b.at - a.at)
-    .map(({ key, differs, at }) => ({ key, differs, at }));
+    .map(({ model, differs, at }) => ({ model, differs, at }));
 }
 
 /** Of one memory of timers of one class, firmware and layout. */

@@ -7,23 +7,14 @@ import type { FreshReading, Knowledge } from '../timer/knowledge.js';
 import type { Link } from '../timer/link.js';
 import { kindKey } from '../timer/record-keys.js';
 import { emptyModel, type Library, newId } from './library.js';
-import type { HeldOnce, Recognised } from './recognition-rule.js';
-
-/** A model to which the timer may belong, and how many values differ from what its timer last held. */
-export interface PossibleModel {
-  readonly model: Model;
-  readonly differs: number;
-  /** When that was last seen, in milliseconds since 1970. */
-  readonly at: number;
-}
+import { type HeldOnce, type Recognised, recognise } from './recognition-rule.js';
 
 /** The model of the connected timer. */
 export type FoundModel =
   /** As the pilot has said on this connection. */
   | { readonly kind: 'said'; readonly model: Model }
-  /** As its content shows: see `recognise`. */
-  | { readonly kind: 'same' | 'like'; readonly model: Model; readonly of: PossibleModel }
-  | { readonly kind: 'several' | 'unknown'; readonly candidates: readonly PossibleModel[] };
+  /** As its content shows. */
+  | Recognised;
 
 interface RecognitionParts {
   readonly library: Library;
@@ -63,8 +54,6 @@ export class Recognition {
   readonly #said = signal<string | null>(null, { name: 'saidModel' });
   readonly #notNow = signal(false, { name: 'notNow' });
   readonly #timer = signal(0, { name: 'timer' });
-  /** Loaded when the first timer comes. */
-  readonly #rule = signal<typeof import('./recognition-rule.js') | null>(null, { name: 'rule' });
   readonly #choosing = signal(false, { name: 'choosing' });
 
   constructor(parts: RecognitionParts) {
@@ -74,28 +63,19 @@ export class Recognition {
     const { connection, simulated } = parts.link;
     const recognised = computed((): Recognised | null => {
       const read = this.#evidence.value;
-      const rule = this.#rule.value;
-      if (!rule || !connection.value || read.length === 0 || !library.models.loaded.value) return null;
+      if (!connection.value || read.length === 0 || !library.models.loaded.value) return null;
       const isSimulated = simulated.value;
       const models = library.models.list.value.map((record) => ({
-        key: record.key,
+        model: record.model,
         verified: (this.#before.value.get(record.key) ?? record.verified).filter(
           (held) => (held.simulated ?? false) === isSimulated,
         ),
       }));
-      return rule.recognise(read, models, templatesFor(connection.value.identity));
+      return recognise(read, models, templatesFor(connection.value.identity));
     });
     this.found = computed(() => {
-      const result = recognised.value;
       const said = library.models.get(this.#said.value)?.model;
-      if (connection.value && said) return { kind: 'said', model: said };
-      if (!result) return null;
-      if ('model' in result) {
-        const of = this.#possible(result.model);
-        return of && { kind: result.kind, model: of.model, of };
-      }
-      const candidates = result.candidates.map((each) => this.#possible(each)).filter((each) => each !== null);
-      return { kind: result.kind, candidates };
+      return connection.value && said ? { kind: 'said', model: said } : recognised.value;
     });
     this.model = computed(() => {
       const found = this.found.value;
@@ -111,7 +91,9 @@ export class Recognition {
     this.choices = computed(() => {
       const identity = connection.value?.identity;
       if (!identity) return [];
-      return library.models.list.value.filter((record) => canBe(record, identity, simulated.value)).map(modelOf);
+      return library.models.list.value
+        .filter((record) => canBe(record, identity, simulated.value))
+        .map(({ model }) => model);
     });
     connection.subscribe((timer) => timer && this.#timerCame());
     knowledge.onRead((reading) => this.#wasRead(reading));
@@ -126,12 +108,6 @@ export class Recognition {
   #timerCame(): void {
     this.#forget([]);
     void this.#parts.library.models.load();
-    // Without the rule the pilot can still say which model it is.
-    if (!this.#rule.peek())
-      void fetchRule().then(
-        (rule) => (this.#rule.value = rule),
-        () => {},
-      );
   }
 
   /** The pilot says that the timer belongs to this model. */
@@ -155,10 +131,7 @@ export class Recognition {
 
   /** The pilot has read the message, or does not want the question: neither comes again on this connection. */
   notNow(): void {
-    batch(() => {
-      this.#notNow.value = true;
-      this.#choosing.value = false;
-    });
+    this.#notNow.value = true;
   }
 
   /** The pilot wants to say which model it is, for the first time or again. */
@@ -202,11 +175,6 @@ export class Recognition {
     });
   }
 
-  #possible({ key, differs, at }: { key: string; differs: number; at: number }): PossibleModel | null {
-    const model = this.#parts.library.models.get(key)?.model;
-    return model ? { model, differs, at } : null;
-  }
-
   /** Keeps what a model's timer holds with the model, unless that is known already. */
   async #learn(key: string, held: readonly HeldOnce[]): Promise<void> {
     const { library, link } = this.#parts;
@@ -218,9 +186,6 @@ export class Recognition {
     await library.keepModel(record.model, { verified });
   }
 }
-
-/** Loads the rule. Nothing of it is needed before a timer is connected. */
-export const fetchRule = () => import('./recognition-rule.js');
 
 /** What is known about the memories, updated with what they hold now; the same list if nothing is new. */
 function withHeld(
@@ -251,8 +216,4 @@ function templatesFor({ timerClass, functions, servos }: Identity): readonly Tim
   const known = CLASSES.find((each) => each === timerClass);
   if (!known) return [];
   return (['usual', 'nothing'] as const).map((from) => newProgram({ timerClass: known, functions, servos, from }));
-}
-
-function modelOf({ model }: ModelRecord): Model {
-  return model;
 }

@@ -17,8 +17,6 @@ import {
   type Storage,
   type Unfinished,
 } from '../../../src/app/storage/index.js';
-// Loaded before anybody asks for it: time stands still in these tests.
-import '../../../src/app/records/recognition-rule.js';
 import type { Plan } from '../../../src/app/write/plan.js';
 import { MockSerial } from '../../../src/mock-serial/index.js';
 import type { ProgramField } from '../../../src/program/index.js';

@@ -2,31 +2,24 @@ import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import type { ModelRecord } from '../../../src/app/storage/index.js';
 import type { TimerProgram } from '../../../src/program/index.js';
-import { exampleMemories } from '../../../src/simulator/index.js';
-import { MODEL } from '../../program/library-examples.js';
 import { en } from '../../tools/en.js';
-import { type AppBench, appBench, idle, MemoryStore } from '../bench/bench.js';
+import { type AppBench, idle, MemoryStore } from '../bench/bench.js';
 import { button, drawn, goTo, press } from '../screen.js';
+import { LANCER_HELD, lancerStarted, modelOf } from '../two-models.js';
 
-const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
-const HELD = exampleMemories('Q').map(
-  ({ times, positions }, memory): TimerProgram => ({ identity: IDENTITY, memory, times, positions, idleThrottle: 30 }),
-);
 const THEN = new Date(2025, 10, 12, 14, 32).getTime();
 
 function record(name: string, program?: TimerProgram): ModelRecord {
+  const { model, ...rest } = modelOf(name, LANCER_HELD);
   const verified = program ? [{ program, at: THEN }] : [];
-  return { key: name, changedAt: 1, verified, model: { ...MODEL, id: name, name, memoryNames: ['calm'] } };
+  return { ...rest, verified, model: { ...model, memoryNames: ['calm'] } };
 }
 
 /** After Connect, on a device that keeps these models. */
 async function withModels(...models: readonly ModelRecord[]): Promise<AppBench> {
   const store = new MemoryStore();
   for (const model of models) store.models.records.set(model.key, model);
-  const bench = await appBench({ store, identity: IDENTITY });
-  const memories = HELD.map(({ times, positions }) => ({ times: [...times], positions: structuredClone(positions) }));
-  bench.timer.core.memories.splice(0, 4, ...(memories as typeof bench.timer.core.memories));
-  await drawn(bench);
+  const bench = await drawn(await lancerStarted(store));
   await press('Connect');
   return bench;
 }
@@ -36,7 +29,7 @@ const list = () => within(screen.getByRole('dialog', { name: en.whichModel.recog
 
 describe('the line about the model', () => {
   it('is its name and the day, shown once', async () => {
-    await withModels(record('Lancer 07', HELD[0]));
+    await withModels(record('Lancer 07', LANCER_HELD));
     expect(line()).toBe('This is Lancer 07, as seen 12\u00a0Nov\u00a02025.');
     await press('OK');
     expect(line()).toBeUndefined();
@@ -44,7 +37,7 @@ describe('the line about the model', () => {
   });
 
   it('is a question when some values differ, and Yes answers it', async () => {
-    const changed = { ...HELD[0], times: HELD[0]?.times.with(10, 24_000).with(0, 900) } as TimerProgram;
+    const changed = { ...LANCER_HELD, times: LANCER_HELD.times.with(10, 24_000).with(0, 900) };
     const { session } = await withModels(record('Lancer 07', changed));
     expect(line()).toBe('This is like Lancer 07, 2 values differ. Is it Lancer 07?');
     await press('Yes, Lancer 07');
@@ -52,14 +45,14 @@ describe('the line about the model', () => {
   });
 
   it('names all candidates, and a click chooses one', async () => {
-    const { session } = await withModels(record('One', HELD[0]), record('Two', HELD[0]), record('Three'));
+    const { session } = await withModels(record('One', LANCER_HELD), record('Two', LANCER_HELD), record('Three'));
     expect(line()).toBe('This may be One or Two. Which model is it?');
     await press('Two');
     expect(session.origin.timer.value?.name).toBe('Two');
   });
 
   it('is short when hundreds hold the same, also with one name; the list has all of them', async () => {
-    const many = Array.from({ length: 300 }, (_, at) => ({ ...record(`m${at}`, HELD[0]), order: at }));
+    const many = Array.from({ length: 300 }, (_, at) => record(`m${at}`, LANCER_HELD));
     await withModels(...many.map((each) => ({ ...each, model: { ...each.model, name: 'Lancer' } })));
     expect(line()).toBe('This may be Lancer, Lancer, Lancer, Lancer, Lancer or 295 more. Which model is it?');
     await press(en.whichModel.recognition.choose);
@@ -79,18 +72,15 @@ describe('the line about the model', () => {
     expect(screen.queryByRole('dialog')).toBeNull();
   });
 
-  it('opens a list: the candidates first, then all others, with a search', async () => {
+  it('opens a list: the candidates first, then all others', async () => {
     const others = Array.from({ length: 12 }, (_, at) => record(`Model ${at}`));
-    const { session } = await withModels(...others, record('Two', HELD[0]), record('One', HELD[0]));
+    const { session } = await withModels(...others, record('Two', LANCER_HELD), record('One', LANCER_HELD));
     await press(en.whichModel.recognition.choose);
     const names = () =>
       list()
         .getAllByRole('listitem')
         .map((item) => item.querySelector('strong')?.textContent);
     expect(names().slice(0, 3)).toEqual(['One', 'Two', 'Model 0']);
-    fireEvent.input(list().getByRole('searchbox', { name: 'Search' }), { target: { value: 'MODEL 11' } });
-    await idle(0);
-    expect(names()).toEqual(['Model 11']);
     await press('Model 11');
     expect(session.origin.timer.value?.name).toBe('Model 11');
     // Corrected at any time.
@@ -103,8 +93,9 @@ describe('the line about the model', () => {
     const { session } = await withModels(record('Three'));
     expect(line()).toBe(en.whichModel.recognition.unknown);
     await press('Choose…');
-    fireEvent.click(list().getByRole('button', { name: 'Not now' }));
+    fireEvent.click(list().getByRole('button', { name: 'Cancel' }));
     await idle(0);
+    await press('Not now');
     await press('Read again');
     expect([line(), session.origin.timer.value]).toEqual([undefined, null]);
   });
@@ -112,14 +103,14 @@ describe('the line about the model', () => {
 
 describe('the names of the memories', () => {
   it('stand beside their numbers', async () => {
-    await withModels(record('Lancer 07', HELD[0]));
+    await withModels(record('Lancer 07', LANCER_HELD));
     expect(screen.getByRole('radio', { name: 'M1 “calm”, flies next' })).toBeTruthy();
     await goTo('memories');
     expect(screen.getByRole('textbox', { name: 'Name of M1' })).toHaveProperty('value', 'calm');
   });
 
   it('are changed at the cards, and kept with the model', async () => {
-    const { store } = await withModels(record('Lancer 07', HELD[0]));
+    const { store } = await withModels(record('Lancer 07', LANCER_HELD));
     await goTo('memories');
     const input = screen.getByRole('textbox', { name: 'Name of M4' });
     fireEvent.input(input, { target: { value: ' fly-off ' } });
@@ -133,7 +124,7 @@ describe('the names of the memories', () => {
   });
 
   it('stay as they are after Escape', async () => {
-    const { store } = await withModels(record('Lancer 07', HELD[0]));
+    const { store } = await withModels(record('Lancer 07', LANCER_HELD));
     await goTo('memories');
     const input = screen.getByRole('textbox', { name: 'Name of M1' });
     fireEvent.input(input, { target: { value: 'windy' } });
@@ -145,7 +136,7 @@ describe('the names of the memories', () => {
   });
 
   it('are kept when the page goes while they are typed, and are not ended by a key for the keyboard itself', async () => {
-    const { store } = await withModels(record('Lancer 07', HELD[0]));
+    const { store } = await withModels(record('Lancer 07', LANCER_HELD));
     await goTo('memories');
     const input = screen.getByRole('textbox', { name: 'Name of M4' });
     fireEvent.input(input, { target: { value: '微風' } });

@@ -1,61 +1,19 @@
 import { describe, expect, it } from 'vitest';
 import type { ModelRecord } from '../../../src/app/storage/index.js';
-import type { TimerProgram } from '../../../src/program/index.js';
-import { exampleMemories } from '../../../src/simulator/index.js';
-import { MODEL } from '../../program/library-examples.js';
-import {
-  type AppBench,
-  appBench,
-  connectedBench,
-  goOn,
-  idle,
-  MemoryStore,
-  reloaded,
-  review,
-  run,
-} from '../bench/bench.js';
+import type { Model } from '../../../src/program/index.js';
+import { type AppBench, goOn, idle, MemoryStore, reloaded, review, run } from '../bench/bench.js';
+import { exchange, LANCER_HELD, lancerHeld, lancerStarted, modelOf, THEN } from '../two-models.js';
 
-const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
-const THEN = 1_795_000_000_000;
-/** What the timer holds. */
-const HELD = exampleMemories('Q').map(
-  ({ times, positions }, memory): TimerProgram => ({
-    identity: IDENTITY,
-    memory,
-    times,
-    positions,
-    idleThrottle: 30,
-  }),
-);
-/** What another one holds: nobody would trim that. */
-const OTHER = exampleMemories('Q').map(({ times, positions }) => ({
-  times: times.map((time) => time + 5),
-  positions: positions.map((row) => row.map((position, slot) => position + (slot % 3))),
-}));
-
-function record(name: string, verified: ModelRecord['verified'] = []): ModelRecord {
-  return { key: name, changedAt: THEN, verified, model: { ...MODEL, id: name, name, memoryNames: [] } };
-}
-
-const held = (...memories: number[]) => memories.map((memory) => ({ program: HELD[memory] as TimerProgram, at: THEN }));
+const record = (name: string, verified: ModelRecord['verified'] = []): ModelRecord => ({
+  ...modelOf(name, LANCER_HELD),
+  verified,
+});
+const held = (...memories: number[]) => memories.map((memory) => ({ program: lancerHeld(memory), at: THEN }));
 
 async function benchWith(...models: readonly ModelRecord[]): Promise<AppBench> {
   const store = new MemoryStore();
   for (const model of models) store.models.records.set(model.key, model);
-  return filled(await appBench({ store, identity: IDENTITY }));
-}
-
-function filled(
-  bench: AppBench,
-  memories: readonly { times: number[]; positions: number[][] }[] = held(0, 1, 2, 3).map(contentOf),
-) {
-  const { core } = bench.timer;
-  core.memories.splice(0, core.memories.length, ...structuredClone([...memories]));
-  return bench;
-}
-
-function contentOf({ program }: { program: TimerProgram }) {
-  return { times: [...program.times], positions: program.positions.map((row) => [...row]) };
+  return lancerStarted(store);
 }
 
 function nameOf({ session }: AppBench): string | null {
@@ -77,13 +35,13 @@ describe('a timer that holds what a model held', () => {
 
   it('no longer belongs to the model when another memory says something else', async () => {
     const bench = await benchWith(
-      record('Lancer 07', [...held(0), { program: { ...HELD[3], memory: 1 } as TimerProgram, at: THEN }]),
+      record('Lancer 07', [...held(0), { program: { ...lancerHeld(3), memory: 1 }, at: THEN }]),
     );
     await run(bench.session.timer.connect());
     expect(nameOf(bench)).toBe('Lancer 07');
     await run(bench.memories.readOnce(1));
     expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
-    expect(bench.store.models.records.get('Lancer 07')?.verified[1]?.program.times).toEqual(HELD[3]?.times);
+    expect(bench.store.models.records.get('Lancer 07')?.verified[1]?.program.times).toEqual(lancerHeld(3).times);
   });
 
   it('adds to the model what its other memories hold', async () => {
@@ -138,34 +96,12 @@ describe('a timer that is not known', () => {
     const { recognition } = bench.session;
     expect([kindOf(bench), nameOf(bench), recognition.tells.value]).toEqual(['unknown', null, true]);
     expect(recognition.choices.value.map(({ name }) => name)).toEqual(['Magpie', 'Swift']);
-    recognition.say(recognition.choices.value[1] as typeof MODEL);
+    recognition.say(recognition.choices.value[1] as Model);
     expect([kindOf(bench), nameOf(bench), recognition.tells.value]).toEqual(['said', 'Swift', false]);
     await idle();
     const again = await reloaded(bench);
     await run(again.session.timer.connect());
     expect([kindOf(again), nameOf(again)]).toEqual(['same', 'Swift']);
-  });
-
-  it('does not bring the question again after “Not now”', async () => {
-    const bench = await benchWith(record('Magpie'));
-    await run(bench.session.timer.connect());
-    bench.session.recognition.notNow();
-    await run(bench.session.reader.read());
-    expect(bench.session.recognition.tells.value).toBe(false);
-  });
-
-  it('can belong to a new model', async () => {
-    const bench = await benchWith();
-    await run(bench.session.timer.connect());
-    expect(bench.session.recognition.tells.value).toBe(false);
-    await run(bench.session.recognition.sayNew('Lancer 08'));
-    await idle();
-    expect(nameOf(bench)).toBe('Lancer 08');
-    const [kept] = [...bench.store.models.records.values()];
-    expect(kept).toMatchObject({
-      model: { name: 'Lancer 08', timerClass: 'Q' },
-      verified: [{ program: { memory: 0 } }],
-    });
   });
 
   it('cannot belong to a model of another class, or to an archived one', async () => {
@@ -179,22 +115,13 @@ describe('a timer that is not known', () => {
     await run(bench.session.timer.connect());
     expect(bench.session.recognition.choices.value.map(({ name }) => name)).toEqual(['Magpie']);
   });
-
-  it('may belong to several: all are named, and none is chosen', async () => {
-    const bench = await benchWith(record('One', held(0)), record('Two', held(0)));
-    await run(bench.session.timer.connect());
-    expect([kindOf(bench), nameOf(bench)]).toEqual(['several', null]);
-    expect(bench.session.recognition.found.value).toMatchObject({
-      candidates: [{ model: { name: 'One' } }, { model: { name: 'Two' } }],
-    });
-  });
 });
 
 describe('another timer in the place of the first, and the connection stays', () => {
   it('no longer belongs to the model after the next reading', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)), record('Magpie'));
     await run(bench.session.timer.connect());
-    filled(bench, OTHER);
+    exchange(bench);
     await run(bench.session.reader.read());
     expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
     expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(held(0));
@@ -203,19 +130,18 @@ describe('another timer in the place of the first, and the connection stays', ()
   it('cancels what the pilot has said of the first', async () => {
     const bench = await benchWith(record('Lancer 07'), record('Magpie'));
     await run(bench.session.timer.connect());
-    bench.session.recognition.say(bench.session.recognition.choices.value[1] as typeof MODEL);
+    bench.session.recognition.say(bench.session.recognition.choices.value[1] as Model);
     await idle();
-    filled(bench, OTHER);
+    exchange(bench);
     await run(bench.session.reader.read());
     expect([kindOf(bench), nameOf(bench), bench.session.recognition.tells.value]).toEqual(['unknown', null, true]);
-    expect(bench.store.models.records.get('Magpie')?.verified[0]?.program.times).toEqual(HELD[0]?.times);
+    expect(bench.store.models.records.get('Magpie')?.verified[0]?.program.times).toEqual(LANCER_HELD.times);
   });
 
   it('brings the question when only one value differs: it may be the same timer or a similar one', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
     await run(bench.session.timer.connect());
-    const [first, ...rest] = held(0, 1, 2, 3).map(contentOf);
-    filled(bench, [{ ...first, times: first?.times.with(10, 24_000) } as NonNullable<typeof first>, ...rest]);
+    (bench.timer.core.memories[0]?.times as number[])[10] = 24_000;
     await run(bench.session.reader.read());
     expect([kindOf(bench), nameOf(bench)]).toEqual(['like', 'Lancer 07']);
     expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(held(0));
@@ -225,7 +151,7 @@ describe('another timer in the place of the first, and the connection stays', ()
     const bench = await benchWith(record('Lancer 07', held(0)));
     await run(bench.session.timer.connect());
     bench.adapter.unplug();
-    filled(bench, OTHER);
+    exchange(bench);
     bench.adapter.replug();
     await idle();
     expect([bench.session.connection.value !== null, kindOf(bench), nameOf(bench)]).toEqual([true, 'unknown', null]);
@@ -248,7 +174,7 @@ describe('a library that changes, or does not come', () => {
   it('forgets the answer of the pilot with the model', async () => {
     const bench = await benchWith(record('Magpie'));
     await run(bench.session.timer.connect());
-    bench.session.recognition.say(bench.session.recognition.choices.value[0] as typeof MODEL);
+    bench.session.recognition.say(bench.session.recognition.choices.value[0] as Model);
     await idle();
     await run(bench.session.library.change({ models: { gone: ['Magpie'] } }));
     expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
@@ -260,7 +186,7 @@ describe('a library that changes, or does not come', () => {
     let answer = (): void => {};
     const all = store.models.all.bind(store.models);
     store.models.all = () => new Promise((resolve) => (answer = () => void all().then(resolve)));
-    const bench = filled(await appBench({ store, identity: IDENTITY }));
+    const bench = await lancerStarted(store);
     await run(bench.session.timer.connect());
     expect([bench.editor.working.value?.memory, kindOf(bench)]).toEqual([0, null]);
     await idle();
@@ -271,15 +197,6 @@ describe('a library that changes, or does not come', () => {
     await idle();
     expect([kindOf(bench), nameOf(bench)]).toEqual(['same', 'Lancer 07']);
   });
-
-  it('keeps the answer of the pilot on the screen when the browser keeps nothing', async () => {
-    const bench = await benchWith();
-    await run(bench.session.timer.connect());
-    bench.store.broken = true;
-    await run(bench.session.recognition.sayNew('Lancer 08'));
-    await idle();
-    expect(nameOf(bench)).toBe('Lancer 08');
-  });
 });
 
 describe('simulated timers', () => {
@@ -288,7 +205,7 @@ describe('simulated timers', () => {
     const simulated = held(0).map((each) => ({ ...each, simulated: true }));
     store.models.records.set('Lancer 07', record('Lancer 07', held(0)));
     store.models.records.set('Play', record('Play', simulated));
-    const real = filled(await appBench({ store, identity: IDENTITY }));
+    const real = await lancerStarted(store);
     await run(real.session.timer.connect());
     expect([nameOf(real), real.session.recognition.choices.value.map(({ name }) => name)]).toEqual([
       'Lancer 07',
@@ -302,9 +219,4 @@ describe('simulated timers', () => {
     const toy = [...store.models.records.values()].find(({ model }) => model.name === 'Toy');
     expect(toy?.verified).toMatchObject([{ simulated: true }]);
   });
-});
-
-it('there is no model before a timer is connected and read', async () => {
-  const bench = await connectedBench({ identity: IDENTITY });
-  expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
 });
