@@ -1,8 +1,6 @@
-import { useSignal } from '@preact/signals';
-import { useEffect, useId, useRef } from 'preact/hooks';
-import { on } from '../browser/lifecycle.js';
+import { useId } from 'preact/hooks';
 import { moreMessages } from '../messages/more.js';
-import { useUnsaved } from '../ui/unsaved.js';
+import { useKeptText } from '../ui/kept-text.js';
 
 interface TextFieldProps {
   readonly label: string;
@@ -17,61 +15,23 @@ interface TextFieldProps {
   readonly required?: boolean;
 }
 
-/**
- * How long after the last key a text is saved, in milliseconds. It is also saved when the page or the field goes away.
- */
-const REST = 600;
-
-const asTyped = (text: string): string => text;
-
-/** A text of the library that is saved while it is typed. */
-export function TextField(props: TextFieldProps) {
-  const { label, value, longest, lines, required, asKept = asTyped } = props;
-  const words = moreMessages.value.library;
+/** A text of the library. */
+export function TextField({ label, value, longest, onSave, asKept = (text) => text, lines, required }: TextFieldProps) {
   const id = useId();
-  /** The typed text; null while the library's text is shown. */
-  const typed = useSignal<string | null>(null);
-  const rest = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
-  const latest = useRef(props);
-  latest.current = props;
-  const keep = (): void => {
-    clearTimeout(rest.current);
-    const { value: held, required: must, onSave: save, asKept = asTyped } = latest.current;
-    const now = typed.peek();
-    if (now === null) return;
-    const kept = asKept(now);
-    if (must && kept === '') return;
-    if (held !== kept) save(kept);
-  };
-  const leave = (): void => {
-    keep();
-    typed.value = null;
-  };
-  useEffect(() => {
-    const end = on('hide', keep);
-    return () => {
-      end();
-      keep();
-    };
-  }, []);
-  const given = {
-    id,
-    maxLength: longest,
-    value: typed.value ?? value,
-    onInput: (event: { readonly currentTarget: { readonly value: string } }): void => {
-      typed.value = event.currentTarget.value;
-      clearTimeout(rest.current);
-      rest.current = setTimeout(keep, REST);
-    },
-    onBlur: leave,
-  };
-  // A reload would take the field from under the pilot's fingers.
-  useUnsaved(typed.value !== null);
+  const isMissing = (text: string): boolean => required === true && asKept(text) === '';
+  const { given } = useKeptText(value, (text) => {
+    const kept = asKept(text);
+    if (!isMissing(text) && kept !== value) onSave(kept);
+  });
   return (
     <div class="field">
       <label for={id}>{label}</label>
-      {lines ? <textarea {...given} rows={lines} /> : <input type="text" {...given} autocomplete="off" />}
-      {required && typed.value !== null && asKept(typed.value) === '' && <p class="bad-text">{words.nameNeeded}</p>}
+      {lines ? (
+        <textarea id={id} maxLength={longest} {...given} rows={lines} />
+      ) : (
+        <input id={id} type="text" maxLength={longest} {...given} />
+      )}
+      {isMissing(given.value) && <p class="bad-text">{moreMessages.value.library.nameNeeded}</p>}
     </div>
   );
 }
