@@ -28,7 +28,7 @@ it('what is typed about a setting at last is there after a reload, and what was 
   await makeSetting(app, 'fly-off, calm');
   const page = app.page.getByRole('article', { name: 'fly-off, calm' });
   const note = page.getByRole('textbox', { name: 'Note' });
-  // At once, because the last text waits for a pause before it is stored.
+  // At once: the field is not left.
   await note.fill('opens well, in wind too');
   await app.reload();
   await page.waitFor();

@@ -1,11 +1,11 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { expect, it, onTestFinished, vi } from 'vitest';
+import { expect, it, vi } from 'vitest';
 import { dateText, messages } from '../../../src/app/messages/index.js';
 import { SHAPES } from '../../../src/app/ui/shapes.js';
 import type { Setting } from '../../../src/program/index.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, idle, run } from '../bench/bench.js';
-import { button, goTo, opened, press, type } from '../screen.js';
+import { button, goTo, inWindow, opened, press, type } from '../screen.js';
 import { stored } from './stored.js';
 
 /** The page with a small library, at a place in it. */
@@ -174,14 +174,7 @@ it('a setting that is deleted while its note is typed comes back to its place wi
 });
 
 it('a phone saves a program from what the strip opens', async () => {
-  const real = window.matchMedia;
-  onTestFinished(() => {
-    window.matchMedia = real;
-  });
-  window.matchMedia = ((query: string) => ({
-    ...real.call(window, query),
-    matches: query.includes(SHAPES.phone),
-  })) as typeof real;
+  inWindow((query) => query.includes(SHAPES.phone));
   await at('model-0/setting-0');
   await press(messages.value.open);
   expect(

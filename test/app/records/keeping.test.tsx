@@ -224,6 +224,11 @@ describe('an unreadable record', () => {
 
 describe('everything on this device', () => {
   const dialog = () => within(screen.getByRole('dialog', { name: /^Delete everything/ }));
+  const ask = async ({ models }: AppBench): Promise<void> => {
+    render(<App models={models} />);
+    act(() => models.views.show('settings'));
+    await press(en.erase.open);
+  };
 
   it('waits for a job, so that no note of a write goes before its end was seen', async () => {
     const reload = vi.fn();
@@ -245,19 +250,12 @@ describe('everything on this device', () => {
     const eraser = (name: string) => async () => void done.push(name);
     const erasers = { settings: eraser('settings'), ports: eraser('ports'), offline: eraser('offline') };
     const bench = await connectedBench({ reload, erasers });
-    bench.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
-    await idle();
-    render(<App models={bench.models} />);
-    act(() => bench.models.views.show('settings'));
-    await press(en.erase.open);
-    expect(dialog().getByText(en.erase.lead)).toBeTruthy();
+    await ask(bench);
     expect(dialog().queryByRole('alert')).toBeNull();
-    const before = [bench.store.drafts.records.size, reload.mock.calls.length];
-    expect(before, 'nothing is deleted before the answer').toEqual([1, 0]);
+    expect([bench.store.ports.records.size, done, reload.mock.calls.length], 'before the answer').toEqual([1, [], 0]);
     await press(en.erase.start);
     await idle();
-    expect([bench.store.drafts.records.size, bench.store.ports.records.size]).toEqual([0, 0]);
-    expect(done).toEqual(['settings', 'ports', 'offline']);
+    expect([bench.store.ports.records.size, done]).toEqual([0, ['settings', 'ports', 'offline']]);
     expect([reload.mock.calls.length, bench.session.link.state.value.status]).toEqual([1, 'off']);
   });
 
@@ -269,9 +267,7 @@ describe('everything on this device', () => {
     await bench.session.knowledge.begin(baseline.value, { ...baseline.value, times });
     bench.session.knowledge.jobOver();
     await run(bench.session.timer.disconnect());
-    render(<App models={bench.models} />);
-    act(() => bench.models.views.show('settings'));
-    await press(en.erase.open);
+    await ask(bench);
     expect(dialog().getByRole('alert').textContent).toBe(en.erase.uncertain);
   });
 
@@ -281,9 +277,7 @@ describe('everything on this device', () => {
     const erasers = { settings: fine, ports: () => new Promise<void>(() => {}), offline: fails };
     const bench = await appBench({ reload, erasers });
     bench.store.broken = true;
-    render(<App models={bench.models} />);
-    act(() => bench.models.views.show('settings'));
-    await press(en.erase.open);
+    await ask(bench);
     await press(en.erase.start);
     await idle();
     expect(dialog().getByRole('alert').textContent).toBe(en.erase.failed);

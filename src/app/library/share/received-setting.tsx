@@ -1,13 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
-import {
-  decodeLink,
-  differences,
-  type Setting,
-  type SharedSetting,
-  sameKind,
-  type TimerProgram,
-} from '../../../program/index.js';
+import { decodeLink, type Setting, type SharedSetting } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
 import { apart } from '../../messages/apart.js';
 import { dotted } from '../../messages/dotted.js';
@@ -16,6 +9,7 @@ import { moreMessages } from '../../messages/more.js';
 import { servoName, timerText } from '../../messages/names.js';
 import { emptyModel, newId } from '../../records/library.js';
 import { plainName, withPlainNames } from '../../records/plain-names.js';
+import { hasSameValues } from '../../records/versions.js';
 import type { ModelRecord } from '../../storage/index.js';
 import { Choice } from '../../ui/choice.js';
 import { Problem } from '../../ui/problem.js';
@@ -69,7 +63,7 @@ function Shown(props: ReceivedSettingProps & { readonly shared: SharedSetting })
   const models = library.models.list.value.filter(({ model }) => !model.archived);
   const place = chosen.value === undefined ? placeFor(modelName, models) : chosen.value;
   const known = library.settings.list.value.find(
-    ({ setting }) => setting.name === shared.name && isSame(setting.program, program),
+    ({ setting }) => setting.name === shared.name && hasSameValues(setting.program, program),
   )?.setting;
   const obstacle = opened.obstacle(program);
   // Until then the models are not known, and one might be made twice.
@@ -137,10 +131,6 @@ function placeFor(name: string, models: readonly ModelRecord[]): string | null {
   const [only, ...more] = models.filter(({ model }) => model.name === name);
   if (only && more.length === 0) return only.key;
   return name === '' || only ? null : NEW_MODEL;
-}
-
-function isSame(a: TimerProgram, b: TimerProgram): boolean {
-  return sameKind(a.identity, b.identity) && differences(a, b).length === 0;
 }
 
 function settingOf({ modelName: _, ...values }: SharedSetting, model: string | null): Setting {

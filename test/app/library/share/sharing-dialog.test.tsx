@@ -111,34 +111,31 @@ describe('a setting that comes by link', () => {
     expect(isOpen()).toBe(false);
   });
 
-  it('goes under the model of that name if there is one, and says when the values are known', async () => {
-    const bench = await opened();
-    const { library } = bench.session;
-    await library.keepModel(MODEL);
-    await library.keepSetting(SETTING);
-    await comes(bench);
-    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: en.share.received.modelChoice }).value).toBe(
-      MODEL.id,
-    );
-    expect(dialog().getByText(/has these values already: Lancer 07 · calm morning/)).toBeTruthy();
-    await press(en.share.received.keep);
-    expect(library.models.list.value).toHaveLength(1);
-    expect(library.settings.list.value.map(({ setting }) => setting.model)).toEqual([MODEL.id, MODEL.id]);
-    expect(library.settings.get(SETTING.id)?.setting).toEqual(SETTING);
-  });
-
-  it('turns no sentence round by its names, and is known again', async () => {
-    const bench = await opened();
-    const { library } = bench.session;
-    await library.keepModel(MODEL);
-    await library.keepSetting(SETTING);
-    await comes(bench, { ...SHARED, name: `\u202e${SHARED.name}`, modelName: `${MODEL.name}\u2066`, tags: ['\u202d'] });
-    expect(dialog().getByText(/has these values already: Lancer 07 · calm morning/)).toBeTruthy();
-    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: en.share.received.modelChoice }).value).toBe(
-      MODEL.id,
-    );
-    expect(screen.getByRole('dialog').textContent).not.toMatch(/[\u202a-\u202e\u2066-\u2069]|Tags/);
-  });
+  it.each<[names: string, shared: SharedSetting]>([
+    ['as they are', SHARED],
+    [
+      'that would turn a sentence round',
+      { ...SHARED, name: `\u202e${SHARED.name}`, modelName: `${MODEL.name}\u2066`, tags: ['\u202d'] },
+    ],
+  ])(
+    'goes under the model of that name if there is one, and says when the values are known: names %s',
+    async (_, shared) => {
+      const bench = await opened();
+      const { library } = bench.session;
+      await library.keepModel(MODEL);
+      await library.keepSetting(SETTING);
+      await comes(bench, shared);
+      expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: en.share.received.modelChoice }).value).toBe(
+        MODEL.id,
+      );
+      expect(dialog().getByText(/has these values already: Lancer 07 · calm morning/)).toBeTruthy();
+      expect(screen.getByRole('dialog').textContent).not.toMatch(/[\u202a-\u202e\u2066-\u2069]|Tags/);
+      await press(en.share.received.keep);
+      expect(library.models.list.value).toHaveLength(1);
+      expect(library.settings.list.value.map(({ setting }) => setting.model)).toEqual([MODEL.id, MODEL.id]);
+      expect(library.settings.get(SETTING.id)?.setting).toEqual(SETTING);
+    },
+  );
 
   it('waits until the library was read, so that no model is made twice', async () => {
     const store = new MemoryStore();
