@@ -44,7 +44,7 @@ export function ModelList({ session, browse, places, alone, onGo }: ModelListPro
       {found === null ? (
         <>
           {isEmpty && alone && !library.unread.value && <EmptyWords />}
-          <Models {...{ session, browse }} />
+          <Models browse={browse} />
           <div class="buttons">
             <button type="button" onClick={() => (making.value = true)}>
               {words.models.make}
@@ -75,16 +75,14 @@ export function ModelList({ session, browse, places, alone, onGo }: ModelListPro
   );
 }
 
-function Models({ session, browse }: Pick<ModelListProps, 'session' | 'browse'>) {
-  const { settings } = moreMessages.value.library.models;
+function Models({ browse }: Pick<ModelListProps, 'browse'>) {
+  const words = moreMessages.value.library.models;
   const count = (model: string | null): number => browse.byModel.value.get(model)?.length ?? 0;
-  const refused = session.library.models.refused.value;
   const about = ({ key, model: { timerClass, archived } }: ModelRecord): string =>
     dotted([
       timerClass === null ? '' : timerName({ timerClass }),
-      settings({ count: count(key) }),
-      archived && moreMessages.value.library.models.archived,
-      refused.has(key) && moreMessages.value.library.unkept.mark,
+      words.settings({ count: count(key) }),
+      archived && words.archived,
     ]);
   return (
     <ul class="panel ruled library-list">
@@ -96,7 +94,7 @@ function Models({ session, browse }: Pick<ModelListProps, 'session' | 'browse'>)
           key={NO_MODEL}
           address={addressOf(null)}
           name={messages.value.noModel}
-          about={settings({ count: count(null) })}
+          about={words.settings({ count: count(null) })}
         />
       )}
     </ul>

@@ -18,9 +18,8 @@ interface SettingListProps {
 
 /** Settings, one in a row. */
 export function SettingList({ session, records, chosen, withModel }: SettingListProps) {
-  const { settings, models } = session.library;
+  const { models } = session.library;
   const open = session.origin.setting.value?.id ?? null;
-  const refused = settings.refused.value;
   return (
     <ul class="ruled library-list library-settings">
       {records.map((record) => (
@@ -31,7 +30,6 @@ export function SettingList({ session, records, chosen, withModel }: SettingList
             model={withModel ? (models.get(record.setting.model)?.model.name ?? '') : ''}
             isChosen={chosen === record.key}
             isOpen={open === record.key}
-            isKept={!refused.has(record.key)}
           />
         </li>
       ))}
@@ -45,12 +43,11 @@ interface SettingRowProps {
   readonly model: string;
   readonly isChosen: boolean;
   readonly isOpen: boolean;
-  readonly isKept: boolean;
 }
 
 const SettingRow = memo(SettingRowContent);
 
-function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }: SettingRowProps) {
+function SettingRowContent({ record, address, model, isChosen, isOpen }: SettingRowProps) {
   const words = moreMessages.value.library;
   const { name, at, tags, program } = record.setting;
   const [dt] = keyFigures(program);
@@ -60,7 +57,7 @@ function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }:
         <b>{name}</b>
         <span>{dt && `${dt.label} ${dt.text}`}</span>
       </span>
-      <small>{dotted([model, isOpen && words.list.open, dateText(at), ...tags, !isKept && words.unkept.mark])}</small>
+      <small>{dotted([model, isOpen && words.list.open, dateText(at), ...tags])}</small>
     </a>
   );
 }

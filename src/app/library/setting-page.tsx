@@ -31,7 +31,7 @@ interface SettingPageProps {
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
   const words = moreMessages.value.library;
-  const { label, noModel, notKept } = messages.value;
+  const { label, noModel } = messages.value;
   const { library } = session;
   const way = back !== null && (
     <BackHead
@@ -61,7 +61,6 @@ export function SettingPage(props: SettingPageProps) {
     <article class="stack gap-3 setting-page" aria-label={setting.name}>
       {way}
       <Heading class="setting-title">{setting.name}</Heading>
-      {library.settings.refused.value.has(record.key) && <p class="bad-text">{notKept}</p>}
       <TextField
         label={label.note}
         value={setting.note}

@@ -747,7 +747,6 @@ library_save_state =
         [few] { $name }: { $changes } změny neuloženy
        *[other] { $name }: { $changes } změn neuloženo
     }
-library_unkept_mark = neuchováno
 library_nameNeeded = Je potřeba název.
 
 ## The log of the line.

@@ -725,7 +725,6 @@ library_save_state =
         [one] { $name }: { $changes } Änderung nicht gespeichert
        *[other] { $name }: { $changes } Änderungen nicht gespeichert
     }
-library_unkept_mark = nicht aufbewahrt
 library_nameNeeded = Es braucht einen Namen.
 
 ## The log of the line.

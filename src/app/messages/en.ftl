@@ -792,7 +792,6 @@ library_save_state =
         [one] { $name }: { $changes } change not saved
        *[other] { $name }: { $changes } changes not saved
     }
-library_unkept_mark = not kept
 library_nameNeeded = It needs a name.
 
 ## The log of the line.

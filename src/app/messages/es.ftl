@@ -725,7 +725,6 @@ library_save_state =
         [one] { $name }: { $changes } cambio sin guardar
        *[other] { $name }: { $changes } cambios sin guardar
     }
-library_unkept_mark = no conservado
 library_nameNeeded = Necesita un nombre.
 
 ## The log of the line.

@@ -726,7 +726,6 @@ library_save_state =
         [one] { $name }{"\u00a0"}: { $changes } changement non enregistré
        *[other] { $name }{"\u00a0"}: { $changes } changements non enregistrés
     }
-library_unkept_mark = non conservé
 library_nameNeeded = Il faut un nom.
 
 ## The log of the line.

@@ -645,7 +645,6 @@ library_save_state =
         [0] { $name }: mentve
        *[other] { $name }: { $changes } módosítás nincs mentve
     }
-library_unkept_mark = nincs megőrizve
 library_nameNeeded = Nevet kell adni neki.
 
 ## The log of the line.

@@ -726,7 +726,6 @@ library_save_state =
         [one] { $name }: { $changes } modifica non salvata
        *[other] { $name }: { $changes } modifiche non salvate
     }
-library_unkept_mark = non conservato
 library_nameNeeded = Serve un nome.
 
 ## The log of the line.

@@ -725,7 +725,6 @@ library_save_state =
         [one] { $name }: { $changes } wijziging niet opgeslagen
        *[other] { $name }: { $changes } wijzigingen niet opgeslagen
     }
-library_unkept_mark = niet bewaard
 library_nameNeeded = Het heeft een naam nodig.
 
 ## The log of the line.

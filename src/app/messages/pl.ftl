@@ -747,7 +747,6 @@ library_save_state =
         [few] { $name }: { $changes } zmiany niezapisane
        *[many] { $name }: { $changes } zmian niezapisanych
     }
-library_unkept_mark = nie zachowano
 library_nameNeeded = Potrzebna jest nazwa.
 
 ## The log of the line.

@@ -1339,9 +1339,6 @@ export interface MoreSentences {
       readonly notSavable: string;
       readonly state: (params: { readonly changes: number; readonly name: Text }) => string;
     };
-    readonly unkept: {
-      readonly mark: string;
-    };
     readonly nameNeeded: string;
   };
   readonly line: {

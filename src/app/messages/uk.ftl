@@ -752,7 +752,6 @@ library_save_state =
         [few] { $name }: { $changes } зміни не збережено
        *[many] { $name }: { $changes } змін не збережено
     }
-library_unkept_mark = лише до закриття
 library_nameNeeded = Потрібна назва.
 
 ## The log of the line.

@@ -145,21 +145,6 @@ it('a program is saved under a model that is made with it', async () => {
   expect([model?.model.timerClass, made?.setting.model]).toEqual(['Q', model?.key]);
 });
 
-it('only what the browser did not store is marked', async () => {
-  const app = await at('');
-  app.store.broken = true;
-  await press('New model…');
-  fireEvent.input(within(screen.getByRole('dialog')).getByRole('textbox', { name: 'Name' }), {
-    target: { value: 'Lancer 09' },
-  });
-  await press(messages.value.save);
-  app.models.views.show('library');
-  await idle();
-  expect(screen.getByRole('link', { name: /Lancer 09.*not\skept/ })).toBeTruthy();
-  expect(screen.queryByRole('link', { name: /Lancer 01.*not\skept/ })).toBeNull();
-  expect(button('New model…').disabled).toBe(false);
-});
-
 it('a setting that is deleted while its note is typed comes back to its place with undo', async () => {
   const app = await at('model-0/setting-0');
   const before = app.store.settings.records.get('setting-0');
