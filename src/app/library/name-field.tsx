@@ -5,19 +5,17 @@ interface NameFieldProps {
   readonly label: string;
   readonly value: string;
   readonly placeholder?: string;
-  /** Whether it gets the focus when its dialog opens. Default true. */
-  readonly first?: boolean;
   readonly onChange: (text: string) => void;
 }
 
 /** A name in a dialog, which cannot be empty. */
-export function NameField({ label, value, placeholder, first = true, onChange }: NameFieldProps) {
+export function NameField({ label, value, placeholder, onChange }: NameFieldProps) {
   return (
     <label class="field">
       <span>{label}</span>
       <input
         type="text"
-        autofocus={first}
+        autofocus
         required
         pattern=".*\S.*"
         maxLength={LIMITS.name}

@@ -85,7 +85,6 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
       {model.value === NEW && (
         <NameField
           label={words.name({ of: 'model' })}
-          first={false}
           value={modelName.value}
           onChange={(text) => (modelName.value = text)}
         />

@@ -2,12 +2,9 @@ import { batch, computed, type ReadonlySignal } from '@preact/signals';
 import type { Flight, Model, Setting } from '../../program/index.js';
 import { language } from '../messages/language.js';
 import { byKey, Collection, changeTime } from '../storage/collection.js';
-import type { Change, FlightRecord, LibraryChange, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
+import type { FlightRecord, LibraryChange, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
 import { withPlainNames } from './plain-names.js';
 import { versionsAfter } from './versions.js';
-
-/** How many records at most are changed in one step of the storage. */
-const AT_A_TIME = 200;
 
 /** The id of a new record. It never comes twice, on any device. */
 export function newId(): string {
@@ -72,39 +69,34 @@ export class Library {
 
   /**
    * Changes several records that belong together. They are on the screen at once, and in the storage all or none of
-   * them: in one step, or in some if there are more than 200.
+   * them.
    * @returns whether the storage has all of it.
    */
   async change(change: LibraryChange): Promise<boolean> {
+    const { models = {}, settings = {}, flights = {} } = change;
     batch(() => {
-      this.models.begin(change.models ?? {});
-      this.settings.begin(change.settings ?? {});
-      this.flights.begin(change.flights ?? {});
+      this.models.begin(models);
+      this.settings.begin(settings);
+      this.flights.begin(flights);
     });
-    // The storage keeps their order.
-    const parts = inParts(change).map(async (part) => {
-      const isKept = await this.#storage.change(part).then(
-        () => true,
-        () => false,
-      );
-      batch(() => {
-        this.models.ended(part.models ?? {}, isKept);
-        this.settings.ended(part.settings ?? {}, isKept);
-        this.flights.ended(part.flights ?? {}, isKept);
-      });
-      return isKept;
+    const isKept = await this.#storage.change(change).then(
+      () => true,
+      () => false,
+    );
+    batch(() => {
+      this.models.ended(models, isKept);
+      this.settings.ended(settings, isKept);
+      this.flights.ended(flights, isKept);
     });
-    return (await Promise.all(parts)).every(Boolean);
+    return isKept;
   }
 
-  /** Saves a new model, or a changed one. @returns its record. */
-  async keepModel(model: Model, changes: Partial<ModelRecord> = {}): Promise<ModelRecord> {
+  /** Saves a new model, or a changed one. */
+  async keepModel(model: Model, changes: Partial<ModelRecord> = {}): Promise<void> {
     const before = this.models.get(model.id);
     const verified = before?.verified ?? [];
     const changedAt = changeTime(before);
-    const record = { key: model.id, verified, ...changes, model: withPlainNames(model), changedAt };
-    await this.models.save(record);
-    return record;
+    await this.models.save({ key: model.id, verified, ...changes, model: withPlainNames(model), changedAt });
   }
 
   /** Changes facts of a model as it is now: a field saves its text late, perhaps when the model was deleted. */
@@ -125,22 +117,18 @@ export class Library {
     for (const each of [this.models, this.settings, this.flights]) each.undoRemove();
   }
 
-  /** Saves a new setting, or a changed one, whose values before stay as a version. @returns its record. */
-  async keepSetting(setting: Setting, changes: Partial<SettingRecord> = {}): Promise<SettingRecord> {
+  /** Saves a new setting, or a changed one, whose values before stay as a version. */
+  async keepSetting(setting: Setting, changes: Partial<SettingRecord> = {}): Promise<void> {
     const before = this.settings.get(setting.id);
     const changedAt = changeTime(before);
     const versions = versionsAfter(before, setting.program, changedAt);
-    const record = { key: setting.id, versions, ...changes, setting: withPlainNames(setting), changedAt };
-    await this.settings.save(record);
-    return record;
+    await this.settings.save({ key: setting.id, versions, ...changes, setting: withPlainNames(setting), changedAt });
   }
 
-  /** Saves a new flight, or a changed one. @returns its record. */
-  async keepFlight(flight: Flight): Promise<FlightRecord> {
+  /** Saves a new flight, or a changed one. */
+  async keepFlight(flight: Flight): Promise<void> {
     const changedAt = changeTime(this.flights.get(flight.id));
-    const record = { key: flight.id, flight: withPlainNames(flight), changedAt };
-    await this.flights.save(record);
-    return record;
+    await this.flights.save({ key: flight.id, flight: withPlainNames(flight), changedAt });
   }
 
   /** Deletes for good what was removed, in one step; see {@link Collection.flush}. */
@@ -160,32 +148,3 @@ export class Library {
 }
 
 type LibraryStorage = Pick<Storage, 'models' | 'settings' | 'flights' | 'change'>;
-
-/**
- * A change in parts that the storage does in one step each. What a model holds comes after it, and goes before it: a
- * page that ends in between leaves nothing without its model.
- */
-function inParts({ models, settings, flights }: LibraryChange): LibraryChange[] {
-  const single: readonly LibraryChange[] = [
-    ...(flights?.gone ?? []).map((key) => ({ flights: { gone: [key] } })),
-    ...(settings?.gone ?? []).map((key) => ({ settings: { gone: [key] } })),
-    ...(models?.gone ?? []).map((key) => ({ models: { gone: [key] } })),
-    ...(models?.put ?? []).map((record) => ({ models: { put: [record] } })),
-    ...(settings?.put ?? []).map((record) => ({ settings: { put: [record] } })),
-    ...(flights?.put ?? []).map((record) => ({ flights: { put: [record] } })),
-  ];
-  const parts: LibraryChange[] = [];
-  for (let at = 0; at < single.length; at += AT_A_TIME) {
-    const some = single.slice(at, at + AT_A_TIME);
-    parts.push({
-      models: joined(some.map((each) => each.models)),
-      settings: joined(some.map((each) => each.settings)),
-      flights: joined(some.map((each) => each.flights)),
-    });
-  }
-  return parts;
-}
-
-function joined<T>(changes: readonly (Change<T> | undefined)[]): Change<T> {
-  return { put: changes.flatMap((each) => each?.put ?? []), gone: changes.flatMap((each) => each?.gone ?? []) };
-}

@@ -289,26 +289,6 @@ describe('an import', () => {
     expect(app.session.library.settings.list.value).toEqual([]);
   });
 
-  it('of thousands is stored in parts', async () => {
-    const app = await library({});
-    const { store } = app;
-    const change = store.change.bind(store);
-    const sizes: number[] = [];
-    store.change = async (given) => {
-      sizes.push(
-        [given.models, given.settings, given.flights].reduce((sum, each) => sum + (each?.put?.length ?? 0), 0),
-      );
-      await new Promise((resolve) => setTimeout(resolve, 10));
-      return change(given);
-    };
-    const many = Array.from({ length: 1000 }, (_, at) => ({ ...SETTING, id: `s${at}` }));
-    await drop(file(text({ ...ALL, settings: many })));
-    await press('Import 1002');
-    notice(/^Imported from/);
-    expect(kept(app).settings).toHaveLength(1000);
-    expect(sizes, 'each in one step of the storage').toEqual([200, 200, 200, 200, 200, 2]);
-  });
-
   it.each([() => new Promise<never>(() => {}), () => Promise.reject(new Error('not now'))])(
     'does not overwrite a library that the browser does not give (%#)',
     async (all) => {
