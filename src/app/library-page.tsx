@@ -1,15 +1,15 @@
 import { useEffect } from 'preact/hooks';
 import { takeDroppedFiles } from './browser/dropped-files.js';
 import { backupKey, COMPARE, SCREEN, settingKey, versionKey } from './compare/choice.js';
-import { CompareButton } from './compare/compare-button.js';
 import { FLIGHTS } from './flights/flight-filter.js';
 import { FlightsSection } from './flights/flights-section.js';
 import { EarlierVersions } from './library/earlier-versions.js';
-import { ExportButton, LibraryFileButtons } from './library/files/file-buttons.js';
+import { LibraryFileButtons } from './library/files/file-buttons.js';
+import type { FilePart } from './library/files/library-text.js';
 import { LibraryView } from './library/library-view.js';
 import type { Places } from './library/places.js';
-import { PasteLinkButton, ShareButton } from './library/share/share-buttons.js';
 import { filesOf } from './library-files.js';
+import { messages } from './messages/index.js';
 import { moreMessages } from './messages/more.js';
 import type { AppModels } from './models.js';
 import { PrintButton } from './print/print-button.js';
@@ -48,6 +48,13 @@ function placesOf(models: AppModels): Places {
     comparedPair.show(first, second);
     views.show('library', COMPARE);
   };
+  const button = (label: string, onClick: () => void) => (
+    <button type="button" onClick={onClick}>
+      {label}
+    </button>
+  );
+  const exportButton = (part: FilePart, title: string) =>
+    button(moreMessages.value.files.export.one, () => void files.export(part, title));
   return {
     library: (
       <>
@@ -60,7 +67,7 @@ function placesOf(models: AppModels): Places {
         </ul>
         <div class="buttons">
           <LibraryFileButtons files={files} />
-          <PasteLinkButton sharing={sharing} />
+          {button(moreMessages.value.share.paste.title, () => sharing.paste())}
         </div>
       </>
     ),
@@ -72,7 +79,7 @@ function placesOf(models: AppModels): Places {
             .map((record) => record.key)}
           onPrint={print}
         />
-        <ExportButton files={files} part={{ kind: 'model', id: key }} title={model.name} />
+        {exportButton({ kind: 'model', id: key }, model.name)}
       </>
     ),
     modelSections: (record) => (
@@ -89,16 +96,12 @@ function placesOf(models: AppModels): Places {
     ),
     settingButtons: ({ key, setting }, model) => (
       <>
-        <ShareButton sharing={sharing} shared={() => sharedOf(setting, model?.model ?? null)} />
+        {button(messages.value.views.share, () => sharing.offer(sharedOf(setting, model?.model ?? null)))}
         <PrintButton keys={[key]} onPrint={print} />
-        <ExportButton
-          files={files}
-          part={{ kind: 'setting', id: key }}
-          title={[model?.model.name, setting.name].filter(Boolean).join(' ')}
-        />
-        <CompareButton
-          onCompare={() => sideBySide(session.origin.setting.peek()?.id === key ? SCREEN : settingKey(key))}
-        />
+        {exportButton({ kind: 'setting', id: key }, [model?.model.name, setting.name].filter(Boolean).join(' '))}
+        {button(moreMessages.value.compare.open, () =>
+          sideBySide(session.origin.setting.peek()?.id === key ? SCREEN : settingKey(key)),
+        )}
       </>
     ),
     settingSections: (record) => (

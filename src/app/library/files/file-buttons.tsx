@@ -1,24 +1,7 @@
 import { messages } from '../../messages/index.js';
 import { moreMessages } from '../../messages/more.js';
 import type { LibraryFiles } from './library-files.js';
-import type { FilePart } from './library-text.js';
 import './file-buttons.css';
-
-interface ExportButtonProps {
-  readonly files: LibraryFiles;
-  readonly part: FilePart;
-  /** The name of the file, before its date. */
-  readonly title: string;
-}
-
-/** Gives a part of the library to the browser as a file. */
-export function ExportButton({ files, part, title }: ExportButtonProps) {
-  return (
-    <button type="button" onClick={() => void files.export(part, title)}>
-      {moreMessages.value.files.export.one}
-    </button>
-  );
-}
 
 /** The file of the whole library, and the reminder that an export is due. */
 export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) {
