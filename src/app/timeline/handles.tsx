@@ -38,7 +38,8 @@ function Handle({ geometry, entered, field, x, y }: HandlesProps & HandlePlace) 
   const isSelected = selected !== null && fieldKey(selected) === key;
   const value = valueAt(program, field) ?? 0;
   const { min, max } = limitsOf(program, field);
-  const isTime = field.kind === 'time';
+  const servo = field.kind === 'position' ? field.servo : null;
+  const isTime = servo === null;
   const shown = (number: number): number => (isTime ? number / 100 : number);
   return (
     <g
@@ -56,15 +57,8 @@ function Handle({ geometry, entered, field, x, y }: HandlesProps & HandlePlace) 
     >
       <rect class="reach" x={-FINGER / 2} y={-FINGER / 2} width={FINGER} height={FINGER} />
       <circle class="ring" r="15" />
-      {isTime ? field.slot === 0 && <circle class="dot" r="6" /> : <Dot {...geometry} {...field} />}
+      {/* A mark has its number in its place. */}
+      {(servo !== null || field.slot === 0) && <circle class="dot" {...servoColour(servo)} r="6" />}
     </g>
   );
-}
-
-/** The dot at a step of the selected servo. A mark has its number in its place. */
-function Dot({ flags, stages, servo, slot }: Geometry & { readonly servo: number; readonly slot: number }) {
-  const roomy = flags[slot - 1]?.roomy ?? true;
-  const passed = stages[slot]?.passing === 'passed';
-  const classes = `dot ${passed ? 'passed' : ''} ${roomy ? '' : 'small'}`;
-  return <circle class={classes} {...servoColour(servo)} r={roomy ? 6 : 3} />;
 }
