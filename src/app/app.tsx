@@ -92,7 +92,7 @@ export function App({ models }: { readonly models: AppModels }) {
       ) : (
         <parts.Library models={models} />
       ),
-    print: () => <parts.Print session={session} order={models.printOrder} onPrint={() => window.print()} />,
+    print: () => <parts.Print session={session} order={models.printOrder} />,
     help: () => <parts.Help {...models} path={views.path.value} />,
     line: () => <parts.Line session={session} view={line.view} form={line.form} />,
     settings: () => <parts.Settings {...models} />,

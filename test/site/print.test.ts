@@ -36,7 +36,7 @@ function struckThrough(app: AppPage): Promise<string[]> {
   return app.page.locator('.leaf .positions text').evaluateAll((all) =>
     all.flatMap((each) => {
       const text = each as SVGTextElement;
-      const lines = text.closest('svg')?.querySelectorAll<SVGPathElement>('.servo-line:not(.back)');
+      const lines = text.closest('svg')?.querySelectorAll<SVGPathElement>('.servo-line');
       const line = lines?.[Number(text.getAttribute('data-lane'))];
       const size = Number.parseFloat(getComputedStyle(text).fontSize);
       const { x, y } = text.getStartPositionOfChar(0);
@@ -102,19 +102,6 @@ test('sheets of several programs: each page names its model, and every row is on
     ).toBe(pages.length);
     expect(pages.filter(({ text }) => text.includes('lastline')).length, paper).toBe(1);
   }
-});
-
-test('a changed value is marked on paper, and nothing there says that it is in the timer', async () => {
-  const app = await AppPage.open();
-  await app.trySimulated('F1Q');
-  await app.type('DT time', '4:10');
-  await app.page.evaluate(() => location.assign('#print'));
-  await app.page.locator('.leaf').waitFor();
-  const [page, ...others] = await solidPages(app);
-  expect(others).toEqual([]);
-  expect(page?.text).toContain(solid(`4:10 min${en.knowledge.marks.now({ value: '3:00' })}`));
-  expect(page?.text).toContain(solid(en.program.changes({ count: 1 })));
-  expect(page?.text).not.toContain(solid(en.knowledge.readAt({ time: '' })));
 });
 
 test('the print view is well made, on a phone too, and prints what the browser offers', async () => {

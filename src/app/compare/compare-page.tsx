@@ -45,14 +45,14 @@ export function ComparePage({ session, pair, following }: ComparePageProps) {
           session={session}
           sides={compare.sides.value}
           chosen={first}
-          onChoose={(key) => compare.chooseFirst(key)}
+          onChoose={(key) => pair.show(key, pair.second.peek())}
         />
         <Choice
           label={words.second}
           session={session}
           sides={compare.others.value}
           chosen={second}
-          onChoose={(key) => compare.chooseSecond(key)}
+          onChoose={(key) => pair.show(first?.key ?? null, key)}
         />
       </div>
       {first && second ? (
@@ -73,7 +73,7 @@ interface PairProps extends Pick<ComparePageProps, 'session' | 'following'> {
 /** What differs, in figures and over time. */
 function Pair({ session, compare, following, first, second }: PairProps) {
   const { compare: words, overview, obstacles } = moreMessages.value;
-  const { timeline, write } = messages.value;
+  const { write } = messages.value;
   const names = [sideName(session, first), sideName(session, second)] as const;
   const { identity } = first.program;
   const onScreen = first.key === SCREEN || second.key === SCREEN;
@@ -82,8 +82,6 @@ function Pair({ session, compare, following, first, second }: PairProps) {
   const model = useMemo(() => new TimelineModel(), []);
   // A small difference shows only in the tall lane. The pilot may then choose another one.
   useLayoutEffect(() => model.bringToFront(servo), [model, servo]);
-  const setting = [first, second].find((side) => side.kind === 'setting');
-  const canOpen = setting && !onScreen && session.opened.obstacle(setting.program) === null;
   // A value that the other program does not know cannot be taken.
   const other = first.key === SCREEN ? 'to' : 'from';
   const action = (change: Change) => {
@@ -96,7 +94,7 @@ function Pair({ session, compare, following, first, second }: PairProps) {
           field: fieldInSentence(identity, change.field),
           value: figureText(identity, change.field, value),
         })}
-        onClick={() => compare.take(change.field)}
+        onClick={() => compare.take(change.field, value)}
       >
         {words.take}
       </button>
@@ -112,11 +110,6 @@ function Pair({ session, compare, following, first, second }: PairProps) {
           <strong>{changes.length === 0 ? overview.same : overview.differs({ count: changes.length })}</strong>
         </p>
         {onScreen && changes.length > 0 && <p class="hint">{following ? obstacles.following : words.takeHint}</p>}
-        {canOpen && (
-          <button type="button" onClick={() => void compare.open(setting)}>
-            {words.openFirst({ name: setting.record.setting.name })}
-          </button>
-        )}
         {isGrid && (
           <ProgramGrid
             program={first.program}
@@ -137,12 +130,7 @@ function Pair({ session, compare, following, first, second }: PairProps) {
           />
         )}
       </div>
-      <Timeline
-        program={first.program}
-        overlay={{ program: second.program, name: names[1] }}
-        title={timeline.title}
-        model={model}
-      />
+      <Timeline program={first.program} overlay={{ program: second.program, name: names[1] }} model={model} />
     </div>
   );
 }
@@ -213,7 +201,7 @@ export function sideName(session: Session, side: Side): string {
   if (side.kind === 'version')
     return words.setting({
       model: side.record.setting.name,
-      name: moreMessages.value.versions.until({ when: dateText(side.version.until) }),
+      name: moreMessages.value.versions.until({ when: dateText(side.until) }),
     });
   const { program, savedAt } = side.backup;
   const memory = program.memory === null ? recovery.unknownMemory : memoryName(program.memory);

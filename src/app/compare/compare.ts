@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
-import { fieldKey, type ProgramField, type SettingVersion, type TimerProgram, valueAt } from '../../program/index.js';
+import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import { isOfOneShape } from '../editing/shape.js';
 import type { Backup, SettingRecord } from '../storage/index.js';
@@ -12,11 +12,11 @@ export type Side = { readonly key: string; readonly program: TimerProgram } & (
   | { readonly kind: 'screen' }
   | { readonly kind: 'timer'; readonly held: Held & { readonly memory: number } }
   | { readonly kind: 'setting'; readonly record: SettingRecord }
-  | { readonly kind: 'version'; readonly record: SettingRecord; readonly version: SettingVersion }
+  | { readonly kind: 'version'; readonly record: SettingRecord; readonly until: number }
   | { readonly kind: 'backup'; readonly backup: Backup }
 );
 
-type CompareParts = Pick<Session, 'editor' | 'opened' | 'standings' | 'library' | 'backups' | 'connection'>;
+type CompareParts = Pick<Session, 'editor' | 'standings' | 'library' | 'backups' | 'connection'>;
 
 /** Compares any two programs: on the screen, in the timer, settings, backups. */
 export class Compare {
@@ -43,28 +43,10 @@ export class Compare {
     this.#pair = pair;
   }
 
-  chooseFirst(key: string): void {
-    // A program chosen on the other side changes places with the one that was there.
-    this.#pair.show(key, key === this.second.peek()?.key ? (this.first.peek()?.key ?? null) : this.#pair.second.peek());
-  }
-
-  chooseSecond(key: string): void {
-    this.#pair.show(this.first.peek()?.key ?? null, key);
-  }
-
   /** Takes one value of the other program into the program on the screen, as a step of its own. */
-  take(field: ProgramField): void {
-    const from = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== SCREEN);
-    const value = from && valueAt(from.program, field);
-    if (value === null || value === undefined) return;
+  take(field: ProgramField, value: number): void {
     const name = { code: 'change', params: { field: fieldKey(field) } } as const;
     this.#parts.editor.apply(setValues(name, [{ field, value }]));
-  }
-
-  /** Opens the compared setting, so that values can be taken into it. */
-  async open({ record: { setting }, key }: Extract<Side, { kind: 'setting' }>): Promise<void> {
-    const other = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== key);
-    if (await this.#parts.opened.show(setting)) this.#pair.show(SCREEN, other?.key ?? null);
   }
 }
 
@@ -84,14 +66,8 @@ function sidesOf(
       return { kind: 'setting', key: settingKey(record.key), record, program: record.setting.program };
     }),
     ...shown.flatMap((record) =>
-      (record.versions ?? []).map((version): Side => {
-        return {
-          kind: 'version',
-          key: versionKey(record.key, version.until),
-          record,
-          version,
-          program: version.program,
-        };
+      (record.versions ?? []).map(({ program, until }): Side => {
+        return { kind: 'version', key: versionKey(record.key, until), record, until, program };
       }),
     ),
     ...backups.list.value.map((backup): Side => {

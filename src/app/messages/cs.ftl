@@ -231,7 +231,6 @@ compare_nothing = Na tomto zařízení není jiný program této třídy a tohot
 compare_take = Vzít
 compare_takeOf = Vzít { $value } pro pole: { $field }
 compare_takeHint = „Vzít“ zkopíruje hodnotu do programu na obrazovce.
-compare_openFirst = Otevřít „{ $name }“ a brát do něj hodnoty
 
 ## How a backup differs from what its timer holds.
 
@@ -1149,7 +1148,6 @@ print_paper = Papír
 print_what = Na listu
 print_parts_lines = Linky k psaní
 print_parts_code = QR kód
-print_failed = Prohlížeč neotevřel okno tisku. Použijte příkaz Tisk v jeho nabídce.
 print_nothing = Vyberte programy z knihovny, nebo nějaký otevřete.
 print_choose = Programy v tomto tisku: { $chosen }
 print_clear = Odebrat vše

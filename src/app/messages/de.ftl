@@ -227,7 +227,6 @@ compare_nothing = Auf diesem Gerät ist kein anderes Programm dieser Klasse und 
 compare_take = Holen
 compare_takeOf = { $value } für { $field } holen
 compare_takeHint = „Holen“ kopiert einen Wert in das Programm auf dem Bildschirm.
-compare_openFirst = { $name } öffnen, um Werte dorthin zu holen
 
 ## How a backup differs from what its timer holds.
 
@@ -1123,7 +1122,6 @@ print_paper = Papier
 print_what = Auf dem Blatt
 print_parts_lines = Linien zum Schreiben
 print_parts_code = QR-Code
-print_failed = Dieser Browser hat sein Druckfenster nicht geöffnet. Nehmen Sie den Befehl „Drucken“ in seinem Menü.
 print_nothing = Wählen Sie Programme der Bibliothek, oder öffnen Sie eines.
 print_choose = Programme auf diesem Ausdruck: { $chosen }
 print_clear = Alle entfernen

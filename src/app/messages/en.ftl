@@ -253,7 +253,6 @@ compare_take = Take
 # The same for a screen reader, which does not know the row.
 compare_takeOf = Take { $value } for { $field }
 compare_takeHint = Take copies a value into the program on the screen.
-compare_openFirst = Open { $name } to take values into it
 
 ## How a backup differs from what its timer holds.
 
@@ -1209,7 +1208,6 @@ print_paper = Paper
 print_what = On the sheet
 print_parts_lines = Lines to write on
 print_parts_code = QR code
-print_failed = This browser did not open its print window. Use the print command in its menu.
 print_nothing = Choose programs of the library, or open one.
 print_choose = Programs on this print: { $chosen }
 print_clear = Remove all

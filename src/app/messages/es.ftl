@@ -226,7 +226,6 @@ compare_nothing = Este dispositivo no tiene otro programa de esta clase y estruc
 compare_take = Tomar
 compare_takeOf = Tomar { $value } para { $field }
 compare_takeHint = «Tomar» copia un valor en el programa de la pantalla.
-compare_openFirst = Abrir { $name } para tomar valores
 
 ## How a backup differs from what its timer holds.
 
@@ -1127,7 +1126,6 @@ print_paper = Papel
 print_what = En la hoja
 print_parts_lines = Líneas para escribir
 print_parts_code = Código QR
-print_failed = Este navegador no ha abierto su ventana de impresión. Use la orden de imprimir de su menú.
 print_nothing = Elija programas de la biblioteca, o abra uno.
 print_choose = Programas de esta impresión: { $chosen }
 print_clear = Quitar todos

@@ -227,7 +227,6 @@ compare_nothing = Cet appareil n’a pas d’autre programme de cette classe et 
 compare_take = Prendre
 compare_takeOf = Prendre { $value } pour { $field }
 compare_takeHint = «{"\u00a0"}{ compare_take }{"\u00a0"}» copie une valeur dans le programme à l’écran.
-compare_openFirst = Ouvrir { $name } pour y prendre des valeurs
 
 ## How a backup differs from what its timer holds.
 
@@ -1128,7 +1127,6 @@ print_paper = Papier
 print_what = Sur la feuille
 print_parts_lines = Lignes à remplir
 print_parts_code = Code QR
-print_failed = Ce navigateur n’a pas ouvert sa fenêtre d’impression. Utilisez la commande d’impression de son menu.
 print_nothing = Choisissez des programmes de la bibliothèque, ou ouvrez-en un.
 print_choose = Programmes à imprimer{"\u00a0"}: { $chosen }
 print_clear = Tout retirer

@@ -221,7 +221,6 @@ compare_nothing = Ezen az eszközön nincs más program ilyen osztállyal és fe
 compare_take = Átvétel
 compare_takeOf = Átvétel: { $value }, { $field }
 compare_takeHint = Az átvétel egy értéket a képernyőn lévő programba másol.
-compare_openFirst = Az átvételhez nyissa meg: { $name }
 
 ## How a backup differs from what its timer holds.
 
@@ -1027,7 +1026,6 @@ print_paper = Papír
 print_what = A lapon
 print_parts_lines = Vonalak kézíráshoz
 print_parts_code = QR-kód
-print_failed = Ez a böngésző nem nyitotta meg a nyomtatási ablakát. Használja a menüje nyomtatás parancsát.
 print_nothing = Válasszon programokat a könyvtárból, vagy nyisson meg egyet.
 print_choose = Programok ezen a nyomaton: { $chosen }
 print_clear = Mind eltávolítása

@@ -227,7 +227,6 @@ compare_nothing = Questo dispositivo non ha altri programmi di questa classe e s
 compare_take = Prendi
 compare_takeOf = Prendi { $value } per { $field }
 compare_takeHint = «Prendi» copia un valore nel programma sullo schermo.
-compare_openFirst = Apri { $name } per prenderne valori
 
 ## How a backup differs from what its timer holds.
 
@@ -1128,7 +1127,6 @@ print_paper = Carta
 print_what = Sul foglio
 print_parts_lines = Righe per scrivere
 print_parts_code = Codice QR
-print_failed = Questo browser non ha aperto la finestra di stampa. Usare il comando di stampa nel suo menu.
 print_nothing = Scegliere programmi della libreria, o aprirne uno.
 print_choose = Programmi in questa stampa: { $chosen }
 print_clear = Togli tutti

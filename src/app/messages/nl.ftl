@@ -227,7 +227,6 @@ compare_nothing = Dit apparaat heeft geen ander programma van deze klasse en ind
 compare_take = Overnemen
 compare_takeOf = { $value } voor { $field } overnemen
 compare_takeHint = “Overnemen” kopieert een waarde naar het programma op het scherm.
-compare_openFirst = { $name } openen om er waarden in over te nemen
 
 ## How a backup differs from what its timer holds.
 
@@ -1123,7 +1122,6 @@ print_paper = Papier
 print_what = Op het blad
 print_parts_lines = Schrijflijnen
 print_parts_code = QR-code
-print_failed = Deze browser opende zijn printvenster niet. Gebruik de printopdracht in zijn menu.
 print_nothing = Kies programma’s uit de bibliotheek, of open er een.
 print_choose = Programma’s op deze print: { $chosen }
 print_clear = Alle weghalen

@@ -231,7 +231,6 @@ compare_nothing = Na tym urządzeniu nie ma innego programu tej klasy i o tym uk
 compare_take = Weź
 compare_takeOf = Weź { $value } dla pola: { $field }
 compare_takeHint = „Weź” kopiuje wartość do programu na ekranie.
-compare_openFirst = Otwórz „{ $name }”, aby brać do niego wartości
 
 ## How a backup differs from what its timer holds.
 
@@ -1149,7 +1148,6 @@ print_paper = Papier
 print_what = Na kartce
 print_parts_lines = Linie do pisania
 print_parts_code = Kod QR
-print_failed = Przeglądarka nie otworzyła okna drukowania. Użyj polecenia drukowania w jej menu.
 print_nothing = Wybierz programy z biblioteki albo jakiś otwórz.
 print_choose = Programy na tym wydruku: { $chosen }
 print_clear = Usuń wszystkie

@@ -1074,7 +1074,6 @@ export interface MoreSentences {
     readonly take: string;
     readonly takeOf: (params: { readonly value: Text; readonly field: Text }) => string;
     readonly takeHint: string;
-    readonly openFirst: (params: { readonly name: Text }) => string;
   };
   readonly modelBackups: {
     readonly same: (params: { readonly when: Text }) => string;
@@ -1563,7 +1562,6 @@ export interface MoreSentences {
       readonly lines: string;
       readonly code: string;
     };
-    readonly failed: string;
     readonly nothing: string;
     readonly choose: (params: { readonly chosen: Text }) => string;
     readonly clear: string;

@@ -230,7 +230,6 @@ compare_nothing = На цьому пристрої немає іншої про�
 compare_take = Узяти
 compare_takeOf = Узяти { $value }: { $field }
 compare_takeHint = «Узяти» копіює значення в програму на екрані.
-compare_openFirst = Щоб узяти значення, відкрийте: { $name }
 
 ## How a backup differs from what its timer holds.
 
@@ -1154,7 +1153,6 @@ print_paper = Папір
 print_what = На аркуші
 print_parts_lines = Рядки для нотаток
 print_parts_code = QR-код
-print_failed = Цей браузер не відкрив вікна друку. Скористайтеся командою друку в його меню.
 print_nothing = Виберіть програми з бібліотеки або відкрийте одну.
 print_choose = Програми на цьому аркуші: { $chosen }
 print_clear = Прибрати всі

@@ -1,17 +1,12 @@
-import { useSignal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
 import { dotted } from '../messages/dotted.js';
 import { dateText, messages } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
-import { foldedText, searchFor } from '../messages/search.js';
 import { Check } from '../ui/check.js';
 import { memoryOf } from '../work/memory-names.js';
 import type { Session } from '../work/session.js';
 import type { Print } from './print.js';
 import { memoryKey, ON_SCREEN } from './print-order.js';
-
-/** How many are listed. The search finds the others. */
-const MOST = 40;
 
 interface PrintPickerProps {
   readonly session: Session;
@@ -24,7 +19,6 @@ export function PrintPicker({ session, print }: PrintPickerProps) {
   const { order } = print;
   const { value: chosen } = order.keys;
   const { knowledge, noModel } = messages.value;
-  const search = useSignal('');
   useEffect(() => void library.load(), [library]);
   // With nothing to print, this is the next step.
   const isFirst = useMemo(() => print.sheets.peek().length === 0, [print]);
@@ -32,33 +26,19 @@ export function PrintPicker({ session, print }: PrintPickerProps) {
     const read = known.state === 'read' ? knowledge.lastReadAt({ time: dateText(known.at) }) : knowledge.lastRead;
     return { key: memoryKey(memory), name: dotted([memoryOf(origin.timer.value, memory), read]) };
   });
-  const isFound = searchFor(search.value);
   const models = library.models.list.value;
-  // By model; chosen programs stand first, whatever the search says.
-  const found = library.settings.list.value
+  const kept = library.settings.list.value
     .map(({ key, setting }) => {
       const at = models.findIndex((each) => each.key === setting.model);
-      const place = at < 0 ? models.length : at;
       const name = dotted([models[at]?.model.name ?? noModel, setting.name]);
-      return { key, name, place: chosen.includes(key) ? place - models.length - 1 : place };
+      return { key, name, place: at < 0 ? models.length : at };
     })
-    .filter(({ name }) => isFound(foldedText(name)))
     .sort((a, b) => a.place - b.place);
-  const listed = found.slice(0, Math.max(MOST, found.filter(({ place }) => place < 0).length));
   const screen = { key: ON_SCREEN, name: moreMessages.value.compare.screen };
-  const choices = [...(editor.working.value ? [screen] : []), ...memories, ...listed];
+  const choices = [...(editor.working.value ? [screen] : []), ...memories, ...kept];
   return (
     <details class="print-picker" open={isFirst}>
       <summary>{moreMessages.value.print.choose({ chosen: print.sheets.value.length })}</summary>
-      <input
-        type="search"
-        aria-label={moreMessages.value.library.search.label}
-        placeholder={messages.value.label.search}
-        value={search.value}
-        onInput={({ currentTarget }) => {
-          search.value = currentTarget.value;
-        }}
-      />
       <div class="print-list">
         {choices.map(({ key, name }) => (
           <Check key={key} checked={chosen.includes(key)} onChange={() => order.toggle(key)}>
@@ -66,12 +46,6 @@ export function PrintPicker({ session, print }: PrintPickerProps) {
           </Check>
         ))}
       </div>
-      {listed.length === 0 && search.value.trim() !== '' && (
-        <p class="hint">{moreMessages.value.library.search.nothing}</p>
-      )}
-      {found.length > listed.length && (
-        <p class="hint">{messages.value.more({ count: found.length - listed.length })}</p>
-      )}
       {chosen.length > 1 && (
         <button type="button" class="quiet" onClick={() => order.clear()}>
           {moreMessages.value.print.clear}

@@ -1,10 +1,8 @@
-import { useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { dateText, messages } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
 import { BackHead } from '../ui/back-head.js';
 import { Check } from '../ui/check.js';
-import { Problem } from '../ui/problem.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import type { Session } from '../work/session.js';
 import { Print, SHEET_PARTS, type SheetPart } from './print.js';
@@ -16,14 +14,11 @@ import './print-view.css';
 export interface PrintViewProps {
   readonly session: Session;
   readonly order: PrintOrder;
-  /** Opens the print window of the browser. */
-  readonly onPrint: () => void;
 }
 
 /** The sheets of programs: what is shown below the choices is what is printed. */
-export function PrintView({ session, order, onPrint }: PrintViewProps) {
+export function PrintView({ session, order }: PrintViewProps) {
   const print = useMemo(() => new Print(session, order, location.href), [session, order]);
-  const failed = useSignal(false);
   const { value: sheets } = print.sheets;
   const printed = useMemo(() => dateText(Date.now()), [sheets]);
   const { names, print: command } = messages.value.views;
@@ -36,23 +31,10 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
         </BackHead>
         <Choices print={print} />
         <div class="buttons">
-          <button
-            type="button"
-            class="primary"
-            disabled={sheets.length === 0}
-            onClick={() => {
-              try {
-                onPrint();
-                failed.value = false;
-              } catch {
-                failed.value = true;
-              }
-            }}
-          >
+          <button type="button" class="primary" disabled={sheets.length === 0} onClick={() => window.print()}>
             {command}
           </button>
         </div>
-        <Problem text={failed.value && moreMessages.value.print.failed} />
         <PrintPicker session={session} print={print} />
       </div>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: keys scroll it on a phone */}

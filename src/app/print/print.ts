@@ -149,15 +149,14 @@ export class Print {
     const unfinished = editor.unreadable.value.size;
     const memory = editor.working.value?.memory ?? null;
     const crossing = origin.crossing.value;
-    // Its own sentence says more: which value is printed.
-    const isOnlyUnfinished = unfinished > 0 && changes + tried === 0 && standing.sure !== 'not';
     const said = [
       crossing &&
         moreMessages.value.whichModel.crossing.title({
           from: crossing.from.name,
           to: eitherOf(crossing.to.map(({ name }) => name)),
         }),
-      !isOnlyUnfinished && standingText(standing, { tried, changes, unfinished }, made, memory, dateText),
+      // A field without a value is printed with its last one.
+      standingText(standing, { tried, changes, unfinished: 0 }, made, memory, dateText),
       // Read on paper, it is past: the timer may hold something else by then.
       changes + tried > 0 && hintText({ ...standing, sure: 'once' }, dateText),
       unfinished > 0 && moreMessages.value.print.unfinished({ count: unfinished }),

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { whole } from '../../../src/app/messages/dotted.js';
 import { messages } from '../../../src/app/messages/index.js';
 import type { ModelRecord, SettingRecord } from '../../../src/app/storage/index.js';
-import { differences, type TimerProgram } from '../../../src/program/index.js';
+import type { TimerProgram } from '../../../src/program/index.js';
 import { exampleMemories } from '../../../src/simulator/index.js';
 import { MODEL, SETTING } from '../../program/library-examples.js';
 import { en } from '../../tools/en.js';
@@ -109,16 +109,6 @@ describe('two programs side by side', () => {
     await idle(0);
     expect(chosen('with')).toBe('Lancer · wind');
   });
-
-  it('change places when one is chosen on the other side', async () => {
-    const bench = await page(false, setting('calm', CALM), setting('trimmed', TRIMMED), setting('wind', WIND));
-    await compare(bench, 'setting/trimmed', 'setting/calm');
-    fireEvent.change(screen.getByRole('combobox', { name: 'Compare' }), { target: { value: 'setting/calm' } });
-    await idle(0);
-    const { first, second } = bench.models.comparedPair;
-    expect([first.value, second.value]).toEqual(['setting/calm', 'setting/trimmed']);
-    expect(screen.queryByRole('button', { name: /^Take/ })).toBeNull();
-  });
 });
 
 describe('values of the other program', () => {
@@ -158,16 +148,6 @@ describe('values of the other program', () => {
     await idle();
     if (!bench.models.follow.on.value) throw new Error('the servos do not follow');
     expect(screen.queryByRole('button', { name: /^Take/ })).toBeNull();
-  });
-
-  it('go into a setting that is opened for it', async () => {
-    const bench = await page(false, setting('calm', CALM), setting('trimmed', TRIMMED));
-    await compare(bench, 'setting/calm', 'setting/trimmed');
-    await press('Open calm to take values into it');
-    expect([chosen('Compare'), chosen('with')]).toEqual(['On the screen · calm', 'Lancer · trimmed']);
-    await press('Take 77 for function 4, S2');
-    const { working } = bench.editor;
-    expect(working.value && differences(CALM, { ...working.value, idleThrottle: 30 })).toHaveLength(1);
   });
 });
 

@@ -39,7 +39,6 @@ describe('a search', () => {
       'flights/flight-list.ts',
       'library/browse.ts',
       'line/line-view.ts',
-      'print/print-picker.tsx',
       'recognition/model-dialog.tsx',
       'shell/palette.tsx',
     ]);

@@ -1,24 +1,26 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { afterEach, describe, expect, it } from 'vitest';
 import { formatTime } from '../../../src/app/editing/units.js';
 import { dateText, messages } from '../../../src/app/messages/index.js';
 import { moreMessages } from '../../../src/app/messages/more.js';
 import { MODEL, SETTING } from '../../program/library-examples.js';
 import { en } from '../../tools/en.js';
-import { type AppBench, idle } from '../bench/bench.js';
+import { idle } from '../bench/bench.js';
 import { connected, goTo, opened, press, type } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
-/** A library with a model of two settings, and one setting that belongs to none. */
-async function withLibrary(): Promise<AppBench> {
-  const bench = await opened();
-  const { library } = bench.session;
+/** The view with these programs of a library: two of a model, and one that belongs to none. */
+async function printed(...keys: readonly string[]): Promise<void> {
+  const { session, printOrder } = await opened();
+  const { library } = session;
   await library.keepModel(MODEL);
   await library.keepSetting(SETTING);
   await library.keepSetting({ ...SETTING, id: 'wind', name: 'wind', note: '' });
   await library.keepSetting({ ...SETTING, id: 'found', name: 'found', model: null });
-  return bench;
+  printOrder.choose(keys);
+  await goTo('print');
+  await idle();
 }
 
 const sheets = () => [...document.querySelectorAll<HTMLElement>('.print-sheets article')];
@@ -85,28 +87,15 @@ describe('the print view', () => {
   });
 
   it('begins with the choice of settings where there is nothing to print', async () => {
-    await opened();
-    await goTo('print');
-    const isOpen = () => document.querySelector<HTMLDetailsElement>('.print-picker')?.open;
-    expect([isOpen(), screen.getByText(en.print.nothing).textContent]).toEqual([true, expect.any(String)]);
-  });
-
-  it('says that the search finds nothing', async () => {
-    const hint = () => document.querySelector('.print-picker > .hint')?.textContent;
     const bench = await opened();
+    bench.printOrder.choose(['gone']);
     await goTo('print');
-    await idle();
-    await act(async () => void (await bench.session.library.keepSetting(SETTING)));
-    expect(hint()).toBeUndefined();
-    act(() => void fireEvent.input(screen.getByRole('searchbox'), { target: { value: 'storm' } }));
-    expect(hint()).toBe(en.library.search.nothing);
+    expect(document.querySelector<HTMLDetailsElement>('.print-picker')?.open).toBe(true);
+    expect(screen.getByText(en.print.nothing)).toBeTruthy();
   });
 
   it('prints settings of several models, as many as are chosen', async () => {
-    const bench = await withLibrary();
-    bench.printOrder.choose(['calm-morning']);
-    await goTo('print');
-    await idle();
+    await printed('calm-morning');
     expect(sheets().map((sheet) => within(sheet).getByRole('heading', { level: 2 }).textContent)).toEqual([
       'Lancer 07',
     ]);
@@ -126,25 +115,8 @@ describe('the print view', () => {
     expect(document.querySelector('.back-head a')?.textContent, 'the way back stays').toBe('Library');
   });
 
-  it('has the names in the head that stands on each page', async () => {
-    const bench = await withLibrary();
-    bench.printOrder.choose(['calm-morning', 'found']);
-    await goTo('print');
-    await idle();
-    const heads = [...document.querySelectorAll('.leaf > thead')].map(({ textContent }) =>
-      textContent?.replace(/\s/g, ' '),
-    );
-    expect(heads).toEqual([
-      expect.stringMatching(/^Lancer 07 · calm morning · M2.*Printed/),
-      expect.stringMatching(/^found · M2.*Printed/),
-    ]);
-  });
-
   it('takes another paper, leaves out unwanted parts, and remembers both choices', async () => {
-    const bench = await withLibrary();
-    bench.printOrder.choose(['calm-morning', 'wind', 'found']);
-    await goTo('print');
-    await idle();
+    await printed('calm-morning', 'wind', 'found');
     const papers = () => [...document.querySelectorAll('.leaf')].map((leaf) => leaf.className.match(/on-\w+/)?.[0]);
     expect(papers()).toEqual(['on-a5', 'on-a5', 'on-a5']);
     act(() => void fireEvent.click(screen.getByRole('radio', { name: 'A4' })));
@@ -203,27 +175,5 @@ describe('the print view', () => {
     expect(screen.queryByRole('checkbox', { name: /^M2/ }), 'nobody has read M2').toBeNull();
     act(() => printOrder.choose(['memory 1']));
     expect(screen.getByText(en.print.nothing)).toBeTruthy();
-  });
-
-  it('leaves out what is gone, and says that the print window did not open', async () => {
-    const bench = await withLibrary();
-    bench.printOrder.choose(['calm-morning', 'gone']);
-    vi.stubGlobal('print', () => {
-      throw new Error('not here');
-    });
-    await goTo('print');
-    await idle();
-    await press(messages.value.views.print);
-    expect(screen.getByRole('alert').textContent).toContain(en.print.failed.slice(0, 20));
-    vi.unstubAllGlobals();
-  });
-
-  it('prints a setting as another tab has changed it', async () => {
-    const bench = await withLibrary();
-    bench.printOrder.choose(['wind']);
-    await goTo('print');
-    await idle();
-    await act(async () => void (await bench.session.library.keepSetting({ ...SETTING, id: 'wind', name: 'storm' })));
-    expect(sheets()[0]?.querySelector('.leaf-name')?.textContent).toBe('storm');
   });
 });
