@@ -28,7 +28,6 @@ export function Picture(geometry: Geometry) {
         <Marks {...geometry} />
         <Lines {...geometry} />
       </g>
-      {front === null && <Positions {...geometry} />}
       <TimeAxis {...geometry} />
       <LaneNames {...geometry} />
       <Numbers {...geometry} />
@@ -80,41 +79,6 @@ export function Lines({ program, stages, layout, front = null, first = 0 }: Line
         />
       ))}
     </>
-  );
-}
-
-/** Pixels on paper: the room for a position before the next movement, above its line, and in the margin. */
-const POSITION = { width: 17, height: 13, margin: 10 };
-
-/** The positions of the servos, each beside its line after a movement, where there is room. */
-function Positions({ program, stages, layout }: Geometry) {
-  return (
-    <g class="positions">
-      {program.positions.map((row, lane) =>
-        stages.map(({ slot, from, passing }) => {
-          const position = row[slot] ?? 0;
-          if (passing !== 'held' || (slot > 0 && position === row[slot - 1])) return null;
-          const moves = stages.find((later) => later.slot > slot && row[later.slot] !== position);
-          const x = layout.x(from);
-          const until = moves ? layout.x(moves.from) : layout.box.right + POSITION.margin;
-          if (until - x < POSITION.width) return null;
-          const y = layout.y(lane, position);
-          const isAbove = y - (layout.lanes[lane]?.from ?? 0) > POSITION.height;
-          return (
-            <text
-              key={`${lane} ${slot}`}
-              class="figure"
-              data-lane={lane}
-              x={x + 3}
-              y={y}
-              dy={isAbove ? '-0.3em' : '1em'}
-            >
-              {position}
-            </text>
-          );
-        }),
-      )}
-    </g>
   );
 }
 
