@@ -27,10 +27,9 @@ export function firstContent(identity: Identity, memory: number): MemoryContent 
   const slots = slotCount(identity);
   const dt = Math.min(MAX_TIME, DT + 3000 * memory);
   const motorStop = identity.timerClass === 'Q' ? MOTOR_STOP : 0;
-  const after = identity.timerClass === 'Q' ? MOTOR_STOP : 0;
   const times = Array.from({ length: slots }, (_, slot) => {
     if (slot === 0) return motorStop;
-    return slot === identity.functions ? dt : Math.min(dt - slots + slot, after + FUNCTION_STEP * slot);
+    return slot === identity.functions ? dt : Math.min(dt - slots + slot, motorStop + FUNCTION_STEP * slot);
   });
   const row = Array.from({ length: slots }, (_, slot) => FIRST_POSITION + POSITION_STEP * (slot % POSITIONS_KNOWN));
   return { times, positions: Array.from({ length: identity.servos }, () => [...row]) };

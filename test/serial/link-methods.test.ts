@@ -2,7 +2,7 @@ import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { DEFAULT_SETTINGS, type LinkState, type SerialLike, TimerLink } from '../../src/serial/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { canBeOpened, failure } from './bench.js';
-import { connectionOf, linkBench, on, portOf, sent, slowChooser, way } from './link-bench.js';
+import { connectionOf, linkBench, on, sent, slowChooser, way } from './link-bench.js';
 
 describe('wait()', () => {
   it('asks quietly on the open port until the timer answers, as a new connection', async () => {
@@ -20,17 +20,6 @@ describe('wait()', () => {
     expect(way(states)).toBe('waiting > on');
     expect(connectionOf(link).client).not.toBe(before.client);
     expect(await failure(before.client.identify())).toMatchObject({ code: 'closed' });
-  });
-
-  it('does nothing without a connection', async () => {
-    const { clock, link, adapter, states } = await on();
-    adapter.unplug();
-    await clock.advance(100);
-    states.length = 0;
-    link.wait();
-    await clock.run(link.stop());
-    link.wait();
-    expect(way(states)).toBe('closing > off');
   });
 });
 
@@ -104,12 +93,6 @@ describe('recheck()', () => {
     await clock.advance(100);
     expect(link.state.status).toBe('on');
   });
-
-  it('does nothing while nothing is connected', async () => {
-    const { link, states } = linkBench();
-    await link.recheck();
-    expect(states).toEqual([]);
-  });
 });
 
 describe('a signal given to connect()', () => {
@@ -164,23 +147,6 @@ describe('stop()', () => {
     expect(await reading).toMatchObject({ code: 'closed' });
     expect(timer.core.answered.map(({ name }) => name)).toEqual(['GETSWVER', 'GETMEMORY']);
     expect(await canBeOpened(port)).toBe(true);
-  });
-
-  it('may be called at any time, and again', async () => {
-    const { clock, link, states } = await on();
-    await clock.run(Promise.all([link.stop(), link.stop()]));
-    await link.stop();
-    expect(way(states)).toBe('closing > off');
-    expect(states.at(-1)).toEqual({ status: 'off', error: null });
-  });
-
-  it('ends what was begun in the same moment', async () => {
-    const { clock, link, port, states } = linkBench();
-    const connecting = link.connect(port);
-    await clock.run(link.stop());
-    await connecting;
-    expect(way(states)).toBe('opening > closing > off');
-    expect(port.device.opened).toBeNull();
   });
 
   it('takes no time while the port is unplugged', async () => {
@@ -312,17 +278,6 @@ describe('stop()', () => {
       adapter.replug({ samePort: true });
       expect(await canBeOpened(port)).toBe(true);
     }
-  });
-});
-
-describe('connect()', () => {
-  it('follows the last of several calls', async () => {
-    const { clock, link, port, serial, states } = linkBench();
-    const other = serial.plug({}, { granted: true });
-    await clock.run(Promise.all([link.connect(other), link.connect(other), link.connect(port)]));
-    expect(portOf(link)).toBe(port);
-    expect(way(states)).toBe('opening > closing > opening > searching > on');
-    expect(other.device.opened).toBeNull();
   });
 });
 

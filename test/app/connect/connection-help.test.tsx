@@ -190,6 +190,9 @@ describe('a line to copy', () => {
     clipboard(writeText);
     render(<CopyButton label={en.copy} text={() => LINE} />);
     fireEvent.click(screen.getByRole('button', { name: en.copy }));
-    expect((await screen.findByRole<HTMLTextAreaElement>('textbox')).value).toBe(LINE);
+    const area = await screen.findByRole<HTMLTextAreaElement>('textbox', { name: en.copyByHand });
+    expect([area.value, area.selectionStart, area.selectionEnd]).toEqual([LINE, 0, LINE.length]);
+    fireEvent.click(screen.getByRole('button', { name: 'Close' }));
+    expect(screen.queryByRole('textbox')).toBeNull();
   });
 });

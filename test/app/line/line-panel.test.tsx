@@ -90,16 +90,6 @@ describe('the rows', () => {
     const counts = screen.getByText('7 to the timer, 7 from the timer, 1 damaged, 1 line error');
     expect(counts.textContent?.split(' '), 'a line ends only between two counts').toHaveLength(4);
   });
-
-  it('stay where they are in the page when new ones come', async () => {
-    const { session } = await opened();
-    const before = items();
-    await run(session.reader.read());
-    await idle();
-    const after = items();
-    expect(after).toHaveLength(before.length + 12);
-    expect(after.slice(12)).toEqual(before);
-  });
 });
 
 describe('many rows', () => {
@@ -219,17 +209,6 @@ describe('the tools', () => {
       expect.stringMatching(/^0\.\d{3} < 00 00 00 00 00 04 72 00 72 45$/),
       '',
     ]);
-  });
-
-  it('show the text to be copied by hand where the browser refuses', async () => {
-    clipboard(() => Promise.reject(new DOMException('no', 'NotAllowedError')));
-    await opened();
-    await press(words.copyReport);
-    const area = screen.getByRole<HTMLTextAreaElement>('textbox', { name: en.copyByHand });
-    expect(area.value).toMatch(/^# Sidus capture 1\n# Sidus Timer /);
-    expect([area.selectionStart, area.selectionEnd]).toEqual([0, area.value.length]);
-    await press('Close');
-    expect(screen.queryByRole('textbox', { name: en.copyByHand })).toBeNull();
   });
 
   it('save the whole line as a file, whatever is shown of it', async () => {
