@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { isNoAnswer, policyFor } from '../../src/client/current-memory.js';
+import { isNoAnswer } from '../../src/client/current-memory.js';
 import { TimerError } from '../../src/client/index.js';
 import { COMMANDS } from '../../src/protocol/index.js';
 import { answering, type Bench, bench, contentOf, edited, readBench } from './bench.js';
@@ -119,23 +119,12 @@ describe('an impossible memory', () => {
   });
 });
 
-describe('whether a question stays unanswered', () => {
-  it.each<[string, unknown, boolean, boolean]>([
-    ['no answer came', new TimerError('no-answer', ''), true, true],
-    ['no answer made sense', new TimerError('bad-reply', ''), true, true],
-    [
-      'only damage came: this counts where the timer is known not to answer',
-      new TimerError('unstable', ''),
-      false,
-      true,
-    ],
-    ['the port is lost', new TimerError('port-lost', ''), false, false],
-    ['something else is broken', new RangeError('no-answer'), false, false],
-  ])('%s', (_, error, unknown, known) => {
-    expect([isNoAnswer(error, false), isNoAnswer(error, true)]).toEqual([unknown, known]);
-  });
-
-  it('is tried six times, and twice where the timer is known not to answer it', () => {
-    expect([policyFor(false), policyFor(true)]).toEqual([{ unanswered: 6 }, { tries: 2 }]);
-  });
+it.each<[string, unknown, boolean, boolean]>([
+  ['no answer came', new TimerError('no-answer', ''), true, true],
+  ['no answer made sense', new TimerError('bad-reply', ''), true, true],
+  ['only damage came: this counts where the timer is known not to answer', new TimerError('unstable', ''), false, true],
+  ['the port is lost', new TimerError('port-lost', ''), false, false],
+  ['something else is broken', new RangeError('no-answer'), false, false],
+])('whether a question stays unanswered: %s', (_, error, unknown, known) => {
+  expect([isNoAnswer(error, false), isNoAnswer(error, true)]).toEqual([unknown, known]);
 });

@@ -170,31 +170,29 @@ describe('a request that is given up', () => {
   });
 });
 
-describe('the time of a job', () => {
-  const own = longestExchange('GETMEMORY', identity, TIMING);
+const own = longestExchange('GETMEMORY', identity, TIMING);
 
-  it.each<[string, boolean, number]>([
-    ['the request', false, own],
-    ['a fence and the request', true, longestFence(TIMING) + own],
-  ])('must be enough for %s', async (_, isFenced, needed) => {
-    for (const missing of [0, 1]) {
-      const bench = setUp();
-      bench.exchange.begin({ parts: [] });
-      const begin = bench.exchange.schedule.endsBy - needed + missing;
-      const fenced = { code: 0x6d, waitsFor: 9 + 9 + 600 };
-      await bench.clock.advance(begin - bench.clock.now() - (isFenced ? fenced.waitsFor : 0));
-      bench.comes = (code) => (code === fenced.code ? 'silent' : 'ok');
-      if (isFenced) await bench.run(failureOf(bench.exchange.ask({ name: 'UNLOCK' })));
-      expect(bench.clock.now()).toBe(begin);
-      bench.sent.length = 0;
-      const asked = bench.exchange.ask({ name: 'GETMEMORY' });
-      if (missing === 0) expect(await bench.run(asked)).toMatchObject({ memory: 2 });
-      else {
-        expect(await bench.run(failureOf(asked))).toMatchObject({ code: 'no-answer', details: { sent: 0 } });
-        expect(bench.sent).toEqual([]);
-      }
+it.each<[string, boolean, number]>([
+  ['the request', false, own],
+  ['a fence and the request', true, longestFence(TIMING) + own],
+])('the time of a job must be enough for %s', async (_, isFenced, needed) => {
+  for (const missing of [0, 1]) {
+    const bench = setUp();
+    bench.exchange.begin({ parts: [] });
+    const begin = bench.exchange.schedule.endsBy - needed + missing;
+    const fenced = { code: 0x6d, waitsFor: 9 + 9 + 600 };
+    await bench.clock.advance(begin - bench.clock.now() - (isFenced ? fenced.waitsFor : 0));
+    bench.comes = (code) => (code === fenced.code ? 'silent' : 'ok');
+    if (isFenced) await bench.run(failureOf(bench.exchange.ask({ name: 'UNLOCK' })));
+    expect(bench.clock.now()).toBe(begin);
+    bench.sent.length = 0;
+    const asked = bench.exchange.ask({ name: 'GETMEMORY' });
+    if (missing === 0) expect(await bench.run(asked)).toMatchObject({ memory: 2 });
+    else {
+      expect(await bench.run(failureOf(asked))).toMatchObject({ code: 'no-answer', details: { sent: 0 } });
+      expect(bench.sent).toEqual([]);
     }
-  });
+  }
 });
 
 describe('a fence', () => {
@@ -288,17 +286,15 @@ describe('who answers', () => {
   });
 });
 
-describe('an exchange that is closed', () => {
-  it('lets the running request end, and sends no other', async () => {
-    const bench = setUp();
-    bench.comes = () => 'silent';
-    const begin = bench.clock.now();
-    const first = bench.run(failureOf(bench.exchange.ask({ name: 'UNLOCK' })));
-    await bench.run(bench.exchange.close());
-    expect(await first).toMatchObject({ code: 'no-answer' });
-    expect(bench.clock.now() - begin).toBeGreaterThan(600);
-    bench.sent.length = 0;
-    expect(await bench.run(failureOf(bench.exchange.ask({ name: 'GETMEMORY' })))).toMatchObject({ code: 'closed' });
-    expect(bench.sent).toEqual([]);
-  });
+it('an exchange that is closed lets the running request end, and sends no other', async () => {
+  const bench = setUp();
+  bench.comes = () => 'silent';
+  const begin = bench.clock.now();
+  const first = bench.run(failureOf(bench.exchange.ask({ name: 'UNLOCK' })));
+  await bench.run(bench.exchange.close());
+  expect(await first).toMatchObject({ code: 'no-answer' });
+  expect(bench.clock.now() - begin).toBeGreaterThan(600);
+  bench.sent.length = 0;
+  expect(await bench.run(failureOf(bench.exchange.ask({ name: 'GETMEMORY' })))).toMatchObject({ code: 'closed' });
+  expect(bench.sent).toEqual([]);
 });

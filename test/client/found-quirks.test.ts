@@ -20,13 +20,6 @@ describe('what a timer was found to do differently', () => {
     expect(quirks.mayMisprint('GETTIMERS', 'known')).toBe(false);
   });
 
-  it('is forgotten with all assumptions when the caller asks for that', () => {
-    const quirks = new Quirks({ servoFirst: true });
-    quirks.note('echo');
-    quirks.forget();
-    expect([quirks.found.size, quirks.assumed]).toEqual([0, {}]);
-  });
-
   it('is dropped alone when the timer contradicts it', () => {
     const quirks = new Quirks({ servoFirst: true, memoriesFromOne: true });
     quirks.note('memories-from-one');
@@ -37,55 +30,33 @@ describe('what a timer was found to do differently', () => {
   });
 });
 
-describe('the misprinted form of a reply', () => {
-  it('is believed when it comes twice, and no longer after the right one came', () => {
-    const quirks = new Quirks({});
-    const seen = () => [
-      quirks.mayMisprint('GETTIMERS', 'yes'),
-      quirks.mayMisprint('GETTIMERS', 'known'),
-      quirks.isMisprintNew('GETTIMERS'),
-      quirks.found.has('timers-reply-66'),
-    ];
-    expect(seen()).toEqual([true, false, false, false]);
-    quirks.noteForm('GETTIMERS', 'misprint');
-    expect(seen()).toEqual([true, false, true, false]);
-    quirks.noteForm('GETTIMERS', 'misprint');
-    expect(seen()).toEqual([true, true, false, true]);
-    quirks.noteForm('GETTIMERS', 'exact');
-    expect(seen()).toEqual([false, false, false, false]);
-    quirks.noteForm('GETTIMERS', 'misprint');
-    expect(seen()).toEqual([false, false, false, false]);
-  });
-
-  it('of UNLOCK is believed at once, because it must not be sent again', () => {
-    const quirks = new Quirks({});
-    quirks.noteForm('UNLOCK', 'misprint');
-    expect([...quirks.found.keys()]).toEqual(['unlock-reply-6a']);
-  });
+it('the misprinted form of a reply is believed when it comes twice, and no longer after the right one came', () => {
+  const quirks = new Quirks({});
+  const seen = () => [
+    quirks.mayMisprint('GETTIMERS', 'yes'),
+    quirks.mayMisprint('GETTIMERS', 'known'),
+    quirks.isMisprintNew('GETTIMERS'),
+    quirks.found.has('timers-reply-66'),
+  ];
+  expect(seen()).toEqual([true, false, false, false]);
+  quirks.noteForm('GETTIMERS', 'misprint');
+  expect(seen()).toEqual([true, false, true, false]);
+  quirks.noteForm('GETTIMERS', 'misprint');
+  expect(seen()).toEqual([true, true, false, true]);
+  quirks.noteForm('GETTIMERS', 'exact');
+  expect(seen()).toEqual([false, false, false, false]);
+  quirks.noteForm('GETTIMERS', 'misprint');
+  expect(seen()).toEqual([false, false, false, false]);
 });
 
-describe('bare checksums of requests', () => {
-  it('are for SETMEMORY and SETLOWRPM, and only when assumed', () => {
-    const requests = [
-      { name: 'SETMEMORY', memory: 1 },
-      { name: 'SETLOWRPM', idleThrottle: 1 },
-      { name: 'GETSWVER' },
-    ] as const;
-    const bare = (quirks: Quirks) => requests.map((request) => quirks.isBare(request));
-    expect(bare(new Quirks({ bareChecksumRequests: true }))).toEqual([true, true, false]);
-    expect(bare(new Quirks({}))).toEqual([false, false, false]);
-    expect(bare(new Quirks({ bareChecksumRequests: false }))).toEqual([false, false, false]);
-  });
-});
-
-describe('the byte order of times', () => {
-  it('is undecided when it is suspected, until somebody decides', () => {
-    const quirks = new Quirks({});
-    const open = [quirks.byteOrderOpen];
-    quirks.note('times-big-endian');
-    open.push(quirks.byteOrderOpen);
-    quirks.assume({ bigEndianTimes: false });
-    open.push(quirks.byteOrderOpen);
-    expect(open).toEqual([false, true, false]);
-  });
+it('bare checksums of requests are for SETMEMORY and SETLOWRPM, and only when assumed', () => {
+  const requests = [
+    { name: 'SETMEMORY', memory: 1 },
+    { name: 'SETLOWRPM', idleThrottle: 1 },
+    { name: 'GETSWVER' },
+  ] as const;
+  const bare = (quirks: Quirks) => requests.map((request) => quirks.isBare(request));
+  expect(bare(new Quirks({ bareChecksumRequests: true }))).toEqual([true, true, false]);
+  expect(bare(new Quirks({}))).toEqual([false, false, false]);
+  expect(bare(new Quirks({ bareChecksumRequests: false }))).toEqual([false, false, false]);
 });

@@ -4,7 +4,6 @@ import { type BytePort, type LineEntry, TimerClient } from '../../src/client/ind
 import { VirtualClock } from '../../src/line/index.js';
 import { encodeFrame, encodeRequest } from '../../src/protocol/index.js';
 import { VirtualTimer } from '../../src/simulator/index.js';
-import { bench } from './bench.js';
 import { type Crowd, crowd } from './crowd.js';
 
 /** A client in whose beam something else can talk. */
@@ -17,22 +16,20 @@ async function crowded(): Promise<{ port: Crowd; client: TimerClient; line: Line
   return { port, client, line, clock };
 }
 
-describe('what comes after a request', () => {
-  const request = { name: 'SETSERVO', servo: 0, function: 2, position: 41 } as const;
+const request = { name: 'SETSERVO', servo: 0, function: 2, position: 41 } as const;
 
-  it.each<[string, Uint8Array, boolean]>([
-    ['the same frame: its echo', encodeRequest(request), true],
-    ['one of the same letter with another value', encodeRequest({ ...request, position: 42 }), false],
-    ['one of the same letter that is shorter', encodeFrame(0x63, [2, 0]), false],
-    ['one of the same letter that is longer', encodeFrame(0x63, [2, 0, 41, 0]), false],
-    ['one of another letter with the same values', encodeFrame(0x67, [2, 0, 41]), false],
-  ])('%s', async (_, bytes, isEcho) => {
-    const { port, client, clock } = await crowded();
-    port.stray = (_index, code, moment) => (code === 0x63 && moment === 'before' ? bytes : undefined);
-    await clock.run(client.request(request));
-    expect([client.quirksFound.has('echo'), client.strays]).toEqual(isEcho ? [true, 0] : [false, 1]);
-    expect(client.damageSeen).toBe(false);
-  });
+it.each<[string, Uint8Array, boolean]>([
+  ['the same frame: its echo', encodeRequest(request), true],
+  ['one of the same letter with another value', encodeRequest({ ...request, position: 42 }), false],
+  ['one of the same letter that is shorter', encodeFrame(0x63, [2, 0]), false],
+  ['one of the same letter that is longer', encodeFrame(0x63, [2, 0, 41, 0]), false],
+  ['one of another letter with the same values', encodeFrame(0x67, [2, 0, 41]), false],
+])('what comes after a request: %s', async (_, bytes, isEcho) => {
+  const { port, client, clock } = await crowded();
+  port.stray = (_index, code, moment) => (code === 0x63 && moment === 'before' ? bytes : undefined);
+  await clock.run(client.request(request));
+  expect([client.quirksFound.has('echo'), client.strays]).toEqual(isEcho ? [true, 0] : [false, 1]);
+  expect(client.damageSeen).toBe(false);
 });
 
 describe('the line as it is reported', () => {
@@ -99,27 +96,5 @@ describe('a port whose streams are missing', () => {
     });
     const client = new TimerClient({ readable, writable }, { clock });
     await expect(clock.run(client.identify())).rejects.toMatchObject({ code: 'port-lost', cause });
-  });
-
-  it('is not reported as lost when the client was closed', async () => {
-    const lost: string[] = [];
-    const { client, run } = bench({}, { onLost: ({ code }) => lost.push(code) });
-    await run(client.identify());
-    await run(client.close());
-    await expect(run(client.identify())).rejects.toMatchObject({ code: 'closed' });
-    expect(lost).toEqual([]);
-  });
-
-  it('says who holds its lock', async () => {
-    for (const [side, what] of [
-      ['readable', 'reads from'],
-      ['writable', 'writes to'],
-    ] as const) {
-      const { client, timer, run } = bench();
-      if (side === 'readable') timer.readable.getReader();
-      else timer.writable.getWriter();
-      const message = `somebody else ${what} the port and holds its lock`;
-      await expect(run(client.identify())).rejects.toMatchObject({ code: 'busy', message });
-    }
   });
 });

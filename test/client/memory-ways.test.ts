@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { answering, bench, contentOf, memoryOf, names, readBench } from './bench.js';
+import { answering, bench, contentOf, memoryOf, names } from './bench.js';
 
 const Q = { identity: { timerClass: 'Q' } };
 
@@ -96,16 +96,5 @@ describe('a memory that is left', () => {
       cause: { code: 'other-timer' },
     });
     expect(names(timer.core.answered)).toEqual(['GETSERVOPOS', 'GETLOWRPM', 'GETMEMORY', 'GETSWVER', 'GETSWVER']);
-  });
-});
-
-describe('a program for another timer', () => {
-  it('is refused, and the error says which timer is there', async () => {
-    const { client, timer, run, baseline } = await readBench();
-    const other = { ...baseline, identity: { ...baseline.identity, timerClass: 'E' } };
-    await expect(run(client.writeProgram(other, { baseline: other }))).rejects.toMatchObject({
-      code: 'other-timer',
-      details: { identity: timer.core.identity },
-    });
   });
 });

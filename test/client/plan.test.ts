@@ -15,37 +15,40 @@ async function way({ client, run, line }: Bench, job: (told: OnProgress) => Prom
   return { first: told[0], last: told.at(-1), bytes };
 }
 
-describe('the plan of a job on a good line', () => {
-  const goal = (timer: Bench['timer'], memory: number, idleThrottle: number | null) => ({
-    ...everyValueChanged(memoryOf(timer, memory)),
-    idleThrottle,
-  });
+const goal = (timer: Bench['timer'], memory: number, idleThrottle: number | null) => ({
+  ...everyValueChanged(memoryOf(timer, memory)),
+  idleThrottle,
+});
 
-  it.each<[string, (client: TimerClient, timer: Bench['timer'], told: OnProgress) => Promise<unknown>]>([
-    ['a reading', (client, _, told) => client.readProgram(told)],
-    ['a reading with the idle throttle', (client, _, told) => client.readProgram({ ...told, idleThrottle: true })],
-    ['a reading of other memories', (client, _, told) => client.readMemories({ ...told, memories: [1, 3] })],
-    [
-      'a reading of other memories with the idle throttle',
-      (client, _, told) => client.readMemories({ ...told, memories: [1, 3], idleThrottle: true }),
-    ],
-    [
-      'a write of all values into another memory',
-      (client, timer, told) => client.writeMemories([goal(timer, 2, null)], told),
-    ],
-    [
-      'a write of all values that moves the servos',
-      (client, timer, told) => client.writeMemories([goal(timer, 2, null)], { ...told, moveServos: true }),
-    ],
-    [
-      'a write of all values into another memory with the idle throttle',
-      (client, timer, told) => client.writeMemories([goal(timer, 2, 77)], told),
-    ],
-  ])('has exactly the requests that are sent: %s', async (_, job) => {
-    const own = bench();
-    const { first, last, bytes } = await way(own, (told) => job(own.client, own.timer, told));
-    expect({ total: first?.total, done: last?.done }).toEqual({ total: bytes, done: bytes });
-  });
+it.each<[string, (client: TimerClient, timer: Bench['timer'], told: OnProgress) => Promise<unknown>]>([
+  ['a reading', (client, _, told) => client.readProgram(told)],
+  ['a reading with the idle throttle', (client, _, told) => client.readProgram({ ...told, idleThrottle: true })],
+  ['a reading of other memories', (client, _, told) => client.readMemories({ ...told, memories: [1, 3] })],
+  [
+    'a reading of other memories with the idle throttle',
+    (client, _, told) => client.readMemories({ ...told, memories: [1, 3], idleThrottle: true }),
+  ],
+  [
+    'a write of all values into another memory',
+    (client, timer, told) => client.writeMemories([goal(timer, 2, null)], told),
+  ],
+  [
+    'a write of all values that moves the servos',
+    (client, timer, told) => client.writeMemories([goal(timer, 2, null)], { ...told, moveServos: true }),
+  ],
+  [
+    'a write into the memory that flies next that moves the servos',
+    (client, timer, told) =>
+      client.writeProgram(goal(timer, 0, null), { ...told, baseline: memoryOf(timer, 0), moveServos: true }),
+  ],
+  [
+    'a write of all values into another memory with the idle throttle',
+    (client, timer, told) => client.writeMemories([goal(timer, 2, 77)], told),
+  ],
+])('the plan of a job on a good line has exactly the requests that are sent: %s', async (_, job) => {
+  const own = bench();
+  const { first, last, bytes } = await way(own, (told) => job(own.client, own.timer, told));
+  expect({ total: first?.total, done: last?.done }).toEqual({ total: bytes, done: bytes });
 });
 
 describe('the time of a job', () => {

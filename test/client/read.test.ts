@@ -32,14 +32,6 @@ describe('identify', () => {
     timer.core.sleep();
     await expect(run(client.identify({ tries: 1 }))).rejects.toMatchObject({ code: 'no-answer', details: { sent: 1 } });
   });
-
-  it('works once the timer is awake again', async () => {
-    const { client, timer, run } = bench();
-    timer.core.sleep();
-    await run(client.identify().catch(() => {}));
-    timer.core.press();
-    expect(await run(client.identify())).toEqual(B536);
-  });
 });
 
 describe('read program', () => {
@@ -123,16 +115,5 @@ describe('read program', () => {
     const both = Promise.allSettled([client.readProgram(), client.identify()]);
     expect(await run(both)).toMatchObject([{ reason: { code: 'port-lost' } }, { reason: { code: 'port-lost' } }]);
     expect(clock.now() - begin, 'both fail at once').toBeLessThan(100);
-  });
-
-  it('releases the streams when closed, and rejects what waits', async () => {
-    const { client, timer, run } = bench();
-    timer.core.sleep();
-    const waiting = client.identify().catch((error: unknown) => error);
-    await run(Promise.resolve());
-    await run(client.close());
-    expect(await run(waiting)).toMatchObject({ code: 'closed' });
-    expect(timer.readable.locked).toBe(false);
-    expect(timer.writable.locked).toBe(false);
   });
 });

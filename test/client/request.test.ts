@@ -50,7 +50,8 @@ describe('a port that somebody else holds', () => {
     async (side) => {
       const { client, timer, run } = bench();
       const other = side === 'readable' ? timer.readable.getReader() : timer.writable.getWriter();
-      await expect(run(client.identify())).rejects.toMatchObject({ name: 'TimerError', code: 'busy' });
+      const message = `somebody else ${side === 'readable' ? 'reads from' : 'writes to'} the port and holds its lock`;
+      await expect(run(client.identify())).rejects.toMatchObject({ name: 'TimerError', code: 'busy', message });
       expect(timer.core.answered).toEqual([]);
       other.releaseLock();
       expect(await run(client.identify())).toMatchObject({ firmware: timer.core.identity.firmware });

@@ -1,13 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { type BytePort, TimerClient, TimerError, type WriteReport } from '../../src/client/index.js';
+import { TimerClient, TimerError, type WriteReport } from '../../src/client/index.js';
 import { StandstillWatch } from '../../src/client/standstill.js';
 import { type Clock, VirtualClock } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
 import { VirtualTimer } from '../../src/simulator/index.js';
 import { bench, contentOf, edited } from './bench.js';
+import { FRESH, Head, SETS, SMALL, VERIFY } from './head.js';
 import { everyValueChanged } from './matrix.js';
-
-const SMALL = { functions: 2, memories: 2, servos: 1 };
 
 describe('the watch for standstills', () => {
   /** The clock of a program, and a clock on the wall that is an hour ahead. */
@@ -40,51 +39,29 @@ describe('the watch for standstills', () => {
 });
 
 /** A page that stands still for a while, as when the lid of a laptop is closed. The timer and its adapter do not. */
-class StillPage implements BytePort, Clock {
-  readonly readable: ReadableStream<Uint8Array>;
-  readonly writable: WritableStream<Uint8Array>;
+class StillPage extends Head implements Clock {
   /** The request, counted from 1, after which it stands still. */
   stopAt = Number.POSITIVE_INFINITY;
   stopFor = 0;
   /** What happens meanwhile. */
   meanwhile = (): void => {};
-  requests = 0;
-  at: VirtualTimer;
   readonly #clock: VirtualClock;
   readonly #bytesFirst: boolean;
   #due: (() => void)[] | null = null;
   #came: Uint8Array[] = [];
-  #deliver: (bytes: Uint8Array) => void = () => {};
 
-  constructor(clock: VirtualClock, timers: readonly VirtualTimer[], bytesFirst: boolean) {
+  constructor(clock: VirtualClock, bytesFirst: boolean, ...timers: ConstructorParameters<typeof Head>) {
+    super(...timers);
     this.#clock = clock;
     this.#bytesFirst = bytesFirst;
-    this.at = timers[0] as VirtualTimer;
-    this.readable = new ReadableStream({
-      start: (controller) => {
-        this.#deliver = (bytes) => controller.enqueue(bytes);
-        for (const timer of timers) {
-          const hear = (bytes: Uint8Array): void => {
-            if (timer !== this.at) return;
-            if (this.#due) this.#came.push(bytes);
-            else this.#deliver(bytes);
-          };
-          void timer.readable.pipeTo(new WritableStream({ write: hear }));
-        }
-      },
-    });
-    const writers = new Map(timers.map((timer) => [timer, timer.writable.getWriter()]));
-    this.writable = new WritableStream({
-      write: (bytes) => {
-        if (++this.requests === this.stopAt) this.#stop();
-        return writers.get(this.at)?.write(bytes);
-      },
-    });
+    this.asked = () => {
+      if (this.requests === this.stopAt) this.#stop();
+    };
   }
 
-  /** Holds the head over another timer. */
-  hold(timer: VirtualTimer): void {
-    this.at = timer;
+  protected override hear(bytes: Uint8Array): void {
+    if (this.#due) this.#came.push(bytes);
+    else this.deliver(bytes);
   }
 
   now(): number {
@@ -112,7 +89,7 @@ class StillPage implements BytePort, Clock {
       const came = this.#came.splice(0);
       this.#due = null;
       const bytes = (): void => {
-        for (const each of came) this.#deliver(each);
+        for (const each of came) this.deliver(each);
       };
       const all = (): void => {
         for (const act of due) act();
@@ -130,14 +107,16 @@ async function written({ at, ms, bytesFirst, swap = false }: Standstill) {
   const first = new VirtualTimer({ clock, identity: SMALL, latency: 20 });
   const other = new VirtualTimer({ clock, identity: SMALL, latency: 20 });
   Object.assign(other.core.content, everyValueChanged(contentOf(other)));
-  const page = new StillPage(clock, [first, other], bytesFirst);
+  const page = new StillPage(clock, bytesFirst, first, other);
   const client = new TimerClient(page, { clock: page });
   const baseline = await clock.run(client.readProgram());
   const goal: TimerProgram = edited(baseline, [2, 9000], [0, 1, 77]);
   page.requests = 0;
   page.stopAt = at;
   page.stopFor = ms;
-  if (swap) page.meanwhile = () => page.hold(other);
+  page.meanwhile = () => {
+    if (swap) page.at = other;
+  };
   const writing = client.writeProgram(goal, { baseline }).catch((error: unknown) => error);
   const result = (await clock.run(writing)) as Partial<WriteReport> & { code?: string };
   return { clock, client, first, other, goal, page, result };
@@ -153,10 +132,6 @@ interface Standstill {
   readonly swap?: boolean;
 }
 
-/** GETSWVER, GETMEMORY, GETTIMERS, GETSERVOPOS, GETMEMORY, GETSWVER: then come the two SETs. */
-const FRESH = 6;
-const SETS = 2;
-const VERIFY = 8;
 /** After the last request nothing more has to be sent. */
 const CASES = Array.from({ length: FRESH + SETS + VERIFY - 1 }, (_, index) => index + 1).flatMap((at) =>
   [true, false].map((bytesFirst) => ({ at, bytesFirst })),
@@ -197,18 +172,7 @@ describe('a computer that sleeps, and whose clock for programs sleeps, too', () 
     const clock = new VirtualClock();
     const timer = new VirtualTimer({ clock, identity: SMALL, latency: 20 });
     let asleep = 0;
-    // Counts from the write on.
-    let requests = Number.NEGATIVE_INFINITY;
-    const writer = timer.writable.getWriter();
-    const port: BytePort = {
-      readable: timer.readable,
-      writable: new WritableStream({
-        write: (bytes) => {
-          if (++requests === at) asleep += ms;
-          return writer.write(bytes);
-        },
-      }),
-    };
+    const port = new Head(timer);
     const sleepy: Clock = {
       now: () => clock.now(),
       after: (after, callback) => clock.after(after, callback),
@@ -218,10 +182,22 @@ describe('a computer that sleeps, and whose clock for programs sleeps, too', () 
     const client = new TimerClient(port, { clock: sleepy, onLine: ({ time }) => void times.push(time) });
     const baseline = await clock.run(client.readProgram());
     const goal = edited(baseline, [2, 9000], [0, 1, 77]);
-    requests = 0;
+    port.requests = 0;
+    port.asked = () => {
+      if (port.requests === at) asleep += ms;
+    };
     const writing = client.writeProgram(goal, { baseline }).catch((error: unknown) => error);
     const result = (await clock.run(writing)) as Partial<WriteReport> & { code?: string };
-    return { clock, client, timer, goal, result, requests, times, sleep: (more: number) => (asleep += more) };
+    return {
+      clock,
+      client,
+      timer,
+      goal,
+      result,
+      requests: port.requests,
+      times,
+      sleep: (more: number) => (asleep += more),
+    };
   }
 
   it.each(Array.from({ length: FRESH + SETS + VERIFY - 1 }, (_, index) => index + 1))(
@@ -279,7 +255,7 @@ describe('a page that stands still', () => {
   it('while memories are read leaves the timer as it is, and says that another memory may be current', async () => {
     const clock = new VirtualClock();
     const timer = new VirtualTimer({ clock, identity: SMALL, latency: 20 });
-    const page = new StillPage(clock, [timer], true);
+    const page = new StillPage(clock, true, timer);
     const client = new TimerClient(page, { clock: page });
     await clock.run(client.identify());
     // The question behind the first SETMEMORY.
@@ -295,7 +271,7 @@ describe('a page that stands still', () => {
   it.each([true, false])('behind a command says that it was sent, bytes first: %s', async (bytesFirst) => {
     const clock = new VirtualClock();
     const timer = new VirtualTimer({ clock, identity: { ...SMALL, timerClass: 'Q' }, latency: 20 });
-    const page = new StillPage(clock, [timer], bytesFirst);
+    const page = new StillPage(clock, bytesFirst, timer);
     const client = new TimerClient(page, { clock: page });
     await clock.run(client.identify());
     for (const [act, request] of [

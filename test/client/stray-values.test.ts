@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { TimerError } from '../../src/client/index.js';
 import { type Bench, contentOf, edited, names, readBench } from './bench.js';
 
 /** Lets the timer change something else once, with its first reply to a request of this name. */
@@ -45,42 +44,38 @@ describe('a position that changed without being asked', () => {
   });
 });
 
-describe('a time that changed without being asked', () => {
-  it('is put back by one more SETTIMERS, also when only a position was to change', async () => {
-    const { client, timer, run, baseline } = await readBench();
-    const goal = edited(baseline, [2, 4, 99]);
-    disturbOnce(timer, 'SETSERVO', () => void timer.core.content.times.splice(7, 1, 4321));
-    const report = await run(client.writeProgram(goal, { baseline }));
-    expect(report.result).toBe('verified');
-    expect(report.values).toContainEqual({
-      field: { kind: 'time', slot: 7 },
-      wanted: baseline.times[7],
-      held: baseline.times[7],
-      status: 'verified',
-      asked: false,
-    });
-    expect(names(timer.core.answered).filter((name) => name.startsWith('SET'))).toEqual(['SETSERVO', 'SETTIMERS']);
-    expect(contentOf(timer)).toEqual(goal);
+it('a time that changed unasked is put back by one more SETTIMERS, also when only a position was to change', async () => {
+  const { client, timer, run, baseline } = await readBench();
+  const goal = edited(baseline, [2, 4, 99]);
+  disturbOnce(timer, 'SETSERVO', () => void timer.core.content.times.splice(7, 1, 4321));
+  const report = await run(client.writeProgram(goal, { baseline }));
+  expect(report.result).toBe('verified');
+  expect(report.values).toContainEqual({
+    field: { kind: 'time', slot: 7 },
+    wanted: baseline.times[7],
+    held: baseline.times[7],
+    status: 'verified',
+    asked: false,
   });
+  expect(names(timer.core.answered).filter((name) => name.startsWith('SET'))).toEqual(['SETSERVO', 'SETTIMERS']);
+  expect(contentOf(timer)).toEqual(goal);
 });
 
-describe('an exception that is not an error of the line', () => {
-  it('ends a write as it is, and is not called an answer that did not come', async () => {
-    const { client, timer, run, baseline } = await readBench();
-    const broken = { ...baseline, positions: baseline.positions.map((row) => [...row]) };
-    // Such as a program that somebody takes away while it is written.
-    const goal = edited(broken, [10, 30_000]);
-    let reads = 0;
-    const times = new Proxy(goal.times, {
-      get(target, name) {
-        if (name === 'findIndex' && ++reads > 0) throw new RangeError('taken away');
-        return Reflect.get(target, name);
-      },
-    });
-    await expect(run(client.writeProgram({ ...goal, times }, { baseline }))).rejects.toThrow(RangeError);
-    expect(timer.core.content.times[10]).toBe(30_000);
-    expect((await run(client.readProgram())).times[10], 'the client can still be used').toBe(30_000);
+it('an exception that is not an error of the line ends a write as it is', async () => {
+  const { client, timer, run, baseline } = await readBench();
+  const broken = { ...baseline, positions: baseline.positions.map((row) => [...row]) };
+  // Such as a program that somebody takes away while it is written.
+  const goal = edited(broken, [10, 30_000]);
+  let reads = 0;
+  const times = new Proxy(goal.times, {
+    get(target, name) {
+      if (name === 'findIndex' && ++reads > 0) throw new RangeError('taken away');
+      return Reflect.get(target, name);
+    },
   });
+  await expect(run(client.writeProgram({ ...goal, times }, { baseline }))).rejects.toThrow(RangeError);
+  expect(timer.core.content.times[10]).toBe(30_000);
+  expect((await run(client.readProgram())).times[10], 'the client can still be used').toBe(30_000);
 });
 
 describe('what is counted and noted for each write', () => {
@@ -107,13 +102,5 @@ describe('what is counted and noted for each write', () => {
     // A position after it says nothing of times.
     await run(client.writeProgram(edited(baseline, [0, 1005], [0, 3, 70]), { baseline }));
     expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 0, sent: 1005, held: 1000 });
-  });
-
-  it('the error that stopped it is an error of the client', async () => {
-    const { client, timer, run, baseline } = await readBench();
-    timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();
-    const report = await run(client.writeProgram(edited(baseline, [10, 30_000]), { baseline }));
-    expect(report.result).toBe('unknown');
-    expect(report.stopped).toBeInstanceOf(TimerError);
   });
 });

@@ -1,62 +1,25 @@
 import { describe, expect, it } from 'vitest';
-import { type BytePort, TimerClient, type WriteReport } from '../../src/client/index.js';
+import { TimerClient, type WriteReport } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
 import { COMMANDS, type Identity } from '../../src/protocol/index.js';
 import { type TimerQuirks, VirtualTimer } from '../../src/simulator/index.js';
 import { contentOf, edited, names, readBench } from './bench.js';
+import { FRESH, Head, SETS, SMALL, VERIFY } from './head.js';
 import { everyValueChanged } from './matrix.js';
 
-const SMALL = { functions: 2, memories: 2, servos: 1 };
 /** What the pilot changes: DT, and a position. */
 const goalOf = (program: TimerProgram): TimerProgram => edited(program, [2, 9000], [0, 1, 77]);
-/** GETSWVER, GETMEMORY, GETTIMERS, GETSERVOPOS, GETMEMORY, GETSWVER: then come the two SETs. */
-const FRESH = 6;
-const SETS = 2;
-const VERIFY = 8;
-
-/** An infrared head that is held over one timer, and from a certain request on over another. */
-class TwoTimers implements BytePort {
-  readonly readable: ReadableStream<Uint8Array>;
-  readonly writable: WritableStream<Uint8Array>;
-  /**
-   * The request, counted from 1, that the second one hears first, unless it is lost on the way from one to the other.
-   */
-  swapAt = Number.POSITIVE_INFINITY;
-  /** How many requests neither hears, from that one on. */
-  lost = 0;
-  requests = 0;
-  at: VirtualTimer;
-
-  constructor(first: VirtualTimer, second: VirtualTimer) {
-    this.at = first;
-    this.readable = new ReadableStream({
-      start: (controller) => {
-        for (const timer of [first, second]) {
-          const hear = (bytes: Uint8Array): void => void (timer === this.at && controller.enqueue(bytes));
-          void timer.readable.pipeTo(new WritableStream({ write: hear }));
-        }
-      },
-    });
-    const writers = new Map([first, second].map((timer) => [timer, timer.writable.getWriter()]));
-    this.writable = new WritableStream({
-      write: (bytes) => {
-        this.requests++;
-        if (this.requests >= this.swapAt) this.at = second;
-        if (this.requests >= this.swapAt && this.requests < this.swapAt + this.lost) return;
-        return writers.get(this.at)?.write(bytes);
-      },
-    });
-  }
-}
-
 function setsOf({ core }: VirtualTimer): string[] {
   return names(core.answered).filter((name) => name.startsWith('SET'));
 }
 
 type Second = 'another class' | 'another content' | 'the same content';
 
-/** Confirms a write on the first timer and holds the head over another one from a request of the write on. */
+/**
+ * Confirms a write on the first timer and holds the head over another one from a request of the write on, counted from
+ * 1. So many requests neither hears: they are lost on the way from one to the other.
+ */
 async function swapped(second: Second, swapAt: number, lost = 0) {
   const clock = new VirtualClock();
   const first = new VirtualTimer({ clock, identity: SMALL });
@@ -64,13 +27,15 @@ async function swapped(second: Second, swapAt: number, lost = 0) {
   const other = new VirtualTimer({ clock, identity });
   if (second === 'another content') Object.assign(other.core.content, everyValueChanged(contentOf(other)));
   const before = structuredClone(contentOf(other));
-  const port = new TwoTimers(first, other);
+  const port = new Head(first, other);
   const client = new TimerClient(port, { clock });
   const baseline = await clock.run(client.readProgram());
   const goal = goalOf(baseline);
   port.requests = 0;
-  port.swapAt = swapAt;
-  port.lost = lost;
+  port.asked = () => {
+    if (port.requests >= swapAt) port.at = other;
+    return port.requests < swapAt || port.requests >= swapAt + lost;
+  };
   const result = await clock.run(client.writeProgram(goal, { baseline }).catch((error: unknown) => error));
   return { first, other, before, goal, result: result as Partial<WriteReport> & { code?: string } };
 }
@@ -145,79 +110,73 @@ describe('another timer under the infrared head, after silence among the values'
   });
 });
 
-describe('another memory, from any answer of the reading back on', () => {
-  it.each(['other', 'same'])(
-    'with %s content is never verified while it can be noticed, and never written',
-    async (content) => {
-      for (let at = 0; at < VERIFY; at++) {
-        const { client, timer, run, baseline } = await readBench({ identity: SMALL });
-        const goal = goalOf(baseline);
-        if (content === 'same') Object.assign(timer.core.memories[1] as object, structuredClone(goal));
-        const before = structuredClone(timer.core.memories[1]);
-        let left = at;
-        timer.core.onAnswer = () => {
-          if (setsOf(timer).length === SETS && left-- === 0) timer.core.memory = 1;
-        };
-        const report = await run(client.writeProgram(goal, { baseline }));
-        // After the answer to the last GETMEMORY nothing asks again.
-        const isSeen = at < VERIFY - 1;
-        expect(report.result, `the memory changed at request ${at}`).toBe(isSeen ? 'unknown' : 'verified');
-        if (isSeen) expect(report.stopped?.code, `the memory changed at request ${at}`).toBe('other-memory');
-        expect(timer.core.memories[1], `the memory changed at request ${at}`).toEqual(before);
-        expect(timer.core.memories[0]?.times, `the memory changed at request ${at}`).toEqual(goal.times);
-      }
-    },
-  );
-});
-
-describe('an acknowledgement that comes twice', () => {
-  it.each<[string, TimerQuirks]>([
-    ['', {}],
-    [' of a timer that answers GETTIMERS with 66', { timersReplyAs66: true }],
-  ])('at once, or before or after one of the next two replies%s: is never taken for a reading', async (_, quirks) => {
-    for (let hit = 0; hit < FRESH + SETS + VERIFY; hit++) {
-      for (const place of ['at once', 'before 1', 'after 1', 'before 2', 'after 2'] as const) {
-        const { client, timer, run, baseline } = await readBench({ identity: SMALL, quirks });
-        const goal = goalOf(baseline);
-        const answer = timer.core.answer.bind(timer.core);
-        let count = 0;
-        let copy = new Uint8Array(0);
-        timer.core.answer = (frame, bare) => {
-          const reply = answer(frame, bare) as Uint8Array<ArrayBuffer>;
-          const after = count++ - hit;
-          if (after === 0) copy = reply;
-          if (place === 'at once' && after === 0) return Uint8Array.of(...reply, ...copy);
-          if (after <= 0 || !place.endsWith(String(after))) return reply;
-          return place.startsWith('before') ? Uint8Array.of(...copy, ...reply) : Uint8Array.of(...reply, ...copy);
-        };
-        const label = `reply ${hit} comes twice, ${place}`;
-        const report = await run(client.writeProgram(goal, { baseline }));
-        expect(report.result, label).toBe('verified');
-        expect(contentOf(timer), label).toEqual(goal);
-        expect([...client.quirksFound.keys()], label).toEqual(quirks.timersReplyAs66 ? ['timers-reply-66'] : []);
-      }
+it.each(['other', 'same'])(
+  'another memory with %s content during the reading back is never verified, and never written',
+  async (content) => {
+    for (let at = 0; at < VERIFY; at++) {
+      const { client, timer, run, baseline } = await readBench({ identity: SMALL });
+      const goal = goalOf(baseline);
+      if (content === 'same') Object.assign(timer.core.memories[1] as object, structuredClone(goal));
+      const before = structuredClone(timer.core.memories[1]);
+      let left = at;
+      timer.core.onAnswer = () => {
+        if (setsOf(timer).length === SETS && left-- === 0) timer.core.memory = 1;
+      };
+      const report = await run(client.writeProgram(goal, { baseline }));
+      // After the answer to the last GETMEMORY nothing asks again.
+      const isSeen = at < VERIFY - 1;
+      expect(report.result, `the memory changed at request ${at}`).toBe(isSeen ? 'unknown' : 'verified');
+      if (isSeen) expect(report.stopped?.code, `the memory changed at request ${at}`).toBe('other-memory');
+      expect(timer.core.memories[1], `the memory changed at request ${at}`).toEqual(before);
+      expect(timer.core.memories[0]?.times, `the memory changed at request ${at}`).toEqual(goal.times);
     }
-  });
+  },
+);
+
+it.each<[string, TimerQuirks]>([
+  ['', {}],
+  [' of a timer that answers GETTIMERS with 66', { timersReplyAs66: true }],
+])('an acknowledgement that comes twice at any place%s is never taken for a reading', async (_, quirks) => {
+  for (let hit = 0; hit < FRESH + SETS + VERIFY; hit++) {
+    for (const place of ['at once', 'before 1', 'after 1', 'before 2', 'after 2'] as const) {
+      const { client, timer, run, baseline } = await readBench({ identity: SMALL, quirks });
+      const goal = goalOf(baseline);
+      const answer = timer.core.answer.bind(timer.core);
+      let count = 0;
+      let copy = new Uint8Array(0);
+      timer.core.answer = (frame, bare) => {
+        const reply = answer(frame, bare) as Uint8Array<ArrayBuffer>;
+        const after = count++ - hit;
+        if (after === 0) copy = reply;
+        if (place === 'at once' && after === 0) return Uint8Array.of(...reply, ...copy);
+        if (after <= 0 || !place.endsWith(String(after))) return reply;
+        return place.startsWith('before') ? Uint8Array.of(...copy, ...reply) : Uint8Array.of(...reply, ...copy);
+      };
+      const label = `reply ${hit} comes twice, ${place}`;
+      const report = await run(client.writeProgram(goal, { baseline }));
+      expect(report.result, label).toBe('verified');
+      expect(contentOf(timer), label).toEqual(goal);
+      expect([...client.quirksFound.keys()], label).toEqual(quirks.timersReplyAs66 ? ['timers-reply-66'] : []);
+    }
+  }
 });
 
-describe('a second reply to the first reading', () => {
-  it('does not count as the second reading of what has changed meanwhile', async () => {
-    const { client, timer, run, baseline } = await readBench({ identity: SMALL });
-    const answer = timer.core.answer.bind(timer.core);
-    let copy = new Uint8Array(0);
-    let asked = 0;
-    timer.core.answer = (frame, bare) => {
-      const isRead = setsOf(timer).length === SETS && frame.code === COMMANDS.GETSERVOPOS.request;
-      if (isRead) asked++;
-      if (isRead && asked === 2) timer.core.content.positions[0]?.splice(0, 1, 1);
-      const reply = answer(frame, bare) as Uint8Array<ArrayBuffer>;
-      if (isRead && asked === 1) copy = reply;
-      return isRead && asked === 2 ? Uint8Array.of(...copy, ...reply) : reply;
-    };
-    const report = await run(client.writeProgram(goalOf(baseline), { baseline }));
-    expect(asked).toBeGreaterThan(2);
-    expect(report.result === 'verified', 'a write is verified exactly when the timer holds the goal').toBe(
-      JSON.stringify(contentOf(timer)) === JSON.stringify(goalOf(baseline)),
-    );
-  });
+it('a second reply to the first reading is no second reading of what has changed meanwhile', async () => {
+  const { client, timer, run, baseline } = await readBench({ identity: SMALL });
+  const answer = timer.core.answer.bind(timer.core);
+  let copy = new Uint8Array(0);
+  let asked = 0;
+  timer.core.answer = (frame, bare) => {
+    const isRead = setsOf(timer).length === SETS && frame.code === COMMANDS.GETSERVOPOS.request;
+    if (isRead) asked++;
+    if (isRead && asked === 2) timer.core.content.positions[0]?.splice(0, 1, 1);
+    const reply = answer(frame, bare) as Uint8Array<ArrayBuffer>;
+    if (isRead && asked === 1) copy = reply;
+    return isRead && asked === 2 ? Uint8Array.of(...copy, ...reply) : reply;
+  };
+  const report = await run(client.writeProgram(goalOf(baseline), { baseline }));
+  expect(asked).toBeGreaterThan(2);
+  expect(report.result === 'verified', 'a write is verified exactly when the timer holds the goal').toBe(
+    JSON.stringify(contentOf(timer)) === JSON.stringify(goalOf(baseline)),
+  );
 });

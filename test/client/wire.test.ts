@@ -193,15 +193,13 @@ describe('a silence', () => {
   });
 });
 
-describe('the end of a wait', () => {
-  it('delivers what an unfinished frame has hidden, and does not count as a slow timer', async () => {
-    const { wire, ask, say, clock, timing } = setUp();
-    await clock.run(ask());
-    const asked = ask({ name: 'GETLOWRPM' });
-    say(concat(FALSE_HEADER, ANSWER));
-    expect(await clock.run(asked)).toMatchObject({ kind: 'damaged' });
-    expect([wire.strays, timing.delay]).toEqual([0, null]);
-  });
+it('the end of a wait delivers what an unfinished frame has hidden, and does not count as a slow timer', async () => {
+  const { wire, ask, say, clock, timing } = setUp();
+  await clock.run(ask());
+  const asked = ask({ name: 'GETLOWRPM' });
+  say(concat(FALSE_HEADER, ANSWER));
+  expect(await clock.run(asked)).toMatchObject({ kind: 'damaged' });
+  expect([wire.strays, timing.delay]).toEqual([0, null]);
 });
 
 describe('a pause', () => {
@@ -342,9 +340,7 @@ describe('a port that ends', () => {
   });
 });
 
-describe('an error of the client', () => {
-  it('has a cause only where there is one', () => {
-    expect('cause' in new TimerError('busy', '')).toBe(false);
-    expect(new TimerError('busy', '', {}, 7).cause).toBe(7);
-  });
+it('an error of the client has a cause only where there is one', () => {
+  expect('cause' in new TimerError('busy', '')).toBe(false);
+  expect(new TimerError('busy', '', {}, 7).cause).toBe(7);
 });

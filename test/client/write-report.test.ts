@@ -12,16 +12,14 @@ const GOAL: TimerProgram = {
 };
 const noThrottle = { ...GOAL, idleThrottle: null };
 
-describe('whether a memory holds what was expected', () => {
-  it.each<[string, TimerProgram, TimerProgram, boolean]>([
-    ['all of it', GOAL, GOAL, true],
-    ['another time', GOAL, edited(GOAL, [1, 9001]), false],
-    ['an idle throttle that was not known', noThrottle, GOAL, true],
-    ['an idle throttle that was not known, and another position', noThrottle, edited(GOAL, [0, 0, 9]), false],
-    ['an idle throttle that is not known any more', GOAL, noThrottle, false],
-  ])('%s', (_, believed, held, isIt) => {
-    expect(isHeld(believed, held)).toBe(isIt);
-  });
+it.each<[string, TimerProgram, TimerProgram, boolean]>([
+  ['all of it', GOAL, GOAL, true],
+  ['another time', GOAL, edited(GOAL, [1, 9001]), false],
+  ['an idle throttle that was not known', noThrottle, GOAL, true],
+  ['an idle throttle that was not known, and another position', noThrottle, edited(GOAL, [0, 0, 9]), false],
+  ['an idle throttle that is not known any more', GOAL, noThrottle, false],
+])('whether a memory holds what was expected: %s', (_, believed, held, isIt) => {
+  expect(isHeld(believed, held)).toBe(isIt);
 });
 
 describe('values that nobody asked to change', () => {

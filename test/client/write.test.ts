@@ -133,9 +133,12 @@ describe('write program', () => {
   });
 
   it('refuses a program for another kind of timer', async () => {
-    const { client, run, baseline } = await readBench();
+    const { client, timer, run, baseline } = await readBench();
     const other = { ...baseline, identity: { ...baseline.identity, timerClass: 'E' } };
-    await expect(run(client.writeProgram(other, { baseline }))).rejects.toMatchObject({ code: 'other-timer' });
+    await expect(run(client.writeProgram(other, { baseline }))).rejects.toMatchObject({
+      code: 'other-timer',
+      details: { identity: timer.core.identity },
+    });
   });
 
   it('puts back what changed without being asked, and says so', async () => {

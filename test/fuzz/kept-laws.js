@@ -1,10 +1,12 @@
 // What holds for files and links whatever comes: each law as a property of the package that is handed in.
 
 import { readFileSync } from 'node:fs';
+import { crc32 } from 'node:zlib';
 import fc from 'fast-check';
 import { breach } from '../program/json-schema.js';
 import { hostileText, textDamage, valueDamage } from './damage.js';
 import { flight, library, model, program, setting, shared, words } from './kept.js';
+import { hold } from './laws.js';
 
 /**
  * @typedef {Pick<typeof import('../../src/program/index.js'), 'decodeLink' | 'encodeLink' | 'formatLibraryFile' |
@@ -21,11 +23,6 @@ const BEYOND_SCHEMA = [
   // Above the other end of the servo.
   /^out-of-range .*\.low$/,
 ];
-
-/** @param {boolean} holds @param {string} what */
-function hold(holds, what) {
-  if (!holds) throw new Error(what);
-}
 
 /** Equal, down to the names. @param {unknown} one @param {unknown} other */
 function same(one, other) {
@@ -215,12 +212,3 @@ export const KEPT_LAWS = {
       throw new Error('a text that is no link was read as one');
     }),
 };
-
-/** As zip has it, one bit after the other. @param {Uint8Array} bytes */
-function crc32(bytes) {
-  let crc = ~0;
-  for (const byte of bytes) {
-    for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ ((crc ^ (byte >> bit)) & 1 ? 0xedb8_8320 : 0);
-  }
-  return ~crc >>> 0;
-}

@@ -1,7 +1,7 @@
 // Models, settings and flights as pilots may keep them, with all that their values may be.
 
 import fc from 'fast-check';
-import { identity } from './messages.js';
+import { identity, upTo } from './messages.js';
 
 /**
  * @typedef {import('../../src/program/index.js').Flight} Flight
@@ -11,9 +11,6 @@ import { identity } from './messages.js';
  * @typedef {import('../../src/program/index.js').SharedSetting} SharedSetting
  * @typedef {import('../../src/program/index.js').TimerProgram} TimerProgram
  */
-
-/** @param {number} max */
-const upTo = (max) => fc.oneof({ weight: 4, arbitrary: fc.integer({ min: 0, max }) }, fc.constantFrom(0, max));
 
 /** @template T @param {fc.Arbitrary<T>} of @param {number} count */
 const many = (of, count) => fc.array(of, { minLength: count, maxLength: count });

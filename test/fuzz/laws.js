@@ -23,7 +23,7 @@ function same(actual, expected, what) {
 }
 
 /** @param {boolean} holds @param {string} what */
-function hold(holds, what) {
+export function hold(holds, what) {
   if (!holds) throw new Error(what);
 }
 

@@ -48,7 +48,7 @@ function times({ functions: count }) {
 }
 
 /** @param {number} max */
-const upTo = (max) => fc.oneof({ weight: 4, arbitrary: fc.integer({ min: 0, max }) }, fc.constantFrom(0, max));
+export const upTo = (max) => fc.oneof({ weight: 4, arbitrary: fc.integer({ min: 0, max }) }, fc.constantFrom(0, max));
 
 /** @param {Options} options @returns {fc.Arbitrary<Request>} */
 export function requestFor({ identity: timer }) {

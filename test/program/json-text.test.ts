@@ -65,30 +65,26 @@ describe('a text of JSON', () => {
   });
 });
 
-describe('where a value stands in a text', () => {
-  const text = '{\n  "ab": [1, {"c": 2}],\n  "a": {"b": 3}\n}';
+const text = '{\n  "ab": [1, {"c": 2}],\n  "a": {"b": 3}\n}';
 
-  it.each([
-    ['', 1, 1],
-    ['ab', 2, 9],
-    ['ab[0]', 2, 10],
-    ['ab[1].c', 2, 19],
-    ['a', 3, 8],
-    ['a.b', 3, 14],
-    ['ab[1].missing', 2, 13],
-    ['ab[7]', 2, 9],
-    ['a.b.c', 3, 14],
-    ['abc', 1, 1],
-    ['missing', 1, 1],
-  ])('%s: line %i, column %i', (path, line, column) => {
-    expect(placeInText(text, path)).toEqual({ line, column });
-  });
+it.each([
+  ['', 1, 1],
+  ['ab', 2, 9],
+  ['ab[0]', 2, 10],
+  ['ab[1].c', 2, 19],
+  ['a', 3, 8],
+  ['a.b', 3, 14],
+  ['ab[1].missing', 2, 13],
+  ['ab[7]', 2, 9],
+  ['a.b.c', 3, 14],
+  ['abc', 1, 1],
+  ['missing', 1, 1],
+])('the place of a value in a text: %s: line %i, column %i', (path, line, column) => {
+  expect(placeInText(text, path)).toEqual({ line, column });
 });
 
-describe('where a text begins', () => {
-  it('is after the blanks before it', () => {
-    expect(placeInText(' \n  {"a": 1}', 'missing')).toEqual({ line: 2, column: 3 });
-  });
+it('a text begins after the blanks before it', () => {
+  expect(placeInText(' \n  {"a": 1}', 'missing')).toEqual({ line: 2, column: 3 });
 });
 
 describe('JSON that a person can read', () => {

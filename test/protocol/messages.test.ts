@@ -124,41 +124,37 @@ describe('frames that can be neither request nor reply', () => {
   });
 });
 
-describe('where the source contradicts itself', () => {
-  it('accepts 66 for 62 and 6A for 6E, each only as the reply to its own request', () => {
-    expect(answers(0x62, 'GETTIMERS')).toBe('exact');
-    expect(answers(0x66, 'GETTIMERS')).toBe('misprint');
-    expect(answers(0x6e, 'UNLOCK')).toBe('exact');
-    expect(answers(0x6a, 'UNLOCK')).toBe('misprint');
-    expect(answers(0x66, 'UNLOCK')).toBeUndefined();
-    expect(answers(0x62, 'SETTIMERS')).toBeUndefined();
-    const times = onlyFrame('00 00 00 00 00 07 66 00 00 70 17 ed 45');
-    expect(decodeReply(times, { identity: SMALL, pending: 'GETTIMERS' })).toEqual({
-      name: 'GETTIMERS',
-      times: [0, 6000],
-    });
-    expect(decodeReply(times, { identity: SMALL, pending: { name: 'SETTIMERS', times: [] } })).toEqual({
-      name: 'SETTIMERS',
-      times: [0, 6000],
-    });
-    expect(refusal(() => decodeReply(times, { identity: SMALL, pending: 'GETMEMORY' }))).toEqual([
-      'unexpected-reply',
-      'code',
-    ]);
+it('66 for 62 and 6A for 6E are accepted, each only as the reply to its own request', () => {
+  expect(answers(0x62, 'GETTIMERS')).toBe('exact');
+  expect(answers(0x66, 'GETTIMERS')).toBe('misprint');
+  expect(answers(0x6e, 'UNLOCK')).toBe('exact');
+  expect(answers(0x6a, 'UNLOCK')).toBe('misprint');
+  expect(answers(0x66, 'UNLOCK')).toBeUndefined();
+  expect(answers(0x62, 'SETTIMERS')).toBeUndefined();
+  const times = onlyFrame('00 00 00 00 00 07 66 00 00 70 17 ed 45');
+  expect(decodeReply(times, { identity: SMALL, pending: 'GETTIMERS' })).toEqual({
+    name: 'GETTIMERS',
+    times: [0, 6000],
   });
+  expect(decodeReply(times, { identity: SMALL, pending: { name: 'SETTIMERS', times: [] } })).toEqual({
+    name: 'SETTIMERS',
+    times: [0, 6000],
+  });
+  expect(refusal(() => decodeReply(times, { identity: SMALL, pending: 'GETMEMORY' }))).toEqual([
+    'unexpected-reply',
+    'code',
+  ]);
 });
 
-describe('the last of 255 memories', () => {
-  const identity = { ...SMALL, memories: 255 };
-  it.each([
-    ['a timer that counts from 1 and is not known to', 255, false],
-    ['one that is', 254, true],
-  ])('comes back as it was from %s', (_, memory, memoriesFromOne) => {
-    const options = { identity, quirks: { memoriesFromOne } };
-    const bytes = encodeReply({ name: 'GETMEMORY', memory }, options);
-    expect(toHex(bytes)).toBe('00 00 00 00 00 04 72 ff 71 45');
-    expect(decodeReply(onlyFrame(toHex(bytes)), options)).toEqual({ name: 'GETMEMORY', memory });
-  });
+const identity = { ...SMALL, memories: 255 };
+it.each([
+  ['a timer that counts from 1 and is not known to', 255, false],
+  ['one that is', 254, true],
+])('the last of 255 memories comes back as it was from %s', (_, memory, memoriesFromOne) => {
+  const options = { identity, quirks: { memoriesFromOne } };
+  const bytes = encodeReply({ name: 'GETMEMORY', memory }, options);
+  expect(toHex(bytes)).toBe('00 00 00 00 00 04 72 ff 71 45');
+  expect(decodeReply(onlyFrame(toHex(bytes)), options)).toEqual({ name: 'GETMEMORY', memory });
 });
 
 describe('the size of an exchange', () => {

@@ -228,27 +228,25 @@ describe('a copy that fails early says so', () => {
   });
 });
 
-describe('restoring a set', () => {
-  it('writes each memory as it was, keeps what they held, and goes back', async () => {
-    const made = await bench();
-    const before = contents(made);
-    await run(made.memories.backUp());
-    const backups = [...made.session.backups.list.value].reverse();
-    made.timer.core.memories.forEach(({ positions }, memory) => {
-      (positions[2] as number[])[5] = 90 + memory;
-    });
-    const changed = contents(made);
-    await job(made, { kind: 'restore', backups });
-    expect(made.write.current.value).toMatchObject({
-      stopped: null,
-      ends: [0, 1, 2, 3].map((memory) => ({ memory, state: 'verified' })),
-    });
-    expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
-    const written = kept(made).filter(({ reason }) => reason === 'write');
-    expect(written.reverse().map(({ positions }) => positions)).toEqual(changed.map(({ positions }) => positions));
-    expect(made.store.unfinished.records.size).toBe(0);
-    expect(made.editor.working.value?.positions[2]?.[5]).toBe(before[1]?.positions[2]?.[5]);
+it('restoring a set writes each memory as it was, keeps what they held, and goes back', async () => {
+  const made = await bench();
+  const before = contents(made);
+  await run(made.memories.backUp());
+  const backups = [...made.session.backups.list.value].reverse();
+  made.timer.core.memories.forEach(({ positions }, memory) => {
+    (positions[2] as number[])[5] = 90 + memory;
   });
+  const changed = contents(made);
+  await job(made, { kind: 'restore', backups });
+  expect(made.write.current.value).toMatchObject({
+    stopped: null,
+    ends: [0, 1, 2, 3].map((memory) => ({ memory, state: 'verified' })),
+  });
+  expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
+  const written = kept(made).filter(({ reason }) => reason === 'write');
+  expect(written.reverse().map(({ positions }) => positions)).toEqual(changed.map(({ positions }) => positions));
+  expect(made.store.unfinished.records.size).toBe(0);
+  expect(made.editor.working.value?.positions[2]?.[5]).toBe(before[1]?.positions[2]?.[5]);
 });
 
 describe('a plug that is pulled in the middle', () => {
@@ -349,45 +347,41 @@ describe('a plug that is pulled in the middle', () => {
   });
 });
 
-describe('which memory is current', () => {
-  it('is never changed unasked', async () => {
-    const made = await bench();
-    made.editor.type(S1, '7');
-    await review(made);
-    made.session.safety.confirm();
-    await goOn(made);
-    made.write.dismiss();
-    await run(made.session.reader.read());
-    made.adapter.unplug();
-    await idle();
-    made.adapter.replug();
-    await idle();
-    made.timer.core.sleep();
-    await run(made.session.reader.read());
-    made.timer.core.press();
-    await idle();
-    await run(made.session.timer.disconnect());
-    await run(made.session.timer.connect());
-    expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
-  });
+it('no memory is made current unasked', async () => {
+  const made = await bench();
+  made.editor.type(S1, '7');
+  await review(made);
+  made.session.safety.confirm();
+  await goOn(made);
+  made.write.dismiss();
+  await run(made.session.reader.read());
+  made.adapter.unplug();
+  await idle();
+  made.adapter.replug();
+  await idle();
+  made.timer.core.sleep();
+  await run(made.session.reader.read());
+  made.timer.core.press();
+  await idle();
+  await run(made.session.timer.disconnect());
+  await run(made.session.timer.connect());
+  expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
 });
 
-describe('a copy to a timer that keeps positions only where its servos stand', () => {
-  it('moves them only when that is wanted, and else says what was not kept', async () => {
-    const made = await bench({ quirks: { servoNeedsMove: true } });
-    const moves = () => made.timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
-    const copy: Plan = { kind: 'copy', from: 1, to: 3 };
-    await job(made, copy);
-    expect(made.write.current.value).toMatchObject({ step: 'done', notHeld: true });
-    expect(moves()).toBe(0);
-    made.session.servoMoves.allow(true);
-    made.write.dismiss();
-    await review(made, copy);
-    expect([made.session.servoMoves.needed, made.session.servoMoves.allowed.value]).toEqual([true, false]);
-    made.session.servoMoves.allow(true);
-    await goOn(made);
-    expect(made.write.current.value).toMatchObject({ step: 'done', notHeld: false });
-    expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
-    expect(moves()).toBe(1);
-  });
+it('a copy to a timer that keeps positions where its servos stand moves them only when that is wanted', async () => {
+  const made = await bench({ quirks: { servoNeedsMove: true } });
+  const moves = () => made.timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
+  const copy: Plan = { kind: 'copy', from: 1, to: 3 };
+  await job(made, copy);
+  expect(made.write.current.value).toMatchObject({ step: 'done', notHeld: true });
+  expect(moves()).toBe(0);
+  made.session.servoMoves.allow(true);
+  made.write.dismiss();
+  await review(made, copy);
+  expect([made.session.servoMoves.needed, made.session.servoMoves.allowed.value]).toEqual([true, false]);
+  made.session.servoMoves.allow(true);
+  await goOn(made);
+  expect(made.write.current.value).toMatchObject({ step: 'done', notHeld: false });
+  expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
+  expect(moves()).toBe(1);
 });

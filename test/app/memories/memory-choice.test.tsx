@@ -144,31 +144,29 @@ describe('the memories', () => {
   });
 });
 
-describe('a look that cannot go back', () => {
-  it('is reported at once, with the way back', async () => {
-    const app = await connected();
-    await lookAt('M3');
-    let away = 0;
-    app.timer.core.onAnswer = ({ name }) => {
-      if (name !== 'GETSERVOPOS' || app.timer.core.memory !== 2) return;
-      // It does not hear the way back, nor what is asked after that.
-      away++;
-      app.timer.core.sleep();
-    };
-    await press('Edit M3');
-    expect([away > 0, app.timer.core.memory]).toEqual([true, 2]);
-    expect(app.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
-    expect(document.querySelector('.unfinished')?.textContent).toContain(
-      en.recovery.mayFly({ memory: 'M3 of the F1Q 536' }),
-    );
-    app.timer.core.onAnswer = undefined;
-    app.timer.core.press();
-    await idle();
-    expect(choices()).toEqual(['M1', 'M2', '* M3, flies next', 'M4']);
-    await press('Make M1 fly next');
-    expect([app.timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
-    expect(screen.queryByRole('alert')).toBeNull();
-  });
+it('a look that cannot go back is reported at once, with the way back', async () => {
+  const app = await connected();
+  await lookAt('M3');
+  let away = 0;
+  app.timer.core.onAnswer = ({ name }) => {
+    if (name !== 'GETSERVOPOS' || app.timer.core.memory !== 2) return;
+    // It does not hear the way back, nor what is asked after that.
+    away++;
+    app.timer.core.sleep();
+  };
+  await press('Edit M3');
+  expect([away > 0, app.timer.core.memory]).toEqual([true, 2]);
+  expect(app.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
+  expect(document.querySelector('.unfinished')?.textContent).toContain(
+    en.recovery.mayFly({ memory: 'M3 of the F1Q 536' }),
+  );
+  app.timer.core.onAnswer = undefined;
+  app.timer.core.press();
+  await idle();
+  expect(choices()).toEqual(['M1', 'M2', '* M3, flies next', 'M4']);
+  await press('Make M1 fly next');
+  expect([app.timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
+  expect(screen.queryByRole('alert')).toBeNull();
 });
 
 describe('Disconnect', () => {

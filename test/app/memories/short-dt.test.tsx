@@ -175,29 +175,27 @@ describe('with a short DT in the timer', () => {
   });
 });
 
-describe('the limit of a short DT', () => {
-  it('is the same for the strip and the question, set in the settings and kept', async () => {
-    const app = await connected();
-    const figure = () => document.querySelector('.strip-figure')?.className;
-    await goTo('Settings'.toLowerCase() as 'settings');
-    const limit = () => screen.getByRole<HTMLInputElement>('textbox', { name: /^A DT is short below/ });
-    const say = async (text: string): Promise<void> => {
-      fireEvent.change(limit(), { target: { value: text } });
-      await late();
-    };
-    expect([limit().value, figure()]).toEqual(['1:00 min', 'strip-figure ']);
-    await say('3:30');
-    expect([limit().value, figure(), app.session.shortDt.held.value?.dt]).toEqual([
-      '3:30 min',
-      'strip-figure bad',
-      18_000,
-    ]);
-    await say('never');
-    expect(screen.getByRole('alert').textContent).toBe(en.edits.presets.refused);
-    expect(limit().value, 'the text in the field stays').toBe('never');
-    await say('0');
-    expect([screen.queryByRole('alert'), figure()]).toEqual([null, 'strip-figure ']);
-    const again = await reloaded(app);
-    expect(again.models.preferences.shortDt.value).toBe(0);
-  });
+it('the limit of a short DT is the same for the strip and the question, set in the settings and kept', async () => {
+  const app = await connected();
+  const figure = () => document.querySelector('.strip-figure')?.className;
+  await goTo('Settings'.toLowerCase() as 'settings');
+  const limit = () => screen.getByRole<HTMLInputElement>('textbox', { name: /^A DT is short below/ });
+  const say = async (text: string): Promise<void> => {
+    fireEvent.change(limit(), { target: { value: text } });
+    await late();
+  };
+  expect([limit().value, figure()]).toEqual(['1:00 min', 'strip-figure ']);
+  await say('3:30');
+  expect([limit().value, figure(), app.session.shortDt.held.value?.dt]).toEqual([
+    '3:30 min',
+    'strip-figure bad',
+    18_000,
+  ]);
+  await say('never');
+  expect(screen.getByRole('alert').textContent).toBe(en.edits.presets.refused);
+  expect(limit().value, 'the text in the field stays').toBe('never');
+  await say('0');
+  expect([screen.queryByRole('alert'), figure()]).toEqual([null, 'strip-figure ']);
+  const again = await reloaded(app);
+  expect(again.models.preferences.shortDt.value).toBe(0);
 });

@@ -155,34 +155,30 @@ describe('a job', () => {
   });
 });
 
-describe('a dialog that shows what is about to be sent', () => {
-  it('keeps the bench from sending anything, as long as it is open', async () => {
-    const { bench, session } = await connectedBench();
-    session.safety.confirm();
-    expect(bench.ready.value).toBe(true);
-    session.runner.claim(true);
-    expect([bench.ready.value, await bench.moveTo(3), session.runner.busy.value]).toEqual([false, false, false]);
-    session.runner.claim(false);
-    expect(bench.ready.value).toBe(true);
-  });
+it('a dialog that shows what is about to be sent keeps the bench from sending anything', async () => {
+  const { bench, session } = await connectedBench();
+  session.safety.confirm();
+  expect(bench.ready.value).toBe(true);
+  session.runner.claim(true);
+  expect([bench.ready.value, await bench.moveTo(3), session.runner.busy.value]).toEqual([false, false, false]);
+  session.runner.claim(false);
+  expect(bench.ready.value).toBe(true);
 });
 
-describe('the message of a job', () => {
-  it('is shown again after a reading without a message of its own', async () => {
-    const { notices } = (await connectedBench()).session;
-    const again = async (work: () => void) => {
-      notices.say('nothing-written');
-      await notices.keepThrough(async () => {
-        notices.dismiss();
-        work();
-      });
-      return notices.current.value?.code;
-    };
-    expect([await again(() => {}), await again(() => notices.say('timer-moved'))]).toEqual([
-      'nothing-written',
-      'timer-moved',
-    ]);
-    notices.sayIfSilent('strays');
-    expect(notices.current.value?.code).toBe('timer-moved');
-  });
+it('the message of a job is shown again after a reading without a message of its own', async () => {
+  const { notices } = (await connectedBench()).session;
+  const again = async (work: () => void) => {
+    notices.say('nothing-written');
+    await notices.keepThrough(async () => {
+      notices.dismiss();
+      work();
+    });
+    return notices.current.value?.code;
+  };
+  expect([await again(() => {}), await again(() => notices.say('timer-moved'))]).toEqual([
+    'nothing-written',
+    'timer-moved',
+  ]);
+  notices.sayIfSilent('strays');
+  expect(notices.current.value?.code).toBe('timer-moved');
 });

@@ -255,8 +255,9 @@ describe('another way in which a write can end', () => {
   });
 });
 
-describe('after a reload in the middle of a write', () => {
-  it.each(['goal', 'before'] as const)('the timer is read and the write offered: %s', async (end) => {
+it.each(['goal', 'before'] as const)(
+  'after a reload in the middle of a write it is offered once the timer is read: %s',
+  async (end) => {
     const before = await writing('SETTIMERS');
     await idle(100);
     expect(before.write.current.value?.step).toBe('running');
@@ -271,40 +272,38 @@ describe('after a reload in the middle of a write', () => {
     expect(held(after)).toEqual(end === 'goal' ? GOAL : BEFORE);
     expect(after.store.unfinished.records.size).toBe(0);
     expect(after.session.backups.list.value.map(({ program }) => program.times[10])).toEqual([24000, 18000]);
-  });
-});
+  },
+);
 
-describe('before the first byte of a write', () => {
-  it('its goal and a backup are stored, however long that takes', async () => {
-    const bench = await connectedBench();
-    for (const shelf of [bench.store.unfinished, bench.store.backups]) {
-      const save = shelf.save.bind(shelf) as (record: { key: string }) => Promise<void>;
-      shelf.save = async (record: { key: string }) => {
-        await new Promise((resolve) => setTimeout(resolve, 700));
-        await save(record);
-      };
-    }
-    bench.editor.type(DT, '4:00');
-    await review(bench);
-    bench.session.safety.confirm();
-    const kept: unknown[] = [];
-    bench.timer.core.onAnswer = ({ name }) => {
-      if (!name.startsWith('SET')) return;
-      const [unfinished] = [...bench.store.unfinished.records.values()];
-      const [backup] = [...bench.store.backups.records.values()];
-      kept.push(unfinished, backup);
+it('before the first byte of a write its goal and a backup are stored, however long that takes', async () => {
+  const bench = await connectedBench();
+  for (const shelf of [bench.store.unfinished, bench.store.backups]) {
+    const save = shelf.save.bind(shelf) as (record: { key: string }) => Promise<void>;
+    shelf.save = async (record: { key: string }) => {
+      await new Promise((resolve) => setTimeout(resolve, 700));
+      await save(record);
     };
-    bench.write.goOn();
-    await idle(1000);
-    await asked(bench);
-    expect(kept).toMatchObject([
-      { kind: 'write', before: { memory: 0 }, goal: { memory: 0 } },
-      { reason: 'write', simulated: false, program: { memory: 0 } },
-    ]);
-    const [unfinished, backup] = kept as [{ before: unknown; goal: { times: number[] } }, { program: unknown }];
-    expect(unfinished.goal.times[10]).toBe(24000);
-    expect(backup.program).toEqual(unfinished.before);
-  });
+  }
+  bench.editor.type(DT, '4:00');
+  await review(bench);
+  bench.session.safety.confirm();
+  const kept: unknown[] = [];
+  bench.timer.core.onAnswer = ({ name }) => {
+    if (!name.startsWith('SET')) return;
+    const [unfinished] = [...bench.store.unfinished.records.values()];
+    const [backup] = [...bench.store.backups.records.values()];
+    kept.push(unfinished, backup);
+  };
+  bench.write.goOn();
+  await idle(1000);
+  await asked(bench);
+  expect(kept).toMatchObject([
+    { kind: 'write', before: { memory: 0 }, goal: { memory: 0 } },
+    { reason: 'write', simulated: false, program: { memory: 0 } },
+  ]);
+  const [unfinished, backup] = kept as [{ before: unknown; goal: { times: number[] } }, { program: unknown }];
+  expect(unfinished.goal.times[10]).toBe(24000);
+  expect(backup.program).toEqual(unfinished.before);
 });
 
 it('a write into a simulated timer stays unfinished after Disconnect, because that timer keeps what it holds', async () => {

@@ -94,6 +94,7 @@ describe('what the servos move', () => {
   });
 
   it.each([
+    ['{', 'broken'],
     ['{"duty":"wing"}', 'no list'],
     [JSON.stringify([TAILPLANE]), 'fewer servos'],
     [JSON.stringify([TAILPLANE, FLAP, FLAP]), 'more servos'],

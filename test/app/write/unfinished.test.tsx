@@ -156,34 +156,32 @@ describe('a job that was cut while another memory was current', () => {
   });
 });
 
-describe('tried positions', () => {
-  it('are asked about in every view and after a reload, until they are kept or put back', async () => {
-    const app = await connected();
-    app.session.safety.confirm();
-    await run(app.bench.moveTo(4));
-    await run(app.follow.start());
-    await type('Function 4, S2', '70');
-    expect(band(), 'not while the servos follow').toBeNull();
-    await run(app.follow.stop());
-    await idle();
-    expect(band()).toContain('Tried: Function 4, S2: 55 → 70.');
-    const after = await loadedAgain(app);
-    for (const view of VIEWS) {
-      await goTo(view);
-      expect(band(), view).toContain(words.triedIn({ memory: `M1 of ${OTHER}` }));
-      expect(band(), view).toContain(words.decide);
-    }
-    await goTo('program');
-    await press(en.knowledge.connect);
-    expect(band()).toContain('Tried: Function 4, S2: 55 → 70.');
-    await press(words.putBack);
-    expect(after.editor.changes.value).toMatchObject([{ from: 70, to: 55 }]);
-    act(() => after.write.dismiss());
-    await press(words.keep);
-    expect(band()).toBeNull();
-    await loadedAgain(after);
-    expect(band()).toBeNull();
-  });
+it('tried positions are asked about in every view and after a reload, until they are kept or put back', async () => {
+  const app = await connected();
+  app.session.safety.confirm();
+  await run(app.bench.moveTo(4));
+  await run(app.follow.start());
+  await type('Function 4, S2', '70');
+  expect(band(), 'not while the servos follow').toBeNull();
+  await run(app.follow.stop());
+  await idle();
+  expect(band()).toContain('Tried: Function 4, S2: 55 → 70.');
+  const after = await loadedAgain(app);
+  for (const view of VIEWS) {
+    await goTo(view);
+    expect(band(), view).toContain(words.triedIn({ memory: `M1 of ${OTHER}` }));
+    expect(band(), view).toContain(words.decide);
+  }
+  await goTo('program');
+  await press(en.knowledge.connect);
+  expect(band()).toContain('Tried: Function 4, S2: 55 → 70.');
+  await press(words.putBack);
+  expect(after.editor.changes.value).toMatchObject([{ from: 70, to: 55 }]);
+  act(() => after.write.dismiss());
+  await press(words.keep);
+  expect(band()).toBeNull();
+  await loadedAgain(after);
+  expect(band()).toBeNull();
 });
 
 describe('a connection that ends while the servos follow', () => {
