@@ -7,7 +7,7 @@ import { connectionHtml } from './tools/connection-page.js';
 import { root } from './tools/pack.js';
 import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
-import { deadClasses, dearSelectors, flaws, flawsOfPage, strayClasses, strayThresholds } from './tools/styles.js';
+import { deadClasses, dearSelectors, flaws, strayClasses, strayThresholds } from './tools/styles.js';
 
 const texts = [
   ...['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'test/rig/README.md'],
@@ -35,18 +35,6 @@ function headingsOf(file: string): string[] {
       .replaceAll(' ', '-'),
   );
 }
-
-describe('the workflows', () => {
-  const folder = join(root, '.github/workflows');
-  it.each(readdirSync(folder))('%s take what they use by its digest, and run scripts that there are', (file) => {
-    const text = readFileSync(join(folder, file), 'utf8');
-    const used = [...text.matchAll(/^\s*(?:- )?(?:uses|image): (.*)$/gm)].map(([, what = '']) => what);
-    expect(used.length).toBeGreaterThan(0);
-    for (const what of used) expect(what).toMatch(/^[\w./-]+@[0-9a-f]{40} # v\d|^[\w.:-]+@sha256:[0-9a-f]{64}$/);
-    const { scripts } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8')) as { scripts: object };
-    for (const [, script = ''] of text.matchAll(/npm run ([\w:]+)/g)) expect(Object.keys(scripts)).toContain(script);
-  });
-});
 
 describe('the docs', () => {
   it.each(texts)('%s links to what is there', (file) => {
@@ -114,147 +102,103 @@ describe('the docs', () => {
   });
 });
 
-describe('comments', () => {
-  it('are found where they pass 120 columns, but code, and an address that fills its line, are not', () => {
-    const long = 'word '.repeat(24);
-    const lines = [
-      '// short',
-      `  // ${long}`,
-      ` * ${long}`,
-      `const text = '${long}';`,
-      `// https://${'a'.repeat(120)}`,
-    ];
-    expect(longComments(lines.join('\n'))).toEqual([2, 3]);
-  });
+/** What a tool of `npm run lint` finds: a part of its one sentence, or nothing. */
+type Found = readonly [what: string, found: readonly string[], fault: string | null];
+const isFound = (_: string, found: readonly string[], fault: string | null): void =>
+  expect(found).toEqual(fault === null ? [] : [expect.stringContaining(fault)]);
+
+it('comments are found where they pass 120 columns, but code, and an address that fills its line, are not', () => {
+  const long = 'word '.repeat(24);
+  const lines = ['// short', `  // ${long}`, ` * ${long}`, `const text = '${long}';`, `// https://${'a'.repeat(120)}`];
+  expect(longComments(lines.join('\n'))).toEqual([2, 3]);
 });
 
-describe('the order of the page', () => {
-  it.each([
-    ['a feature that looks up', 'bench/stand.ts', '../shell/header.js', 'app/bench may not use app/shell'],
-    ['a component that looks for its models', 'bench/panel.tsx', '../models.js', 'app/bench may not use app/app'],
-    ['a feature that knows another', 'memories/copy.ts', '../bench/stand.js', 'app/memories may not use app/bench'],
-    ['what lies below and looks up', 'editing/units.ts', '../work/session.js', 'app/editing may not use app/work'],
-    ['a timer that knows what is kept', 'timer/link.ts', '../records/library.js', 'app/timer may not use app/records'],
+describe('in the order of the page', () => {
+  const imports = (file: string, path: string) => breaches(file, `import { a } from '${path}';`);
+
+  it.each<Found>([
+    ['a feature that looks up', imports('bench/stand.ts', '../shell/header.js'), 'app/bench may not use app/shell'],
+    ['one that looks for its models', imports('bench/panel.tsx', '../models.js'), 'app/bench may not use app/app'],
+    ['one that knows another', imports('memories/copy.ts', '../bench/a.js'), 'app/memories may not use app/bench'],
+    ['also later', breaches('memories/a.ts', "await import('../bench/a.js');"), 'app/memories may not use app/bench'],
+    ['what lies below', imports('editing/units.ts', '../work/session.js'), 'app/editing may not use app/work'],
+    ['a timer that knows what is kept', imports('timer/a.ts', '../records/b.js'), 'app/timer may not use app/records'],
     [
       'a folder in a folder',
-      'timeline/preview/player.ts',
-      '../../program/presets.js',
+      imports('timeline/preview/a.ts', '../../program/b.js'),
       'app/timeline may not use app/program',
     ],
     [
       'a folder without a place',
-      'parts/header.tsx',
-      '../ui/modal.js',
+      imports('parts/a.tsx', '../ui/b.js'),
       'the folder parts is not in the order of the page',
     ],
-    ['a room past its door', 'timer/link.ts', '../../serial/ports.js', 'a room is entered through its index.js'],
-    ['the simulator', 'timer/link.ts', '../../simulator/index.js', 'only connect/simulated-timer.ts may'],
-  ])('refuses %s', (_, file, path, why) => {
-    expect(breaches(file, `import { a } from '${path}';`)).toEqual([expect.stringContaining(why)]);
-    expect(breaches(file, `const a = await import('${path}');`)).toEqual([expect.stringContaining(why)]);
-  });
-
-  it.each(['session.notice.value = null', 'model.front.value++', 'model.count.value += 2'])(
-    'refuses a component that writes a signal of a model: %s',
-    (line) => {
-      expect(breaches('bench/panel.tsx', line)).toEqual([expect.stringContaining('bench/panel.tsx writes ')]);
-      expect(breaches('bench/bench.ts', line)).toEqual([]);
-    },
-  );
-
-  it.each([
-    ['knowledge.of(0)', 'standings'],
-    ['session.knowledge.of(memory)', 'standings'],
-    ['recognition.model.value', 'origin'],
-    ['const { model, tells } = this.#session.recognition;', 'origin'],
-    ['const { model } = session.recognition;', 'origin'],
-  ])('refuses to ask the sources of an answer: %s', (line, answer) => {
-    expect(breaches('print/print.ts', line)).toEqual([expect.stringContaining(`ask session.${answer}`)]);
-    expect(breaches('work/origin.ts', line)).toEqual([]);
-  });
-
-  it('lets a component write its own signals, and compare', () => {
-    expect(breaches('bench/panel.tsx', 'open.value = true; if (a.b.value === 1) {}')).toEqual([]);
-  });
-
-  it('lets imports run down', () => {
-    expect(breaches('program/table.tsx', "import { a } from '../ui/modal.js';")).toEqual([]);
-    expect(breaches('program/table.tsx', "import '../bench/b.js';")).toEqual([]);
-    expect(breaches('connect/simulated-timer.ts', "import { a } from '../../simulator/index.js';")).toEqual([]);
-    expect(breaches('timeline/preview/player.ts', "import { a } from '../scale.js';")).toEqual([]);
-  });
+    ['a room past its door', imports('timer/a.ts', '../../serial/ports.js'), 'a room is entered through its index.js'],
+    ['the simulator', imports('timer/a.ts', '../../simulator/index.js'), 'only connect/simulated-timer.ts may'],
+    ['the simulator, where it may', imports('connect/simulated-timer.ts', '../../simulator/index.js'), null],
+    ['what looks down', imports('program/table.tsx', '../ui/modal.js'), null],
+    ['what may know another', breaches('program/table.tsx', "import '../bench/b.js';"), null],
+    ['what looks beside', imports('timeline/preview/player.ts', '../scale.js'), null],
+    ['a component that writes', breaches('bench/a.tsx', 'session.notice.value = null'), 'bench/a.tsx writes '],
+    ['one that counts', breaches('bench/a.tsx', 'model.front.value++'), 'bench/a.tsx writes '],
+    ['one that adds', breaches('bench/a.tsx', 'model.count.value += 2'), 'bench/a.tsx writes '],
+    ['a model that writes', breaches('bench/a.ts', 'model.front.value++'), null],
+    ['own signals', breaches('bench/a.tsx', 'open.value = true; if (a.b.value === 1) {}'), null],
+    ['who asks a source', breaches('print/a.ts', 'session.knowledge.of(memory)'), 'ask session.standings'],
+    ['a shorter way', breaches('print/a.ts', 'recognition.model.value'), 'ask session.origin'],
+    [
+      'parts of it',
+      breaches('print/a.ts', 'const { model, tells } = this.#session.recognition;'),
+      'ask session.origin',
+    ],
+    ['the answer itself', breaches('work/origin.ts', 'session.knowledge.of(memory)'), null],
+  ])('%s', isFound);
 });
 
-describe('the styles of the page', () => {
-  it('are as they have to be', () => {
-    expect(flawsOfPage()).toEqual([]);
-  });
+describe('of the styles', () => {
+  const rule = (declaration: string) => `/* #fff */\n.a:hover {\n  ${declaration};\n}\n`;
+  const shape = (condition: string) =>
+    strayThresholds('line/a.css', `${condition} {\n  .a {\n    margin: 0;\n  }\n}\n`);
+  const outside = 'stands in ui/tokens.css';
+  const noShape = 'no shape of the window';
+  const deep =
+    '.a:has(> :not(.b)):focus input {\n  top: 0;\n}\n\n.d :has(svg):hover,\nth:has([open]) {\n  top: 0;\n}\n';
+  const homes = new Map([
+    ['ui/modal.css', '.dialog > .buttons {\n  margin: 0;\n}\n'],
+    [
+      'line/a.css',
+      '@media print {\n  .a, dialog:has(.b, .c) .dialog {\n    margin: 0;\n  }\n\n  .dialog {\n    margin: 0;\n  }\n}\n',
+    ],
+  ]);
+  const gone = new Map([['line/a.css', '.a:has(.b) .on-a4,\n.gone {\n  margin: 0;\n}\n']]);
 
-  it.each([
-    ['a colour in hexadecimal', 'border: 1px solid #a51717'],
-    ['a colour as a function', 'background: rgb(8 14 20 / 60%)'],
-    ['a colour by name', 'color: white'],
-    ['a fifth size of type', 'font-size: 0.9rem'],
-    ['a size of type of this window', 'font-size: clamp(1rem, 2vw, 2rem)'],
-    ['a step beside the scale of space', 'margin-inline: 0.6rem auto'],
-  ])('refuse %s outside of the tokens', (_, declaration) => {
-    const text = `/* #fff */\n.a:hover {\n  ${declaration};\n}\n`;
-    expect(flaws('line/a.css', text)).toEqual([expect.stringContaining('stands in ui/tokens.css')]);
-    expect(flaws('ui/tokens.css', text)).toEqual([]);
-  });
-
-  it('take what is in the tokens', () => {
-    const text = '.a {\n  padding: 0 var(--space-2);\n  font-size: var(--type-small);\n  color: var(--ink);\n}\n';
-    expect(flaws('line/a.css', text)).toEqual([]);
-  });
-
-  it('do not look through the whole table for a part of it', () => {
-    const text =
-      '.a:has(> :not(.b)):focus input {\n  top: 0;\n}\n\n.d :has(svg):hover,\nth:has([open]) {\n  top: 0;\n}\n';
-    const found = ['program/a.css: .a:has(> :not(.b)):focus input: styles more than what a key changes'];
-    expect([dearSelectors('program/a.css', text), dearSelectors('print/a.css', text)]).toEqual([found, []]);
-  });
-
-  it('know few shapes of the window', () => {
-    const text = (condition: string) => `${condition} {\n  .a {\n    margin: 0;\n  }\n}\n`;
-    for (const condition of [
-      '@media (--phone), (--side)',
-      '@media (--laptop) and (pointer: fine)',
-      '@media print',
-      '@container program-table (max-width: 480px)',
-    ]) {
-      expect(strayThresholds('line/a.css', text(condition))).toEqual([]);
-    }
-    for (const condition of [
-      '@media (max-width: 47.5em)',
-      '@media (--phone) and (height < 40em)',
-      '@media (--phone), (--small)',
-      '@container program-table (width < 480px)',
-      '@container program-table (max-width: 530px)',
-    ]) {
-      expect(strayThresholds('line/a.css', text(condition))).toEqual([
-        expect.stringContaining('no shape of the window'),
-      ]);
-    }
-  });
-
-  it('have no class that no component uses', () => {
-    const texts = new Map([['line/a.css', '.a:has(.b) .on-a4,\n.gone {\n  margin: 0;\n}\n']]);
-    expect(deadClasses(texts, '<p class={`a b on-$'.concat('{paper}`} />'))).toEqual([
-      'line/a.css: .gone: no component uses it',
-    ]);
-  });
-
-  it('give a class one home', () => {
-    const texts = new Map([
-      ['ui/modal.css', '.dialog > .buttons {\n  margin: 0;\n}\n'],
-      [
-        'line/a.css',
-        '@media print {\n  .a, dialog:has(.b, .c) .dialog {\n    margin: 0;\n  }\n\n  .dialog {\n    margin: 0;\n  }\n}\n',
-      ],
-    ]);
-    expect(strayClasses(texts)).toEqual(['line/a.css: .dialog has its home in ui/modal.css']);
-  });
+  it.each<Found>([
+    ['a colour in hexadecimal', flaws('line/a.css', rule('border: 1px solid #a51717')), outside],
+    ['a colour as a function', flaws('line/a.css', rule('background: rgb(8 14 20 / 60%)')), outside],
+    ['a colour by name', flaws('line/a.css', rule('color: white')), outside],
+    ['a fifth size of type', flaws('line/a.css', rule('font-size: 0.9rem')), outside],
+    ['a size of type of this window', flaws('line/a.css', rule('font-size: clamp(1rem, 2vw, 2rem)')), outside],
+    ['a step beside the scale of space', flaws('line/a.css', rule('margin-inline: 0.6rem auto')), outside],
+    ['a colour in the tokens', flaws('ui/tokens.css', rule('color: white')), null],
+    ['a token', flaws('line/a.css', rule('padding: 0 var(--space-2);\n  font-size: var(--type-small)')), null],
+    [
+      'what looks through the whole table',
+      dearSelectors('program/a.css', deep),
+      '.a:has(> :not(.b)):focus input: styles more',
+    ],
+    ['the same where no key is pressed', dearSelectors('print/a.css', deep), null],
+    ['two shapes', shape('@media (--phone), (--side)'), null],
+    ['a shape and a pointer', shape('@media (--laptop) and (pointer: fine)'), null],
+    ['paper', shape('@media print'), null],
+    ['the edge of a part', shape('@container program-table (max-width: 480px)'), null],
+    ['a width', shape('@media (max-width: 47.5em)'), noShape],
+    ['a shape and a height', shape('@media (--phone) and (height < 40em)'), noShape],
+    ['another shape', shape('@media (--phone), (--small)'), noShape],
+    ['another form of an edge', shape('@container program-table (width < 480px)'), noShape],
+    ['another edge', shape('@container program-table (max-width: 530px)'), noShape],
+    ['no component', deadClasses(gone, '<p class={`a b on-$'.concat('{paper}`} />')), '.gone: no component uses it'],
+    ['two homes', strayClasses(homes), 'line/a.css: .dialog has its home in ui/modal.css'],
+  ])('%s', isFound);
 });
 
 describe('the size of the code', () => {

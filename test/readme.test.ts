@@ -51,12 +51,6 @@ describe('the packed package', () => {
     expect(readFileSync(join(root, 'README.md'), 'utf8')).toMatch(/^# Sidus Timer\n/);
   });
 
-  it('gives encodeFrame and FrameDecoder to a script in Node', () => {
-    const script = `import { encodeFrame, FrameDecoder } from 'sidus-timer/protocol';
-      console.log(Buffer.from(encodeFrame(0x6b)).toString('hex'), new FrameDecoder().push(encodeFrame(0x72, [3])).length);`;
-    expect(consumer.run(process.execPath, '--input-type=module', '--eval', script).trim()).toBe('0000000000036b6b45 1');
-  });
-
   it('compiles for a strict consumer that has only the DOM library', () => {
     const all = [...examples, ...commented.map(({ code }) => code)];
     for (const [index, code] of all.entries()) consumer.write(`example-${index}.ts`, code);

@@ -6,7 +6,6 @@ import process from 'node:process';
 import type { Page } from 'playwright';
 import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
 import type {} from '../../src/mock-serial/global.js';
-import type { TimerProgram } from '../../src/program/index.js';
 import { findBrowser } from '../tools/browser.js';
 import { Consumer, packed, root } from '../tools/pack.js';
 import { newPage } from './page.js';
@@ -41,68 +40,33 @@ async function pageOf(path: string): Promise<Page> {
   return page;
 }
 
-describe('the package in a browser', () => {
-  test('protocol, client and simulator work as one classic script', async () => {
-    const consumer = await Consumer.create();
-    const script = await consumer.classicScript(
-      `export * from 'sidus-timer/protocol'; export * from 'sidus-timer/client'; export * from 'sidus-timer/simulator';`,
-    );
-    const page = await pageOf('/empty.html');
-    await page.addScriptTag({ content: script });
-    const [hex, program] = (await page.evaluate(`(async () => {
-      const timer = new sidus.TimerClient(new sidus.VirtualTimer({ identity: { timerClass: 'Q' } }));
-      const program = await timer.readProgram();
-      await timer.close();
-      return [Array.from(sidus.encodeFrame(0x6b)).join(' '), program];
-    })()`)) as [string, TimerProgram];
-    expect(hex).toBe('0 0 0 0 0 3 107 107 69');
-    expect(program).toMatchObject({ identity: { timerClass: 'Q', functions: 10 }, memory: 0, idleThrottle: 30 });
-  });
-
-  test('the client works unchanged in a module worker, on streams that the page transfers', async () => {
-    const page = await pageOf('/empty.html');
-    await page.route(`${ORIGIN}/worker.js`, (route) =>
-      route.fulfill({
-        contentType: 'text/javascript',
-        body: `import { TimerClient } from '/dist/lib/client/public.js';
-          onmessage = async ({ data: port }) => {
-            const timer = new TimerClient(port);
-            const program = await timer.readProgram();
-            await timer.close();
-            postMessage(program);
-          };`,
-      }),
-    );
-    // A string: what Vitest makes of import() would not be known in the page.
-    const program = await page.evaluate(`(async () => {
-      const { VirtualTimer } = await import('/dist/lib/simulator/public.js');
-      const { readable, writable } = new VirtualTimer();
-      const worker = new Worker('/worker.js', { type: 'module' });
-      const answer = new Promise((resolve, reject) => {
-        worker.addEventListener('message', ({ data }) => resolve(data));
-        worker.addEventListener('error', ({ message }) => reject(new Error(message)));
-      });
-      worker.postMessage({ readable, writable }, [readable, writable]);
-      return answer;
-    })()`);
-    expect(program).toMatchObject({ identity: { timerClass: 'B', functions: 10 }, memory: 0 });
-  });
-
-  test('the mock port is put into a page as one classic script', async () => {
-    const page = await pageOf('/empty.html');
-    const heard = await page.evaluate(async () => {
-      const serial = navigator.serial as unknown as InstanceType<typeof SidusMockSerial.MockSerial>;
-      const plugged = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 });
-      serial.choose(plugged);
-      const port = await navigator.serial.requestPort({ filters: [{ usbVendorId: 0x0403 }] });
-      await port.open({ baudRate: 9600 });
-      await port.writable?.getWriter().write(Uint8Array.of(1, 2, 3));
-      plugged.device.write(await plugged.device.read());
-      const { value } = (await port.readable?.getReader().read()) ?? {};
-      return [...(value ?? [])];
+test('the client works unchanged in a module worker, on streams that the page transfers', async () => {
+  const page = await pageOf('/empty.html');
+  await page.route(`${ORIGIN}/worker.js`, (route) =>
+    route.fulfill({
+      contentType: 'text/javascript',
+      body: `import { TimerClient } from '/dist/lib/client/public.js';
+        onmessage = async ({ data: port }) => {
+          const timer = new TimerClient(port);
+          const program = await timer.readProgram();
+          await timer.close();
+          postMessage(program);
+        };`,
+    }),
+  );
+  // A string: what Vitest makes of import() would not be known in the page.
+  const program = await page.evaluate(`(async () => {
+    const { VirtualTimer } = await import('/dist/lib/simulator/public.js');
+    const { readable, writable } = new VirtualTimer();
+    const worker = new Worker('/worker.js', { type: 'module' });
+    const answer = new Promise((resolve, reject) => {
+      worker.addEventListener('message', ({ data }) => resolve(data));
+      worker.addEventListener('error', ({ message }) => reject(new Error(message)));
     });
-    expect(heard).toEqual([1, 2, 3]);
-  });
+    worker.postMessage({ readable, writable }, [readable, writable]);
+    return answer;
+  })()`);
+  expect(program).toMatchObject({ identity: { timerClass: 'B', functions: 10 }, memory: 0 });
 });
 
 /** A port of this machine on which nothing listens. */

@@ -128,7 +128,7 @@ function importBreaches(file, text) {
 }
 
 /** What is wrong in all files of the page. */
-export function breachesOfPage() {
+function breachesOfPage() {
   return readdirSync(page, { recursive: true, encoding: 'utf8' })
     .filter((file) => /\.tsx?$/.test(file))
     .flatMap((file) => breaches(file, readFileSync(new URL(file, page), 'utf8')));

@@ -123,7 +123,7 @@ export function deadClasses(styles, source) {
 }
 
 /** All files of styles, with what is wrong in them. */
-export function flawsOfPage() {
+function flawsOfPage() {
   const files = readdirSync(page, { recursive: true, encoding: 'utf8' }).sort();
   const read = (/** @type {string} */ file) => readFileSync(new URL(file, page), 'utf8');
   const texts = new Map(files.filter((file) => file.endsWith('.css')).map((file) => [file, read(file)]));
