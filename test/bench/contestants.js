@@ -117,7 +117,9 @@ function piped(stream) {
 
 const require = createRequire(import.meta.url);
 
-/** @returns {Contestant[]} */
+/** @typedef {Omit<Contestant, 'ours' | 'floor' | 'spare'>} Peer a decoder of others: each byte of a frame counts */
+
+/** @returns {Peer[]} */
 function serialport() {
   /** @type {{ PacketLengthParser: StreamClass }} */
   const { PacketLengthParser } = require('@serialport/parser-packet-length');
@@ -131,9 +133,6 @@ function serialport() {
   return [
     {
       name: 'serialport packet-length',
-      ours: false,
-      floor: false,
-      spare: 0,
       encode: (payload) => Uint8Array.of(0xaa, payload.length, ...payload),
       chunk: buffer,
       start(sink) {
@@ -144,9 +143,6 @@ function serialport() {
     },
     {
       name: 'serialport delimiter',
-      ours: false,
-      floor: false,
-      spare: 0,
       encode: (payload) => Uint8Array.of(...payload, NOT_IN_PAYLOADS),
       chunk: buffer,
       start(sink) {
@@ -156,9 +152,6 @@ function serialport() {
     },
     {
       name: 'serialport SLIP',
-      ours: false,
-      floor: false,
-      spare: 0,
       encode(payload) {
         slip.write(Buffer.from(payload));
         return slip.read();
@@ -171,7 +164,7 @@ function serialport() {
   ];
 }
 
-/** @returns {Contestant} */
+/** @returns {Peer} */
 function mavlink() {
   /** @type {{ MavLinkPacketSplitter: StreamClass }} */
   const { MavLinkPacketSplitter } = require('node-mavlink');
@@ -183,9 +176,6 @@ function mavlink() {
   const { 0: magic = 0 } = MSG_ID_MAGIC_NUMBER;
   return {
     name: 'node-mavlink splitter',
-    ours: false,
-    floor: false,
-    spare: 0,
     // Version 1, the shorter one; message 0, of which the splitter knows a number that goes into the checksum, and no
     // length.
     encode(payload) {
@@ -201,15 +191,12 @@ function mavlink() {
   };
 }
 
-/** @returns {Promise<Contestant>} */
+/** @returns {Promise<Peer>} */
 async function zmk() {
   /** @type {{ get_decoder(): Transformer, get_encoder(): Transformer }} */
   const { get_decoder, get_encoder } = await load('@zmkfirmware/zmk-studio-ts-client/framing');
   return {
     name: 'ZMK framing',
-    ours: false,
-    floor: false,
-    spare: 0,
     encode(payload) {
       /** @type {Uint8Array[]} */
       const pieces = [];
@@ -236,7 +223,7 @@ async function zmk() {
   };
 }
 
-/** @returns {Promise<Contestant>} */
+/** @returns {Promise<Peer>} */
 async function ucobs() {
   /**
    * @typedef {(bytes: Uint8Array) => void} Push
@@ -248,9 +235,6 @@ async function ucobs() {
   const { createStreamDecoder, createBlockEncoder } = await load('ucobs');
   return {
     name: 'ucobs',
-    ours: false,
-    floor: false,
-    spare: 0,
     encode(payload) {
       let frame = new Uint8Array();
       createBlockEncoder((data) => {
@@ -293,7 +277,7 @@ export async function contestants() {
   const missing = [];
   for (const peers of [serialport, mavlink, zmk, ucobs]) {
     try {
-      found.push(...[await peers()].flat());
+      for (const peer of [await peers()].flat()) found.push({ ours: false, floor: false, spare: 0, ...peer });
     } catch (error) {
       missing.push(`${peers.name}: ${error}`);
     }
