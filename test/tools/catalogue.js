@@ -12,6 +12,7 @@ import { lineOffset, parse } from '@fluent/syntax';
 /**
  * @typedef {import('@fluent/bundle').Message['value']} Value
  * @typedef {Exclude<Value, null>} Pattern a text, or its parts
+ * @typedef {Exclude<Pattern, string>[number]} Part
  * @typedef {'text' | 'number' | readonly string[]} Kind of a parameter: a list has the only texts that it may be
  * @typedef {object} Sentence
  * @property {Pattern} pattern without references to other sentences
@@ -90,10 +91,7 @@ export function catalogueOf(text, name) {
     [...values.keys()].map((id) => {
       try {
         const pattern = plain(values, id);
-        /** @type {Map<string, Kind>} */
-        const params = new Map();
-        note(pattern, params);
-        return [id, { pattern, params }];
+        return [id, { pattern, params: paramsOf(pattern) }];
       } catch (error) {
         throw new Error(`${name}: ${id}: ${/** @type {Error} */ (error).message}`);
       }
@@ -139,11 +137,20 @@ function joined(parts) {
   return list.length < 2 && typeof only === 'string' ? only : list;
 }
 
-/** Finds the parameters of a sentence. @param {Pattern} pattern @param {Map<string, Kind>} params */
-function note(pattern, params) {
-  if (typeof pattern === 'string') return;
-  for (const part of pattern) {
-    if (typeof part === 'string') continue;
+/** All that stands in braces, also within choices. @param {Pattern} pattern @returns {Exclude<Part, string>[]} */
+function bracesIn(pattern) {
+  if (typeof pattern === 'string') return [];
+  return pattern.flatMap((part) => {
+    if (typeof part === 'string') return [];
+    return [part, ...(part.type === 'select' ? part.variants.flatMap(({ value }) => bracesIn(value)) : [])];
+  });
+}
+
+/** The parameters of a sentence. @param {Pattern} pattern */
+function paramsOf(pattern) {
+  /** @type {Map<string, Kind>} */
+  const params = new Map();
+  for (const part of bracesIn(pattern)) {
     if (part.type === 'var') params.set(part.name, params.get(part.name) ?? 'text');
     if (part.type !== 'select' || part.selector.type !== 'var') continue;
     const { name } = part.selector;
@@ -152,8 +159,8 @@ function note(pattern, params) {
     const known = params.get(name) ?? 'text';
     if (known !== 'text' && String(known) !== String(kind)) throw new Error(`two choices by $${name} do not fit`);
     params.set(name, kind);
-    for (const { value } of part.variants) note(value, params);
   }
+  return params;
 }
 
 /**
@@ -188,24 +195,14 @@ export function faultsOf(source, other, language) {
   });
 }
 
-/** The parameters that a reader sees. @param {Pattern} pattern @returns {string[]} */
-function shownIn(pattern) {
-  if (typeof pattern === 'string') return [];
-  return pattern.flatMap((part) => {
-    if (typeof part === 'string') return [];
-    if (part.type === 'var') return [part.name];
-    return part.type === 'select' ? part.variants.flatMap(({ value }) => shownIn(value)) : [];
-  });
-}
+/** The parameters that a reader sees. @param {Pattern} pattern */
+const shownIn = (pattern) => bracesIn(pattern).flatMap((part) => (part.type === 'var' ? [part.name] : []));
 
-/** The plurals of each choice, without its numbers such as `[0]`. @param {Pattern} pattern @returns {string[][]} */
+/** The plurals of each choice, without its numbers such as `[0]`. @param {Pattern} pattern */
 function pluralsIn(pattern) {
-  if (typeof pattern === 'string') return [];
-  return pattern.flatMap((part) => {
-    if (typeof part === 'string' || part.type !== 'select') return [];
-    const keys = part.variants.map(({ key }) => String(key.value)).filter((key) => PLURALS.includes(key));
-    return [keys, ...part.variants.flatMap(({ value }) => pluralsIn(value))];
-  });
+  return bracesIn(pattern)
+    .filter((part) => part.type === 'select')
+    .map(({ variants }) => variants.map(({ key }) => String(key.value)).filter((key) => PLURALS.includes(key)));
 }
 
 /**
