@@ -1,15 +1,11 @@
 import { act, fireEvent, render, screen } from '@testing-library/preact';
 import { beforeEach, expect, it, vi } from 'vitest';
-import { App } from '../../../src/app/app.js';
 import type { Tree } from '../../../src/app/messages/catalogue.js';
 import { LANGUAGES, preferredLanguage } from '../../../src/app/messages/first.js';
 import { inLanguage, language, speak } from '../../../src/app/messages/language.js';
 import { LanguageChoice } from '../../../src/app/ui/language-choice.js';
 import { en } from '../../tools/en.js';
 import { leftOut } from '../../tools/left-out.js';
-import { appBench, idle } from '../bench/bench.js';
-import { PLAIN } from '../flights/flights.js';
-import { speakPseudo } from './pseudo.js';
 
 beforeEach(() => localStorage.clear());
 
@@ -98,26 +94,6 @@ it.each([
 ])('of the languages %j of a browser the page speaks %s', (languages, spoken) => {
   vi.spyOn(navigator, 'languages', 'get').mockReturnValue(languages as readonly string[]);
   expect(preferredLanguage()).toBe(spoken);
-});
-
-/** What never comes from en.ftl. */
-const KNOWN = ['Sun,\\s22\\sNov\\s2026'];
-
-it('the bench and the flights have no text of their own that is not in en.ftl', async () => {
-  const app = await appBench();
-  render(<App models={app.models} />);
-  screen.getByRole('button', { name: 'Connect' }).click();
-  await idle();
-  await app.session.library.keepFlight({ ...PLAIN, place: '1', modelName: '2' });
-  speakPseudo();
-  const found = new Set<string>();
-  for (const show of [() => app.models.views.show('bench'), () => app.models.views.show('library', 'flights')]) {
-    act(show);
-    await idle();
-    expect(document.body.textContent).toContain('⟦');
-    for (const text of leftOut(document.body, KNOWN)) found.add(text);
-  }
-  expect([...found]).toEqual([]);
 });
 
 it('what is left out is found, also beside and around a sentence', () => {
