@@ -2,6 +2,7 @@ import { stderr } from 'node:process';
 import type { BrowserContextOptions, Locator, Page } from 'playwright';
 import { expect, inject, onTestFinished } from 'vitest';
 import { en } from '../tools/en.js';
+import { tooWide } from '../tools/well-made.js';
 import { newPage, newVisit } from './page.js';
 import type { Workbench, WorkbenchOptions } from './workbench.js';
 
@@ -48,6 +49,26 @@ export const isInSight = (place: Locator): Promise<boolean> =>
     return element.contains(document.elementFromPoint(left + width / 2, top + height / 2));
   });
 
+type Edges = Readonly<Record<'left' | 'right' | 'top' | 'bottom' | 'width' | 'height', number>>;
+
+/** The room of an element in the window. */
+export const edgesOf = (place: Locator): Promise<Edges> =>
+  place.evaluate((element) => element.getBoundingClientRect().toJSON());
+
+/** Where a finger or a mouse meets it. */
+export async function middleOf(place: Locator): Promise<{ readonly x: number; readonly y: number }> {
+  const { left, right, top, bottom } = await edgesOf(place);
+  return { x: (left + right) / 2, y: (top + bottom) / 2 };
+}
+
+/** On how many lines these stand. */
+export const linesOf = (places: Locator): Promise<number> =>
+  places.evaluateAll((all) => new Set(all.map((each) => each.getBoundingClientRect().top)).size);
+
+/** What of it is beyond its edge, and has to be scrolled to. */
+export const hiddenOf = (place: Locator): Promise<number> =>
+  place.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth);
+
 /** The page as a pilot sees it: by role and name. */
 export class AppPage {
   readonly page: Page;
@@ -76,6 +97,20 @@ export class AppPage {
     await page.goto(inject(at));
     const app = new AppPage(page);
     await app.#works();
+    return app;
+  }
+
+  /** A page that has read the timer of its bench. */
+  static async connected({ bench, ...others }: AppOptions = {}): Promise<AppPage> {
+    const app = await AppPage.open({ bench: { granted: true, ...bench }, ...others });
+    await app.connect();
+    return app;
+  }
+
+  /** A page that has read a simulated timer. */
+  static async simulated(options?: AppOptions): Promise<AppPage> {
+    const app = await AppPage.open(options);
+    await app.trySimulated('F1Q');
     return app;
   }
 
@@ -185,6 +220,25 @@ export class AppPage {
     if ((await more.count()) > 0) await more.click();
   }
 
+  /** Reads all memories, in their view. */
+  async readAll(): Promise<void> {
+    await this.goTo('Memories');
+    await this.button(en.overview.readAll).click();
+    await this.text('memories were read').waitFor();
+  }
+
+  /** Says that the propeller is off, moves the servos to a function, and lets them follow. */
+  async follow(slot?: string): Promise<void> {
+    await this.goTo('Bench');
+    await this.page.getByRole('checkbox', { name: /^The propeller/ }).check();
+    if (slot) {
+      await this.button(slot).click();
+      await this.text(`Servos at ${slot.toLowerCase()}`).first().waitFor();
+    }
+    await this.page.getByRole('switch').click();
+    await this.page.getByRole('switch', { checked: true }).waitFor();
+  }
+
   async trySimulated(name: 'F1Q' | 'F1B' | 'F1E'): Promise<void> {
     await this.button(`Try a simulated ${name} timer`).click();
     await this.hasRead();
@@ -258,12 +312,6 @@ export class AppPage {
       const seen = inputs.filter((input) => !input.closest('.row-menu') && input.checkVisibility());
       return Object.fromEntries(seen.map((input) => [input.ariaLabel ?? '', input.value]));
     });
-  }
-
-  /** The visible reasons in the table. */
-  async reasons(): Promise<string[]> {
-    await this.table.waitFor();
-    return (await this.table.locator('.row-notes p').allInnerTexts()).map((text) => text.trim());
   }
 
   /** The text of the status line above the program, once it says this. */
@@ -345,7 +393,7 @@ export class AppPage {
     let before = '';
     await expect
       .poll(async () => {
-        const now = await this.#stored();
+        const now = JSON.stringify(await this.stored('drafts'));
         const isAtRest = now === before;
         before = now;
         return isAtRest && now !== '[]';
@@ -353,8 +401,9 @@ export class AppPage {
       .toBe(true);
   }
 
-  #stored(): Promise<string> {
-    return this.page.evaluate(async () => {
+  /** What is kept on a shelf of the storage. */
+  stored(shelf: 'drafts' | 'unfinished'): Promise<unknown[]> {
+    return this.page.evaluate(async (name) => {
       // When nothing more has to be drawn, the browser may never tell the page that it is idle.
       await new Promise((resolve) => requestIdleCallback(resolve, { timeout: 200 }));
       const opening = indexedDB.open('sidus-timer');
@@ -362,13 +411,13 @@ export class AppPage {
         opening.onsuccess = () => resolve(opening.result);
       });
       // This request could write, so it has to wait for all others that write.
-      const reading = database.transaction('drafts', 'readwrite').objectStore('drafts').getAll();
-      const drafts = await new Promise<unknown[]>((resolve) => {
+      const reading = database.transaction(name, 'readwrite').objectStore(name).getAll();
+      const all = await new Promise<unknown[]>((resolve) => {
         reading.onsuccess = () => resolve(reading.result);
       });
       database.close();
-      return JSON.stringify(drafts);
-    });
+      return all;
+    }, shelf);
   }
 
   /** Changes the size of the window and waits for the page, which notices it with the next picture. */
@@ -393,14 +442,6 @@ export class AppPage {
   }
 
   async expectNoSidewaysScrolling(): Promise<void> {
-    const beyond = await this.page.evaluate(() => {
-      const { scrollWidth, clientWidth } = document.documentElement;
-      if (scrollWidth <= clientWidth) return [];
-      const over = [...document.body.querySelectorAll('*')].filter(
-        (element) => element.getBoundingClientRect().right > clientWidth,
-      );
-      return [`${scrollWidth - clientWidth} px`, ...over.map((element) => element.outerHTML.slice(0, 90))];
-    });
-    expect(beyond, 'the page is wider than the window').toEqual([]);
+    expect(await this.page.evaluate(tooWide)).toEqual([]);
   }
 }

@@ -1,21 +1,12 @@
 import { expect, test } from 'vitest';
 import { en } from '../tools/en.js';
-import { type AppOptions, AppPage } from './app-page.js';
-import { PHONE } from './page.js';
+import { type AppOptions, AppPage, middleOf } from './app-page.js';
+import { fingerOn, PHONE } from './page.js';
 
 /** The bench, with servos that follow at function 2, whose positions are all 35. */
 async function following(options: AppOptions = {}): Promise<AppPage> {
-  const app = await AppPage.open({ bench: { granted: true, timing: true }, ...options });
-  await app.connect();
-  await app.goTo('Bench');
-  await app.page.getByRole('checkbox', { name: 'The propeller is off' }).check();
-  await app.button('Function 2').click();
-  await app
-    .text(en.bench.at({ slot: 'function 2' }))
-    .first()
-    .waitFor();
-  await app.page.getByRole('switch', { name: en.bench.follow }).click();
-  await app.page.getByRole('switch', { checked: true }).waitFor();
+  const app = await AppPage.connected({ bench: { timing: true }, ...options });
+  await app.follow('Function 2');
   return app;
 }
 
@@ -85,14 +76,30 @@ test('on the smallest phone a finger holds the key of the servo that it has chos
     await app.expectNoSidewaysScrolling();
   }
   await page.getByRole('radio', { name: 'S2 35' }).tap({ force: true });
-  const box = await app.button('+1: Function 2, S2').boundingBox();
-  const devTools = await page.context().newCDPSession(page);
-  const touch = (type: 'touchStart' | 'touchEnd', ...touchPoints: { x: number; y: number }[]) =>
-    devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
-  await touch('touchStart', { x: (box?.x ?? 0) + 20, y: (box?.y ?? 0) + 20 });
+  const touch = await fingerOn(page);
+  await touch('touchStart', await middleOf(app.button('+1: Function 2, S2')));
   const last = await expectSteps(app, 'Function 2, S2', 40, () => touch('touchEnd'));
   await app.text('was 35').waitFor();
   await page.getByRole('radio', { name: `S2 ${last}` }).waitFor({ state: 'attached' });
   await app.type('Function 2, S2', '30');
   await expect.poll(() => stands(app)).toEqual([35, 30, 35]);
+});
+
+test('a tab that is hidden ends following: nothing that is changed after that goes to the timer', async () => {
+  const app = await following();
+  for (const hidden of [true, false]) {
+    await app.page.evaluate((isHidden) => {
+      Object.defineProperty(document, 'hidden', { value: isHidden, configurable: true });
+      document.dispatchEvent(new Event('visibilitychange'));
+    }, hidden);
+    await app.text(en.bench.ended.over).waitFor();
+    await app.isReady();
+  }
+  await app.page.getByRole('switch', { checked: false }).waitFor();
+  await app.button('+1: Function 2, S1').click();
+  await app.goTo('Program');
+  // A whole reading gives enough time for anything that would be sent.
+  await app.readAgain();
+  expect(await stored(app)).toEqual([]);
+  await app.text(/^1 change$|, 1 waits for Write$/).waitFor();
 });

@@ -51,8 +51,7 @@ async function expectWhole(app: AppPage, screen: string): Promise<void> {
     // What rem is made of. Windows measured in em stay as they are.
     await app.page.evaluate((size) => document.documentElement.style.setProperty('font-size', `${size}px`), font);
     for (const width of WIDTHS) {
-      await app.page.setViewportSize({ width, height: 844 });
-      await app.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      await app.resize({ width, height: 844 });
       for (const each of await app.page.evaluate(cutDigits)) cut.push(`${screen}, ${width} px, ${font} px: ${each}`);
     }
   }
@@ -60,29 +59,24 @@ async function expectWhole(app: AppPage, screen: string): Promise<void> {
 }
 
 test.each([3, 8])('no digit of a program with %i servos is cut off on any phone', async (servos) => {
-  const app = await AppPage.open({ ...PHONE, bench: { granted: true, identity: { servos } } });
-  await app.connect();
+  const app = await AppPage.connected({ ...PHONE, bench: { identity: { servos } } });
   await app.type('Function 9 time', '9:48.50');
   await app.type('DT time', '10:48.50');
   await app.type('Function 1, S1', '115');
   await app.page.locator('.edit-sheet').waitFor({ state: 'detached' });
   await expectWhole(app, 'the table and the strip');
-  await app.page.setViewportSize({ width: 400, height: 844 });
   await app.field('DT time').tap();
   await app.page.locator('.edit-sheet').waitFor();
   await expectWhole(app, 'the keys');
   await app.page.locator('.edit-sheet .primary').click();
-  await app.page.setViewportSize({ width: 400, height: 844 });
   await app.showFigures();
   await expectWhole(app, 'what the strip opens');
   await app.page.locator('.strip-close').click();
-  await app.page.setViewportSize({ width: 400, height: 844 });
   await app.goTo('Bench');
   await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
   await app.button('Function 1').tap();
   await app.page.locator('.bench-trim').waitFor();
   await expectWhole(app, 'the bench');
-  await app.page.setViewportSize({ width: 400, height: 844 });
   await app.goTo('Memories');
   await app.page.locator('.memory-card').first().waitFor();
   await expectWhole(app, 'the memories');

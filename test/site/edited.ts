@@ -2,8 +2,7 @@ import { AppPage } from './app-page.js';
 
 /** A pilot who has connected, and has edited a time and a position. */
 export async function edited(): Promise<AppPage> {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await app.connect();
+  const app = await AppPage.connected();
   await app.type('DT time', '4:00');
   await app.type('Function 2, S1', '7');
   return app;

@@ -1,8 +1,8 @@
-import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { parseLibraryFile } from '../../src/program/index.js';
 import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
+import { downloadedBy, makeModel, makeProgram } from './library.js';
 
 /** All that the browser keeps for this address. */
 function kept({ page }: AppPage) {
@@ -67,23 +67,15 @@ test('when the browser deletes everything that it kept, the page stays, says so,
   const app = await AppPage.open();
   const { page } = app;
   await page.evaluate(() => location.assign('#library'));
-  for (const [open, field, text, make] of [
-    ['New model…', 'Name', 'Lancer 07', en.save],
-    [en.newProgram.title, en.library.save.name({ of: 'program' }), 'calm', en.newProgram.make],
-  ] as const) {
-    await app.button(open).click();
-    await page.getByRole('dialog').getByRole('textbox', { name: field }).fill(text);
-    await app.button(make).click();
-    await page.getByRole('dialog').waitFor({ state: 'hidden' });
-  }
+  await makeModel(app, 'Lancer 07');
+  await makeProgram(app, 'calm');
   await page.evaluate(() => void Object.assign(window, { stays: true }));
   const devTools = await page.context().newCDPSession(page);
   const { origin } = new URL(page.url());
   await devTools.send('Storage.clearDataForOrigin', { origin, storageTypes: 'all' });
   await app.says(en.keeping.emptied);
-  const downloading = page.waitForEvent('download');
-  await app.button(en.keeping.export).click();
-  const { library } = parseLibraryFile(await readFile(await (await downloading).path(), 'utf8'));
+  const { text } = await downloadedBy(app, () => app.button(en.keeping.export).click());
+  const { library } = parseLibraryFile(text);
   expect([library.models[0]?.name, library.settings[0]?.name]).toEqual(['Lancer 07', 'calm']);
   expect(await page.evaluate(() => navigator.serviceWorker.controller)).toBeNull();
   expect(await page.evaluate(() => 'stays' in window), 'it was not loaded again').toBe(true);

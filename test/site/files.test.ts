@@ -1,9 +1,9 @@
-import { readFile } from 'node:fs/promises';
 import { expect, inject, test } from 'vitest';
 import { formatLibraryFile, type Library, parseLibraryFile } from '../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
 import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
+import { chooseFile, downloadedBy } from './library.js';
 import { newPage } from './page.js';
 
 const LIBRARY: Library = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
@@ -50,12 +50,11 @@ test('a dropped file does not replace the page, and the list of commands has Imp
     await page.getByRole('combobox', { name: en.palette.search }).fill(name);
     await page.keyboard.press('Enter');
   };
-  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), command('import')]);
-  await chooser.setFiles({ name: 'field.sidus.json', mimeType: 'application/json', buffer: Buffer.from(TEXT) });
+  await chooseFile(app, 'field.sidus.json', TEXT, () => command('import'));
   await takeAll(app);
-  const [download] = await Promise.all([page.waitForEvent('download'), command('export all')]);
-  expect(download.suggestedFilename()).toMatch(/^Sidus library \d{4}-\d\d-\d\d\.sidus\.json$/);
-  expect(parseLibraryFile(await readFile(await download.path(), 'utf8')).library).toEqual(LIBRARY);
+  const { name, text } = await downloadedBy(app, () => command('export all'));
+  expect(name).toMatch(/^Sidus library \d{4}-\d\d-\d\d\.sidus\.json$/);
+  expect(parseLibraryFile(text).library).toEqual(LIBRARY);
 });
 
 test('a file that the system opens is shown', async () => {

@@ -1,10 +1,9 @@
-import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { meant, readCsv } from '../app/flights/csv-reader.js';
 import { en } from '../tools/en.js';
 import { sentencesIn } from '../tools/spoken.js';
 import { AppPage } from './app-page.js';
-import { contestDay, fillLibrary } from './library.js';
+import { contestDay, downloadedBy, fillLibrary } from './library.js';
 import { PHONE } from './page.js';
 import { pagesOf } from './pdf.js';
 
@@ -54,15 +53,10 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await page.getByText('2 flights', { exact: true }).first().waitFor();
   const trimmed = rows.filter({ hasText: 'DT 20 s' });
 
-  const download = page.waitForEvent('download');
-  await app.button(en.flights.csv.save).click();
-  const file = await download;
-  expect(file.suggestedFilename()).toMatch(/^flights-\d{4}-\d\d-\d\d\.csv$/);
-  const bytes = await readFile(await file.path());
-  expect([...bytes.subarray(0, 3)], 'the file begins with the mark by which Excel knows UTF-8').toEqual([
-    0xef, 0xbb, 0xbf,
-  ]);
-  const [head = [], ...saved] = readCsv(bytes.toString('utf8').slice(1), ',');
+  const { name, text } = await downloadedBy(app, () => app.button(en.flights.csv.save).click());
+  expect(name).toMatch(/^flights-\d{4}-\d\d-\d\d\.csv$/);
+  expect(text[0], 'the file begins with the mark by which Excel knows UTF-8').toBe('\ufeff');
+  const [head = [], ...saved] = readCsv(text.slice(1), ',');
   expect(saved.length).toBe(2);
   const row = saved.find((each) => each[head.indexOf('DT (s)')] === '20') ?? [];
   const cells = Object.fromEntries(head.map((name, at) => [name, row[at]]));

@@ -40,8 +40,7 @@ async function crash({ page }: AppPage): Promise<void> {
 for (const end of ['is loaded again', 'crashes']) {
   test(`what was done can be undone to the start, and redone, when the page ${end}`, async () => {
     // A crash can reach the worker of the page, too. No other test gets this profile.
-    const app = await AppPage.open({ bench: { granted: true }, isFirstVisit: end === 'crashes' });
-    await app.connect();
+    const app = await AppPage.connected({ isFirstVisit: end === 'crashes' });
     const trail = await work(app);
     await app.undo.click();
     const [entries, names] = [await app.entries(), await steps(app)];
@@ -67,8 +66,7 @@ for (const end of ['is loaded again', 'crashes']) {
 }
 
 test('a key that is pressed just before the page is left is kept', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await app.connect();
+  const app = await AppPage.connected();
   await app.field('Function 2, S1').focus();
   for (const keys of ['7', '89', '456']) {
     // The old page may still be shown for a while, with the same text.

@@ -2,7 +2,7 @@ import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { HELP_PAGES } from '../../src/app/help/help.js';
 import { en } from '../tools/en.js';
-import { AppPage, isInSight } from './app-page.js';
+import { AppPage, edgesOf, hiddenOf, isInSight, linesOf } from './app-page.js';
 import { IN_SUN, PHONE } from './page.js';
 
 const TABLET = { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true };
@@ -11,67 +11,43 @@ const TABLET = { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobil
 const LOW = { width: 640, height: 400 };
 
 test('the field with the focus, and the end of a range, are never covered by the bars at the edges', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, viewport: LOW });
-  await app.connect();
-  /** What is visible in the middle of each of these cells: the cell, or what covers it. */
-  const seen = (cells: string) =>
-    app.page.evaluate((selector) => {
-      const found = [...document.querySelectorAll(selector)];
-      return found.map((cell) => {
-        const { left, top, width, height } = cell.getBoundingClientRect();
-        const there = document.elementFromPoint(left + width / 2, top + height / 2);
-        return there && cell.contains(there) ? 'seen' : `${cell.getAttribute('aria-label')} at ${top}`;
-      });
-    }, cells);
+  const app = await AppPage.connected({ viewport: LOW });
   await app.field('Function 5, S2').click();
   for (const key of [...Array(5).fill('ArrowDown'), ...Array(10).fill('ArrowUp')]) {
     await app.page.keyboard.press(key);
-    await expect.poll(() => seen('td input:focus'), { message: key }).toEqual(['seen']);
+    await expect.poll(() => isInSight(app.page.locator('td input:focus')), { message: key }).toBe(true);
   }
   for (let row = 1; row <= 10; row++) {
     await app.page.keyboard.press('Shift+ArrowDown');
     // The moving corner. A bar opens with the range and may still push it.
-    await expect
-      .poll(async () => (await seen('td.selected input')).at(-1), { message: `${row} rows further` })
-      .toBe('seen');
+    const corner = app.page.locator('td.selected input').last();
+    await expect.poll(() => isInSight(corner), { message: `${row} rows further` }).toBe(true);
   }
 });
 
 test('the field with the focus stays in sight when notes above it get their room', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 1366, height: 650 } });
-  await app.connect();
+  const app = await AppPage.connected({ viewport: { width: 1366, height: 650 } });
   await app.field('Function 3 time').fill('10.50');
   await app.field('Function 5, S1').fill('999');
   const dt = app.field('DT time');
   await dt.focus();
   await app.page.locator('.row-notes').nth(1).waitFor();
-  const isSeen = () =>
-    dt.evaluate((input) => {
-      const { left, top, width, height } = input.getBoundingClientRect();
-      return document.elementFromPoint(left + width / 2, top + height - 2) === input;
-    });
-  await expect.poll(isSeen).toBe(true);
+  await expect.poll(() => isInSight(dt)).toBe(true);
 });
 
 test('the picture beside the table moves down when a notice appears', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await app.connect();
+  const app = await AppPage.connected();
   await app.type('Function 2, S1', '7');
   await app.fly('M2');
   await app.says(en.notes.kept.title);
   await app.page.mouse.wheel(0, 400);
-  const edges = () =>
-    app.page.evaluate(() => {
-      const [head, side] = ['.top', '.program-side'].map((name) => document.querySelector(name));
-      return (side?.getBoundingClientRect().top ?? 0) - (head?.getBoundingClientRect().bottom ?? 0);
-    });
   await expect.poll(() => app.page.evaluate(() => scrollY)).toBeGreaterThan(0);
-  await expect.poll(edges).toBeGreaterThanOrEqual(0);
+  const [head, side] = ['.top', '.program-side'].map((part) => app.page.locator(part)) as [Locator, Locator];
+  await expect.poll(async () => (await edgesOf(side)).top - (await edgesOf(head)).bottom).toBeGreaterThanOrEqual(0);
 });
 
 test('in a low window notices scroll away with the page, but what is known of the timer stays', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, viewport: LOW });
-  await app.connect();
+  const app = await AppPage.connected({ viewport: LOW });
   await app.type('DT time', '2:00');
   await app.bench((bench) => bench.adapter.unplug());
   await app.says(en.link.lost.title);
@@ -106,8 +82,7 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   await app.expectNoSidewaysScrolling();
   await app.connect();
   const isIn = async (place: Locator): Promise<void> => {
-    const box = await place.boundingBox();
-    expect((box?.x ?? 0) + (box?.width ?? 0), `beyond the right edge: ${place}`).toBeLessThan(320);
+    expect((await edgesOf(place)).right, `beyond the right edge: ${place}`).toBeLessThan(320);
   };
   await app.showFigures();
   await isIn(app.page.locator('.memories label').last());
@@ -126,124 +101,70 @@ test('nothing is wider than the smallest phone: five memories, and three ways to
   }
 });
 
-test('a copy of a memory shows all three servos on a small phone in the sun', async () => {
-  const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
-  await app.trySimulated('F1Q');
-  await app.goTo('Memories');
-  await app.button(en.overview.readAll).click();
-  await app.page.getByText('memories were read').waitFor();
+test('on a small phone in the sun the buttons of a memory stand on one line, and its copy shows all servos', async () => {
+  const app = await AppPage.simulated({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
+  await app.readAll();
+  await app.button('Compare with M1: M4').waitFor();
+  for (const actions of await app.page.locator('.card-actions').all())
+    expect(await linesOf(actions.locator('> *'))).toBe(1);
   await app.page.getByLabel('Copy to…: M1', { exact: true }).click();
   await app.button('Copy M1 to M3').click();
   const grid = app.page.getByRole('dialog').locator('.program-grid');
   await grid.waitFor();
-  expect(await grid.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
+  expect(await hiddenOf(grid)).toBe(0);
 });
 
-test('the figure of the timeline and its name have room on a tablet', async () => {
-  const app = await AppPage.open({ ...TABLET, bench: { granted: true } });
-  await app.connect();
-  await app.field('Function 4 time').click();
-  const name = app.page.locator('.timeline-readout span');
-  await name.waitFor();
-  const under = await name.evaluate((span) => {
-    const room = span.closest('.timeline-moment')?.getBoundingClientRect();
-    return span.getBoundingClientRect().bottom - (room?.bottom ?? 0);
-  });
-  expect(under).toBeLessThanOrEqual(0);
-});
-
-test('the sign at the last heading of the table stands apart from the edge of a phone', async () => {
-  const app = await AppPage.open({ ...PHONE, bench: { granted: true } });
-  await app.connect();
-  const last = app.page.getByRole('button', { name: 'Tools for S3' });
-  const end = await last.evaluate((button) => getComputedStyle(button, '::after').insetInlineEnd);
-  expect(Number.parseFloat(end)).toBeGreaterThan(2);
-});
-
-test('the buttons for the timer leave room for the table on a tablet', async () => {
-  const app = await AppPage.open({
-    viewport: { width: 768, height: 1024 },
-    bench: { granted: true },
-    before: IN_SUN,
-  });
-  await app.connect();
-  await app.type('Function 2, S1', '7');
-  const height = await app.page.locator('.actions').evaluate((bar) => (bar as HTMLElement).offsetHeight);
-  expect(height).toBeLessThan(180);
-});
-
-test('on a desktop two memories stand beside each other, with the buttons of each on one line', async () => {
-  const app = await AppPage.open({
-    viewport: { width: 1366, height: 650 },
-    bench: { granted: true },
-    before: IN_SUN,
-  });
-  await app.connect();
-  await app.goTo('Memories');
-  // A memory that was read has the most buttons.
-  await app.button(en.overview.readAll).click();
-  await app.button('Compare with M1: M4').waitFor();
-  const found = await app.page.locator('.memory-card').evaluateAll((cards) => ({
-    columns: new Set(cards.map((card) => card.getBoundingClientRect().left)).size,
-    lines: cards.map((card) => {
-      const buttons = [...card.querySelectorAll('.card-actions > *')];
-      return new Set(buttons.map((button) => button.getBoundingClientRect().top)).size;
-    }),
-  }));
-  expect(found).toEqual({ columns: 2, lines: [1, 1, 1, 1] });
-});
-
-test('on a small phone in the sun the buttons of a memory stand on one line', async () => {
-  const app = await AppPage.open({ ...PHONE, viewport: { width: 360, height: 740 }, before: IN_SUN });
-  await app.trySimulated('F1Q');
-  await app.goTo('Memories');
-  await app.button(en.overview.readAll).click();
-  await app.button('Compare with M1: M4').waitFor();
-  const lines = await app.page
-    .locator('.card-actions')
-    .evaluateAll((actions) =>
-      actions.map(({ children }) => new Set([...children].map((button) => button.getBoundingClientRect().top)).size),
-    );
-  expect(lines).toEqual([1, 1, 1, 1]);
-});
-
-test.each([3, 5])('on a small phone in the sun functions are in sight above the trim of %i servos', async (servos) => {
-  const app = await AppPage.open({
-    ...PHONE,
-    viewport: { width: 360, height: 740 },
-    bench: { granted: true, identity: { servos } },
-    before: IN_SUN,
-  });
-  await app.connect();
-  await app.goTo('Bench');
-  await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
-  await app.button('Next').click();
-  await app.text('Servos at start').waitFor();
-  const covered = () =>
-    app.page.evaluate(() => {
-      const trim = document.querySelector('.bench-trim')?.getBoundingClientRect().top ?? 0;
-      const rows = [...document.querySelectorAll('.bench-table tbody tr')];
-      return rows.findIndex((row) => row.getBoundingClientRect().bottom > trim);
-    });
-  // The start and a function, at least.
-  await expect.poll(covered).toBeGreaterThanOrEqual(2);
-});
-
-test('on a tablet in the sun what is known does not stand word below word', async () => {
-  const app = await AppPage.open({ ...TABLET, before: IN_SUN });
-  await app.button('Try a simulated F1Q timer').tap();
-  await app.page.getByText('As in the timer, read').waitFor();
-  const height = await app.page.locator('.strip-line').evaluate((line) => (line as HTMLElement).offsetHeight);
-  expect(height).toBeLessThan(80);
-});
-
-test('the dot of a timer stands before its name in the strip of a tablet', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 820, height: 1180 } });
-  await app.connect();
+test('on a tablet the figure of the timeline and its name have room, and the dot of a timer stands before its name', async () => {
+  const app = await AppPage.connected(TABLET);
   const state = app.page.locator('.link-state');
   expect(
     await state.evaluate((each) => each.clientHeight / Number.parseFloat(getComputedStyle(each).lineHeight)),
   ).toBeLessThan(2);
+  await app.field('Function 4 time').click();
+  const name = app.page.locator('.timeline-readout span');
+  const { bottom } = await edgesOf(name);
+  expect(bottom).toBeLessThanOrEqual(
+    (await edgesOf(app.page.locator('.timeline-moment').filter({ has: name }))).bottom,
+  );
+});
+
+test('the buttons for the timer leave room for the table on a tablet', async () => {
+  const app = await AppPage.connected({
+    viewport: { width: 768, height: 1024 },
+    before: IN_SUN,
+  });
+  await app.type('Function 2, S1', '7');
+  expect((await edgesOf(app.actions)).height).toBeLessThan(180);
+});
+
+test('on a desktop two memories stand beside each other, with the buttons of each on one line', async () => {
+  const app = await AppPage.connected({
+    viewport: { width: 1366, height: 650 },
+    before: IN_SUN,
+  });
+  // A memory that was read has the most buttons.
+  await app.readAll();
+  await app.button('Compare with M1: M4').waitFor();
+  expect(await linesOf(app.page.locator('.memory-card')), 'four in two columns').toBe(2);
+  for (const actions of await app.page.locator('.card-actions').all())
+    expect(await linesOf(actions.locator('> *'))).toBe(1);
+});
+
+test.each([3, 5])('on a small phone in the sun functions are in sight above the trim of %i servos', async (servos) => {
+  const app = await AppPage.connected({
+    ...PHONE,
+    viewport: { width: 360, height: 740 },
+    bench: { identity: { servos } },
+    before: IN_SUN,
+  });
+  await app.goTo('Bench');
+  await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
+  await app.button('Next').click();
+  await app.text('Servos at start').waitFor();
+  // The start and a function, at least.
+  const second = app.page.locator('.bench-table tbody tr').nth(1);
+  const below = async () => (await edgesOf(second)).bottom - (await edgesOf(app.page.locator('.bench-trim'))).top;
+  await expect.poll(below).toBeLessThanOrEqual(0);
 });
 
 test.each([
@@ -251,8 +172,7 @@ test.each([
   ['a small phone', { ...PHONE, viewport: { width: 360, height: 740 } }],
 ] as const)('255 memories, 20 functions and 8 servos leave everything in reach on %s', async (device, options) => {
   const identity = { memories: 255, functions: 20, servos: 8 };
-  const app = await AppPage.open({ bench: { granted: true, identity }, ...options });
-  await app.connect();
+  const app = await AppPage.connected({ bench: { identity }, ...options });
   await expect.poll(() => isInSight(app.field('Function 1, S1'))).toBe(true);
   await expect.poll(() => isInSight(app.button(/^Write/))).toBe(true);
   if (device === 'a small phone') await app.page.locator('.strip-more').click();
@@ -278,13 +198,11 @@ test('in the sun the strip of a phone on its side stays one line beside the keys
   await app.page.getByText('As in the timer, read').waitFor();
   await app.field('Function 2, S1').tap();
   await app.page.locator(':root[data-sheet]').waitFor();
-  const height = () => app.page.locator('.strip-line').evaluate((line) => (line as HTMLElement).offsetHeight);
-  await expect.poll(height).toBeLessThan(60);
+  await expect.poll(async () => (await edgesOf(app.page.locator('.strip-line'))).height).toBeLessThan(60);
 });
 
 test('the promise about the propeller stands beside the button that waits for it, however long the rest is', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 844, height: 390 }, before: IN_SUN });
-  await app.connect();
+  const app = await AppPage.connected({ viewport: { width: 844, height: 390 }, before: IN_SUN });
   await app.type('DT time', '6:00');
   await app.button(/^Write( 1 change)?…$/).click();
   const dialog = app.page.getByRole('dialog');
@@ -296,8 +214,7 @@ test('the promise about the propeller stands beside the button that waits for it
 });
 
 test('what warns before a write is in sight with its tick, above a long difference, and why Write is grey', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 1366, height: 650 }, before: IN_SUN });
-  await app.connect();
+  const app = await AppPage.connected({ viewport: { width: 1366, height: 650 }, before: IN_SUN });
   for (let i = 1; i <= 9; i++) await app.type(`Function ${i}, S1`, '7');
   await app.type('Motor stop time', '4:00');
   await app.review();
@@ -311,12 +228,8 @@ test('what warns before a write is in sight with its tick, above a long differen
 });
 
 test('on a phone on its side the way to stop following is in the window, with all commands of the program', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 844, height: 390 }, before: IN_SUN });
-  await app.connect();
-  await app.goTo('Bench');
-  await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
-  await app.page.getByRole('switch').click();
-  await app.page.getByRole('switch', { checked: true }).waitFor();
+  const app = await AppPage.connected({ viewport: { width: 844, height: 390 }, before: IN_SUN });
+  await app.follow();
   await app.goTo('Program');
   await app.button(en.bench.stopFollowing).waitFor();
   const outside = await app.page.locator('.actions button').evaluateAll((buttons) =>
@@ -335,23 +248,14 @@ test.each([
 ] as const)(
   'on a desktop the checks are in sight %s, also above the note that the servos follow',
   async (_, before) => {
-    const app = await AppPage.open({
-      bench: { granted: true },
+    const app = await AppPage.connected({
       viewport: { width: 1280, height: 800 },
       ...(before && { before }),
     });
-    await app.connect();
     /** How much of the line of the checks lies below the upper edge of the commands. */
-    const covered = () =>
-      app.page.evaluate(() => {
-        const [checks, bar] = ['.checks', '.actions'].map((name) => document.querySelector(name));
-        return (checks?.getBoundingClientRect().bottom ?? 0) - (bar?.getBoundingClientRect().top ?? 0);
-      });
+    const covered = async () => (await edgesOf(app.page.locator('.checks'))).bottom - (await edgesOf(app.actions)).top;
     await expect.poll(covered).toBeLessThanOrEqual(0);
-    await app.goTo('Bench');
-    await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
-    await app.page.getByRole('switch').click();
-    await app.page.getByRole('switch', { checked: true }).waitFor();
+    await app.follow();
     await app.button('Next').click();
     await app.text('Servos at start').waitFor();
     await app.goTo('Program');
@@ -365,30 +269,20 @@ test.each([
   ['a small phone', { width: 360, height: 740 }],
   ['a phone on its side', { width: 844, height: 390 }],
 ])('in the sun the player has one line of buttons on %s', async (_, viewport) => {
-  const app = await AppPage.open({ ...PHONE, viewport, before: IN_SUN });
-  await app.trySimulated('F1Q');
+  const app = await AppPage.simulated({ ...PHONE, viewport, before: IN_SUN });
   await app.button('Picture').tap();
-  const lines = () =>
-    app.page
-      .locator('.preview-controls button')
-      .evaluateAll((buttons) => new Set(buttons.map((button) => button.getBoundingClientRect().top)).size);
-  await expect.poll(lines).toBe(1);
+  await expect.poll(() => linesOf(app.page.locator('.preview-controls button'))).toBe(1);
 });
 
-test('on a phone, what is said of a memory that is looked at keeps off the edges', async () => {
-  const app = await AppPage.open({ ...PHONE, bench: { granted: true } });
-  await app.connect();
+test('on a phone, the sign of the last column and what is said of a memory that is looked at keep off the edges', async () => {
+  const app = await AppPage.connected(PHONE);
+  const last = app.page.getByRole('button', { name: 'Tools for S3' });
+  const end = await last.evaluate((button) => getComputedStyle(button, '::after').insetInlineEnd);
+  expect(Number.parseFloat(end)).toBeGreaterThan(2);
   await app.lookAt('M2');
-  const box = await app.page.getByRole('heading', { name: 'M2 has not been read' }).boundingBox();
-  expect(box?.x).toBeGreaterThanOrEqual(8);
+  const { left } = await edgesOf(app.page.getByRole('heading', { name: 'M2 has not been read' }));
+  expect(left).toBeGreaterThanOrEqual(8);
 });
-
-/** The room of an element in the window. */
-const edgesOf = (place: Locator) =>
-  place.evaluate((element) => {
-    const { left, right, top, bottom } = element.getBoundingClientRect();
-    return { left, right, top, bottom };
-  });
 
 test.each([
   ['tools of a row', (app: AppPage) => app.button('Tools for Function 4'), '.row-panel'],
@@ -397,6 +291,7 @@ test.each([
   const app = await AppPage.open({ ...TABLET, before: IN_SUN });
   await app.button('Try a simulated F1Q timer').tap();
   await app.page.getByText('As in the timer, read').waitFor();
+  expect((await edgesOf(app.page.locator('.strip-line'))).height, 'not word below word').toBeLessThan(80);
   const page = () => app.page.evaluate(() => [scrollY, document.documentElement.scrollHeight]);
   const before = await page();
   await opener(app).tap();
@@ -407,8 +302,7 @@ test.each([
 });
 
 test('on a desktop the tools of a row do not reach over the picture', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 1280, height: 800 }, before: IN_SUN });
-  await app.connect();
+  const app = await AppPage.connected({ viewport: { width: 1280, height: 800 }, before: IN_SUN });
   await app.button('Tools for Motor stop').click();
   const [panel, table] = [await edgesOf(app.page.locator('.row-panel')), await edgesOf(app.table)];
   const times = await edgesOf(app.field('Function 5 time'));

@@ -1,31 +1,19 @@
 import { expect, it } from 'vitest';
 import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
+import { Keys } from './keys.js';
+import { makeModel, makeProgram } from './library.js';
 import { PHONE } from './page.js';
 
 const open = async (app: AppPage, address: string): Promise<void> => {
   await app.page.evaluate((hash) => location.assign(hash), address);
 };
 
-async function makeModel(app: AppPage, name: string): Promise<void> {
-  await app.button('New model…').click();
-  await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill(name);
-  await app.button(en.save).click();
-  await app.page.getByRole('heading', { name }).first().waitFor();
-}
-
-async function makeSetting(app: AppPage, name: string): Promise<void> {
-  await app.button(en.newProgram.title).click();
-  await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name of the program' }).fill(name);
-  await app.button(en.newProgram.make).click();
-  await app.page.getByRole('article', { name }).waitFor();
-}
-
 it('what is typed about a setting at last is there after a reload, and what was deleted is gone', async () => {
   const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
   await open(app, '#library');
   await makeModel(app, 'Lancer 07');
-  await makeSetting(app, 'fly-off, calm');
+  await makeProgram(app, 'fly-off, calm');
   const page = app.page.getByRole('article', { name: 'fly-off, calm' });
   const note = page.getByRole('textbox', { name: 'Note' });
   // At once: the field is not left.
@@ -45,18 +33,10 @@ it('what is typed about a setting at last is there after a reload, and what was 
 it('models are made with the keyboard alone', async () => {
   const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
   await open(app, '#library');
-  const keys = app.page.keyboard;
-  const go = async (name: string | RegExp): Promise<void> => {
-    const goal = app.page.getByRole('button', { name, exact: typeof name === 'string' });
-    await goal.waitFor();
-    for (let at = 0; at < 80; at++) {
-      if (await goal.evaluate((element) => element === document.activeElement)) return keys.press('Enter');
-      await keys.press('Tab');
-    }
-    throw new Error(`Tab never reached ${name}`);
-  };
+  const keys = new Keys(app.page);
   for (const name of ['First', 'Second']) {
-    await go('New model…');
+    await app.button('New model…').waitFor();
+    await keys.enter(/^New model…$/);
     await app.page.getByRole('dialog').waitFor();
     await keys.type(name);
     await keys.press('Enter');
@@ -67,8 +47,7 @@ it('models are made with the keyboard alone', async () => {
 });
 
 it('on a phone on its side all that a setting is saved with is in sight', async () => {
-  const app = await AppPage.open({ ...PHONE, viewport: { width: 844, height: 390 } });
-  await app.trySimulated('F1Q');
+  const app = await AppPage.simulated({ ...PHONE, viewport: { width: 844, height: 390 } });
   await app.page.keyboard.press('Control+k');
   await app.page.keyboard.type('save');
   await app.page.keyboard.press('Enter');
@@ -92,7 +71,7 @@ it('on a phone the library shows one page at a time, with a way back, and nothin
   await makeModel(app, 'Lancer 07');
   await hasHeading('Lancer 07');
   await app.expectNoSidewaysScrolling();
-  await makeSetting(app, 'calm');
+  await makeProgram(app, 'calm');
   await hasHeading('calm');
   await app.expectNoSidewaysScrolling();
   await app.page.getByRole('link', { name: 'Lancer 07', exact: true }).click();
@@ -109,7 +88,7 @@ it('names that are one word without end make nothing wider than a small phone', 
   const word = 'W'.repeat(60);
   await open(app, '#library');
   await makeModel(app, word);
-  await makeSetting(app, word);
+  await makeProgram(app, word);
   const { hash } = new URL(page.url());
   const own = page.getByRole('article', { name: word });
   for (const [field, text] of [

@@ -1,6 +1,8 @@
+import { readFile } from 'node:fs/promises';
 import type { Records } from '../../src/app/library/files/import-plan.js';
 import type { FlightRecord } from '../../src/app/storage/index.js';
 import { programOf } from '../app/programs.js';
+import { en } from '../tools/en.js';
 import type { AppPage } from './app-page.js';
 
 /** Puts a library into the storage of the page, as if earlier visits had left it there. */
@@ -33,8 +35,47 @@ export function contestDay(): FlightRecord[] {
   });
 }
 
-/** Chooses a file to import in the library, as a pilot does. */
-export async function importFile(app: AppPage, name: string, text: string): Promise<void> {
-  const [chooser] = await Promise.all([app.page.waitForEvent('filechooser'), app.button('Import…').click()]);
+/** Chooses a file in the dialog that this opens, as a pilot does: by default the import of the library. */
+export async function chooseFile(
+  app: AppPage,
+  name: string,
+  text: string,
+  opens = (): Promise<void> => app.button('Import…').click(),
+): Promise<void> {
+  const [chooser] = await Promise.all([app.page.waitForEvent('filechooser'), opens()]);
   await chooser.setFiles({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
+}
+
+/** The file that goes to the downloads when this is done. */
+export async function downloadedBy(
+  { page }: AppPage,
+  act: () => Promise<void>,
+): Promise<{ readonly name: string; readonly text: string }> {
+  const [download] = await Promise.all([page.waitForEvent('download'), act()]);
+  return { name: download.suggestedFilename(), text: await readFile(await download.path(), 'utf8') };
+}
+
+/** Makes a model in the library, with its name in the dialog. */
+export async function makeModel(app: AppPage, name: string): Promise<void> {
+  await app.button('New model…').click();
+  await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill(name);
+  await app.button(en.save).click();
+  await app.page.getByRole('heading', { name }).first().waitFor();
+}
+
+/** Makes a program of the model that is shown. */
+export async function makeProgram(app: AppPage, name: string): Promise<void> {
+  await app.button(en.newProgram.title).click();
+  await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name of the program' }).fill(name);
+  await app.button(en.newProgram.make).click();
+  await app.page.getByRole('article', { name }).waitFor();
+}
+
+/** Saves the program on the screen for the first time, under a new model. */
+export async function saveFirst(app: AppPage, program: string, model: string): Promise<void> {
+  await app.button(en.library.save.open).click();
+  await app.field(en.library.save.name({ of: 'program' })).fill(program);
+  await app.field(en.library.save.name({ of: 'model' })).fill(model);
+  await app.button('Save').click();
+  await app.page.getByRole('dialog').waitFor({ state: 'hidden' });
 }

@@ -1,29 +1,16 @@
-import { readFile } from 'node:fs/promises';
 import { describe, expect, test } from 'vitest';
 import { parseCapture } from '../../src/protocol/index.js';
 import { en } from '../tools/en.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
+import { chooseFile, downloadedBy } from './library.js';
 
 const { send, ...words } = en.line;
 
 /** A pilot who has read the timer and opened the line. */
 async function opened(options: Parameters<typeof AppPage.open>[0] = {}): Promise<AppPage> {
-  const app = await AppPage.open({ bench: {}, ...options });
-  await app.connect();
+  const app = await AppPage.connected(options);
   await app.openLine();
   return app;
-}
-
-/** The file that the page downloads after a click on Save. */
-async function saved(app: AppPage): Promise<{ name: string; text: string }> {
-  const [download] = await Promise.all([app.page.waitForEvent('download'), app.button('Save').click()]);
-  return { name: download.suggestedFilename(), text: await readFile(await download.path(), 'utf8') };
-}
-
-async function load(app: AppPage, text: string): Promise<void> {
-  const file = { name: 'field.txt', mimeType: 'text/plain', buffer: Buffer.from(text) };
-  const [chooser] = await Promise.all([app.page.waitForEvent('filechooser'), app.button(words.load).click()]);
-  await chooser.setFiles(file);
 }
 
 describe('the line', () => {
@@ -35,12 +22,12 @@ describe('the line', () => {
     await app.result('Verified.');
     await app.close();
     await app.goTo('Line');
-    const { name, text } = await saved(app);
+    const { name, text } = await downloadedBy(app, () => app.button('Save').click());
     expect(name).toBe('sidus-line-Q536.txt');
     expect(parseCapture(text).length).toBeGreaterThan(10);
     await app.button('Disconnect').click();
 
-    await load(app, text);
+    await chooseFile(app, 'field.txt', text, () => app.button(words.load).click());
     await app.text('field.txt: a recording of').waitFor();
     await app.button(words.replay).click();
     await app.goTo('Program');

@@ -14,8 +14,7 @@ test('the help for a port that is taken leads to a page with all steps', async (
 });
 
 test('times with exchanged bytes bring a question, are shown, and remembered', async () => {
-  const app = await AppPage.open({ bench: { granted: true, quirks: { bigEndianTimes: true } } });
-  await app.connect();
+  const app = await AppPage.connected({ bench: { quirks: { bigEndianTimes: true } } });
   await app.says('The times of this timer fall from row to row.');
   await app.button(en.byteOrder.exchange).click();
   await expect.poll(() => app.valueOf('DT time')).toBe('3:00');

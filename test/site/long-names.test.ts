@@ -1,8 +1,6 @@
-import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { exampleMemories } from '../../src/simulator/index.js';
-import { en } from '../tools/en.js';
-import { AppPage } from './app-page.js';
+import { AppPage, edgesOf, hiddenOf } from './app-page.js';
 import { fillLibrary } from './library.js';
 import { IN_SUN, PHONE } from './page.js';
 
@@ -40,18 +38,14 @@ test('long names of models and memories leave room for what they name, on a smal
     .evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.textContent));
   expect(cut, 'the two names differ at their ends').toEqual([]);
   await line.getByRole('button', { name: `${NAME} neu` }).click();
-  expect(
-    await app.page.locator('.strip-line').evaluate((strip) => (strip as HTMLElement).offsetHeight),
-    'the strip has two lines at most',
-  ).toBeLessThan(100);
+  const { height } = await edgesOf(app.page.locator('.strip-line'));
+  expect(height, 'the strip has two lines at most').toBeLessThan(100);
 
-  await app.goTo('Memories');
-  await app.button(en.overview.readAll).click();
-  await app.page.getByText('memories were read').waitFor();
+  await app.readAll();
   await app.button('Compare with M1: M2').click();
   const grid = app.page.locator('.program-grid');
   await grid.getByText(MEMORY).first().waitFor();
-  expect(await grid.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
+  expect(await hiddenOf(grid)).toBe(0);
   await app.expectNoSidewaysScrolling();
 });
 
@@ -74,7 +68,7 @@ test('on a desktop the question which model it is stands above long names, not s
   await app.trySimulated('F1Q');
   const line = app.page.locator('.model-line');
   await line.waitFor();
-  expect(await line.evaluate((each) => each.getBoundingClientRect().height)).toBeLessThan(120);
-  const left = (place: Locator) => place.evaluate((each) => each.getBoundingClientRect().left);
-  expect(await left(line), 'it begins where the strip begins').toBe(await left(app.page.locator('.strip .brand')));
+  const { left, height } = await edgesOf(line);
+  expect(height).toBeLessThan(120);
+  expect(left, 'it begins where the strip begins').toBe((await edgesOf(app.page.locator('.strip .brand'))).left);
 });

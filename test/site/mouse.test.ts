@@ -1,14 +1,13 @@
 import { describe, expect, test } from 'vitest';
 import { en } from '../tools/en.js';
-import { AppPage } from './app-page.js';
+import { AppPage, edgesOf } from './app-page.js';
 import { EDGE_ROUTES, ROUTES, textOf } from './mouse-routes.js';
 
 /** The whole table is visible. */
 const TALL = { viewport: { width: 1280, height: 1200 } };
 
 async function opened(): Promise<AppPage> {
-  const app = await AppPage.open({ bench: {}, isMoving: true, ...TALL });
-  await app.connect();
+  const app = await AppPage.connected({ isMoving: true, ...TALL });
   return app;
 }
 
@@ -48,10 +47,9 @@ describe('a drag with the mouse selects, and moves no value', () => {
     const before = await app.entries();
     const checks = app.page.getByRole('heading', { name: 'Checks' });
     await checks.evaluate((element) => getSelection()?.selectAllChildren(element));
-    const heading = await checks.boundingBox();
-    if (!heading) throw new Error('There is no heading.');
+    const heading = await edgesOf(checks);
     const place = await textOf(cell(app, 'Function 2, S1'));
-    await mouse.move(heading.x + 10, heading.y + heading.height / 2);
+    await mouse.move(heading.left + 10, (heading.top + heading.bottom) / 2);
     await mouse.down();
     await mouse.move(place.x, place.y, { steps: 8 });
     await mouse.up();
@@ -66,9 +64,8 @@ test.each([
 ])('after a second click %s a text, what is typed replaces it', async (_, share) => {
   const app = await opened();
   const dt = cell(app, 'DT time');
-  const box = await dt.boundingBox();
-  if (!box) throw new Error('There is no cell.');
-  for (let i = 0; i < 2; i++) await dt.click({ position: { x: box.width * share, y: box.height / 2 } });
+  const { width, height } = await edgesOf(dt);
+  for (let i = 0; i < 2; i++) await dt.click({ position: { x: width * share, y: height / 2 } });
   await expect
     .poll(() => dt.evaluate(({ selectionStart: from, selectionEnd: to }: HTMLInputElement) => [from, to]))
     .toEqual([0, 4]);

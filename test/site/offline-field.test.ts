@@ -1,8 +1,7 @@
-import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
-import { importFile } from './library.js';
+import { chooseFile, downloadedBy, saveFirst } from './library.js';
 
 test('after one visit a whole day on the field needs no network, from Connect to a setting for a friend', async () => {
   const app = await AppPage.open({ acceptDownloads: true });
@@ -19,11 +18,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
   await app.result('Verified.');
   await app.close();
 
-  await app.button(en.library.save.open).click();
-  await app.field(en.library.save.name({ of: 'program' })).fill('windy');
-  await app.field(en.library.save.name({ of: 'model' })).fill('Lancer 07');
-  await app.button('Save').click();
-  await page.getByRole('dialog').waitFor({ state: 'hidden' });
+  await saveFirst(app, 'windy', 'Lancer 07');
   await app.type('Function 4, S2', '77');
   await app.goTo('Library');
   await page.getByRole('link', { name: /^Lancer 07/ }).click();
@@ -41,11 +36,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
   const hash = new URL(await link.inputValue()).hash;
   await app.button('Close').click();
 
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    setting.getByRole('button', { name: 'Export…' }).click(),
-  ]);
-  const file = await readFile(await download.path(), 'utf8');
+  const { text: file } = await downloadedBy(app, () => setting.getByRole('button', { name: 'Export…' }).click());
 
   await setting.getByRole('button', { name: 'Print…' }).click();
   await page.locator('.print-sheets').getByText('windy').first().waitFor();
@@ -55,7 +46,7 @@ test('after one visit a whole day on the field needs no network, from Connect to
   const changed = file
     .replaceAll('"windy"', '"windy, by a friend"')
     .replaceAll(/"changedAt": "\d{4}/g, '"changedAt": "2099');
-  await importFile(app, 'friend.sidus.json', changed);
+  await chooseFile(app, 'friend.sidus.json', changed);
   await page.getByRole('heading', { name: 'Import friend.sidus.json' }).waitFor();
   await app.button(/^Import \d+$/).click();
   await app.text(/^Imported from “friend\.sidus\.json”: /).waitFor();

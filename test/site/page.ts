@@ -133,6 +133,16 @@ export async function newKeptPage(): Promise<Page> {
 /** A phone that is held in one hand. */
 export const PHONE: BrowserContextOptions = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
+type Touch = 'touchStart' | 'touchMove' | 'touchEnd';
+
+/** A finger that moves: Playwright's own only taps. */
+export async function fingerOn(
+  page: Page,
+): Promise<(type: Touch, ...touchPoints: { x: number; y: number }[]) => Promise<unknown>> {
+  const devTools = await page.context().newCDPSession(page);
+  return (type, ...touchPoints) => devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
+}
+
 /** Sets the theme with the largest letters. Runs in the page, because only the page has the storage. */
 export const IN_SUN = (): unknown =>
   location.protocol !== 'about:' && localStorage.setItem('sidus-timer/theme', '"sun"');

@@ -4,8 +4,7 @@ import { AppPage } from './app-page.js';
 
 /** A pilot who copies from a spreadsheet, with the real clipboard of the browser. */
 async function opened(): Promise<AppPage> {
-  const app = await AppPage.open({ bench: {}, permissions: ['clipboard-read', 'clipboard-write'] });
-  await app.connect();
+  const app = await AppPage.connected({ permissions: ['clipboard-read', 'clipboard-write'] });
   return app;
 }
 

@@ -1,7 +1,7 @@
-import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { en } from '../tools/en.js';
-import { AppPage } from './app-page.js';
+import { smallTargets } from '../tools/well-made.js';
+import { AppPage, edgesOf } from './app-page.js';
 import { SIZES } from './themes.js';
 
 const preview = ({ page }: AppPage) => page.getByRole('region', { name: en.preview.title });
@@ -12,29 +12,17 @@ const turned = (app: AppPage, surface: string): Promise<string> =>
     .locator(`[data-surface=${surface}]`)
     .evaluate((element) => (element as SVGElement).style.transform);
 
-/** Controls that are too small for a finger. */
-const tooSmall = (part: Locator): Promise<string[]> =>
-  part.locator('button, select, input').evaluateAll((controls) =>
-    controls
-      .filter((control) => {
-        const { width, height } = control.getBoundingClientRect();
-        return width > 0 && (width < 44 || height < 44);
-      })
-      .map((control) => control.outerHTML),
-  );
-
 test('the model is shown under the timeline, both in one window, at the time of the selected cell', async () => {
-  const app = await AppPage.open({ viewport: SIZES.desktop });
-  await app.trySimulated('F1Q');
+  const app = await AppPage.simulated({ viewport: SIZES.desktop });
   await app.field('Function 6, S2').focus();
   await preview(app).getByText('Function 6 at 10.60 s').waitFor();
   expect(await turned(app, 'tailplane'), 'at the bunt the tailplane is turned down').toBe('rotate(16deg)');
-  const above = (await app.page.locator('.strip, header').first().boundingBox()) ?? { y: 0, height: 0 };
-  const below = await app.actions.boundingBox();
+  const above = await edgesOf(app.page.locator('.strip, header').first());
+  const below = await edgesOf(app.actions);
   for (const part of [app.page.locator('.timeline-room').first(), preview(app)]) {
-    const box = await part.boundingBox();
-    expect(box?.y, 'it lies below the strip').toBeGreaterThanOrEqual(above.y + above.height);
-    expect((box?.y ?? 0) + (box?.height ?? 0), 'it lies above the command bar').toBeLessThanOrEqual(below?.y ?? 0);
+    const { top, bottom } = await edgesOf(part);
+    expect(top, 'it lies below the strip').toBeGreaterThanOrEqual(above.bottom);
+    expect(bottom, 'it lies above the command bar').toBeLessThanOrEqual(below.top);
   }
 
   await app.field('DT, S2').focus();
@@ -50,9 +38,9 @@ test('on a phone the picture includes the preview, which works by finger', async
   await app.trySimulated('F1B');
   await app.button('Picture').click();
   await preview(app).getByText('Launch').waitFor();
-  expect(await tooSmall(preview(app))).toEqual([]);
+  expect(await app.page.evaluate(smallTargets)).toEqual([]);
   await app.expectNoSidewaysScrolling();
   await app.button(en.preview.nameServos).tap();
-  expect(await tooSmall(app.page.getByRole('dialog'))).toEqual([]);
+  expect(await app.page.evaluate(smallTargets)).toEqual([]);
   await app.expectNoSidewaysScrolling();
 });

@@ -104,8 +104,7 @@ test('the print view is well made, on a phone too, and prints what the browser o
 });
 
 test('a view is printed black on white, below what it shows, and without its commands', async () => {
-  const app = await AppPage.open({ colorScheme: 'dark' });
-  await app.trySimulated('F1Q');
+  const app = await AppPage.simulated({ colorScheme: 'dark' });
   await app.page.emulateMedia({ media: 'print', colorScheme: 'dark' });
   const shown = (): Promise<boolean[]> =>
     Promise.all(
@@ -123,8 +122,7 @@ test('a view is printed black on white, below what it shows, and without its com
 });
 
 test('on a paper that is narrower than the window the timeline goes on to DT', async () => {
-  const app = await AppPage.open();
-  await app.trySimulated('F1Q');
+  const app = await AppPage.simulated();
   const reaches = (): Promise<boolean> =>
     app.page.locator('.timeline-room').evaluate((room) => {
       const side = room.closest<HTMLElement>('.program-side');
@@ -143,8 +141,7 @@ test('on a paper that is narrower than the window the timeline goes on to DT', a
 
 test('the QR code on a sheet is read back, and brings the program', async () => {
   // About as fine as a printer.
-  const app = await AppPage.open({ deviceScaleFactor: 3 });
-  await app.trySimulated('F1Q');
+  const app = await AppPage.simulated({ deviceScaleFactor: 3 });
   await app.type('DT time', '4:10');
   await app.page.evaluate(() => location.assign('#print'));
   await app.page.getByRole('checkbox', { name: en.print.parts.code }).check();

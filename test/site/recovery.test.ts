@@ -40,8 +40,7 @@ describe('a write that the page did not survive', () => {
 });
 
 test('all memories are backed up, one is copied to another, and the backup is restored', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await app.connect();
+  const app = await AppPage.connected();
   await app.bench(({ adapter }) => {
     const [first] = adapter.timer.core.memories;
     if (first) first.times[3] = 1234;

@@ -1,14 +1,13 @@
-import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { parseCapture } from '../../src/protocol/index.js';
 import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
+import { downloadedBy } from './library.js';
 
 const { bench } = en;
 
 test('a walk with a timer of the other byte order settles what is so, keeps it, and leaves the timer as it was', async () => {
-  const app = await AppPage.open({ bench: { quirks: { bigEndianTimes: true } }, acceptDownloads: true });
-  await app.connect();
+  const app = await AppPage.connected({ bench: { quirks: { bigEndianTimes: true } }, acceptDownloads: true });
   const before = await app.bench(({ content }) => JSON.stringify(content));
   await app.showAbout();
   await app.page.getByRole('link', { name: en.settle.title }).click();
@@ -33,8 +32,7 @@ test('a walk with a timer of the other byte order settles what is so, keeps it, 
   await app.page.mouse.up();
   expect(await app.bench(({ content }) => JSON.stringify(content))).toBe(before);
 
-  const [download] = await Promise.all([app.page.waitForEvent('download'), app.button('Save').click()]);
-  const text = await readFile(await download.path(), 'utf8');
+  const { text } = await downloadedBy(app, () => app.button('Save').click());
   expect(parseCapture(text).length).toBeGreaterThan(50);
   expect(text).toContain(`# ${en.settle.names.order}: ${en.settle.no}`);
   await app.reload();

@@ -2,7 +2,8 @@ import { expect, inject, test } from 'vitest';
 import { decodeLink, encodeLink, LIMITS, LINK_MARK } from '../../src/program/index.js';
 import { SETTING } from '../program/library-examples.js';
 import { en } from '../tools/en.js';
-import { AppPage } from './app-page.js';
+import { AppPage, edgesOf } from './app-page.js';
+import { saveFirst } from './library.js';
 import { PHONE } from './page.js';
 import { textOfCode } from './qr.js';
 import { showTheme, THEMES } from './themes.js';
@@ -13,14 +14,9 @@ const HASH = LINK_MARK + encodeLink(SHARED);
 const arrive = (app: AppPage, hash: string): Promise<void> => app.page.evaluate((to) => void location.assign(to), hash);
 
 test('a setting that is shared by link can be kept on another device, after one question', async () => {
-  const pilot = await AppPage.open();
-  await pilot.trySimulated('F1Q');
+  const pilot = await AppPage.simulated();
   await pilot.type('DT time', '4:00');
-  await pilot.button(en.library.save.open).click();
-  await pilot.field(en.library.save.name({ of: 'program' })).fill('windy');
-  await pilot.field(en.library.save.name({ of: 'model' })).fill('Lancer 07');
-  await pilot.button('Save').click();
-  await pilot.page.getByRole('dialog').waitFor({ state: 'hidden' });
+  await saveFirst(pilot, 'windy', 'Lancer 07');
   await pilot.goTo('Library');
   await pilot.page.getByRole('link', { name: /^Lancer 07/ }).click();
   await pilot.page.getByRole('link', { name: /windy/ }).click();
@@ -85,17 +81,14 @@ test.each(NAMES)('code and link of “%s” are in sight at once, on every size 
           app.field('Link'),
           app.button('Copy link'),
           app.page.getByRole('dialog').getByRole('button', { name: 'Close' }),
-        ].map(async (part) => {
-          const box = await part.boundingBox();
-          return { top: box?.y ?? 0, bottom: (box?.y ?? 0) + (box?.height ?? 0), width: box?.width ?? 0 };
-        }),
+        ].map(edgesOf),
       );
       const where = `${width} x ${height}, ${theme}`;
       for (const part of [code, link, copy]) expect(part?.bottom, where).toBeLessThanOrEqual(close?.top ?? 0);
       expect(Math.min(code?.top ?? 0, link?.top ?? 0), where).toBeGreaterThan(0);
       expect(close?.bottom, where).toBeLessThanOrEqual(height);
-      const dialog = await app.page.getByRole('dialog').boundingBox();
-      if (width < 600) expect(dialog?.width, `${where}: a phone has no room to give away`).toBeGreaterThan(width - 24);
+      const dialog = await edgesOf(app.page.getByRole('dialog'));
+      if (width < 600) expect(dialog.width, `${where}: a phone has no room to give away`).toBeGreaterThan(width - 24);
       expect(code?.width, `${where}: a camera needs some pixels for each square`).toBeGreaterThan(159);
     }
   }

@@ -1,6 +1,6 @@
 import { expect, inject, test } from 'vitest';
 import { en } from '../tools/en.js';
-import { AppPage } from './app-page.js';
+import { AppPage, edgesOf } from './app-page.js';
 import { newPage, PHONE } from './page.js';
 
 const ANDROID =
@@ -13,28 +13,7 @@ test.each([
   const app = await AppPage.open({ ...PHONE, userAgent: ANDROID, viewport: { width, height }, bench: {} });
   await app.page.getByText(en.start.android).waitFor();
   const ways = [en.header.connect, ...['F1Q', 'F1B', 'F1E'].map((name) => en.start.simulated({ name }))];
-  for (const name of ways) {
-    const box = await app.button(name).boundingBox();
-    expect(box && box.y + box.height, name).toBeLessThanOrEqual(height);
-  }
-});
-
-test('a storage of a newer version has its own sentence', async () => {
-  const page = await newPage();
-  // It names its icon: else the browser looks for one, at a time that nobody knows.
-  const body = '<!doctype html><link rel="icon" href="data:,">';
-  await page.route('**/*', (route) => route.fulfill({ body, contentType: 'text/html' }));
-  await page.goto(inject('site'));
-  await page.evaluate(
-    () =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('sidus-timer', 1000);
-        opening.onsuccess = () => resolve(opening.result.close());
-      }),
-  );
-  await page.unroute('**/*');
-  await page.goto(inject('site'));
-  await page.getByText(en.keeping.title).waitFor();
+  for (const name of ways) expect((await edgesOf(app.button(name))).bottom, name).toBeLessThanOrEqual(height);
 });
 
 test('inside a frame the page does not work, and says where it does', async () => {

@@ -1,8 +1,8 @@
 import type { Locator } from 'playwright';
 import { describe, expect, test } from 'vitest';
 import { en } from '../tools/en.js';
-import { type AppOptions, AppPage } from './app-page.js';
-import { PHONE } from './page.js';
+import { type AppOptions, AppPage, middleOf } from './app-page.js';
+import { fingerOn, PHONE } from './page.js';
 
 const FIELD = 'Function 3 time';
 /** In the name of a step. */
@@ -15,19 +15,12 @@ interface Seen {
 
 /** The mark of function 3, at 11.5 s between its neighbours at 11 s and at 12 s. */
 async function opened(options: AppOptions = {}): Promise<Seen> {
-  const app = await AppPage.open({ bench: {}, ...options });
-  await app.connect();
+  const app = await AppPage.connected(options);
   // On a phone the picture replaces the table.
   if (options.isMobile) await app.button('Picture').click();
   const mark = app.page.getByRole('group', { name: en.timeline.picture }).getByRole('slider', { name: FIELD });
   await mark.scrollIntoViewIfNeeded();
   return { app, mark };
-}
-
-async function middleOf(mark: Locator): Promise<{ x: number; y: number }> {
-  const box = await mark.boundingBox();
-  if (!box) throw new Error('The mark is not on the screen.');
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
 const cell = (app: AppPage): Locator => app.table.getByRole('textbox', { name: FIELD, exact: true });
@@ -104,9 +97,7 @@ describe('the mark of a function is moved', () => {
     const { x, y } = await middleOf(seen.mark);
     const scrolled = (): Promise<number> => page.evaluate(() => scrollY);
     const before = await scrolled();
-    const devTools = await page.context().newCDPSession(page);
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: { x: number; y: number }[]) =>
-      devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const touch = await fingerOn(page);
     await touch('touchStart', { x, y });
     for (let way = 2; way <= 16; way += 2) await touch('touchMove', { x: x + way, y: y + way });
     await touch('touchEnd');

@@ -1,8 +1,8 @@
 import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { en } from '../tools/en.js';
-import { AppPage } from './app-page.js';
-import { PHONE } from './page.js';
+import { AppPage, edgesOf, middleOf } from './app-page.js';
+import { fingerOn, PHONE } from './page.js';
 import { showTheme } from './themes.js';
 
 /** The sheet of keys that opens for a field. */
@@ -14,27 +14,20 @@ test('a finger that moves up over the field with the focus scrolls the page, and
   await app.button('Connect').tap();
   await app.hasRead();
   const { page } = app;
-  const devTools = await page.context().newCDPSession(page);
-  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: { x: number; y: number }[]) =>
-    devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
+  const touch = await fingerOn(page);
   const field = app.field('Function 2, S2');
-  const middle = async (): Promise<{ x: number; y: number }> => {
-    await field.scrollIntoViewIfNeeded();
-    const box = await field.boundingBox();
-    if (!box) throw new Error('the field is not in sight');
-    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-  };
   /** Taps wherever the field is, whether it takes the focus or not. */
   const tap = async (): Promise<void> => {
-    const { x, y } = await middle();
+    await field.scrollIntoViewIfNeeded();
+    const { x, y } = await middleOf(field);
     await page.touchscreen.tap(x, y);
   };
   /** How far down on the screen it is: where the page was scrolled to, whatever grew above it. */
-  const top = (): Promise<number> => field.evaluate((input) => input.getBoundingClientRect().top);
+  const top = async (): Promise<number> => (await edgesOf(field)).top;
 
   await tap();
   const before = await top();
-  const { x, y } = await middle();
+  const { x, y } = await middleOf(field);
   await touch('touchStart', { x, y });
   for (let gone = 2; gone <= 200; gone += 2) await touch('touchMove', { x: x + 0.15 * gone, y: y - gone });
   await touch('touchEnd');
@@ -68,14 +61,13 @@ test.each([
   ['a laptop with a touch screen', { width: 1366, height: 650 }],
   ['a phone', { width: 390, height: 844 }],
 ])('on %s, the first tap after typing does what it is made on', async (_, viewport) => {
-  const app = await AppPage.open({ viewport, hasTouch: true });
-  await app.trySimulated('F1Q');
+  const app = await AppPage.simulated({ viewport, hasTouch: true });
   await app.field('Function 2, S2').focus();
   await app.page.keyboard.press('Control+a');
   await app.page.keyboard.type('70');
   // What it does comes late on a slow machine: the keys would have come over it in the meantime.
-  const box = await app.button(/^Write 1 change…$/).boundingBox();
-  await app.page.touchscreen.tap((box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2);
+  const { x, y } = await middleOf(app.button(/^Write 1 change…$/));
+  await app.page.touchscreen.tap(x, y);
   await app.dialog.waitFor();
   expect(await app.field('Function 2, S2').inputValue()).toBe('70');
 });
@@ -103,8 +95,7 @@ test('the keys on the touch screen do not cover the edited field or its row', as
       ];
     });
 
-  const app = await AppPage.open({ bench: { granted: true }, hasTouch: true });
-  await app.connect();
+  const app = await AppPage.connected({ hasTouch: true });
   for (const [width, height] of TOUCHED) {
     await app.resize({ width, height });
     for (const theme of ['light', 'sun']) {

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { en } from '../tools/en.js';
 import { type AppOptions, AppPage } from './app-page.js';
 
-const { takeOver, gone } = en.otherTab;
+const { takeOver } = en.otherTab;
 const timers: Readonly<Record<string, { options?: AppOptions; reach: (app: AppPage) => Promise<void> }>> = {
   simulated: { reach: (app) => app.trySimulated('F1Q') },
   real: { options: { bench: { granted: true } }, reach: (app) => app.connect() },
@@ -34,8 +34,7 @@ test.each(Object.entries(timers))(
 );
 
 test('a tab that is asked for in the middle of a write first ends it', async () => {
-  const first = await AppPage.open({ bench: { granted: true, timing: true } });
-  await first.connect();
+  const first = await AppPage.connected({ bench: { timing: true } });
   await first.type('DT time', '4:00');
   await first.type('Function 2, S1', '7');
   const second = await first.waitingTab();
@@ -47,33 +46,6 @@ test('a tab that is asked for in the middle of a write first ends it', async () 
   expect(await second.page.getByRole('button').allInnerTexts()).toEqual([takeOver]);
   await second.page.getByRole('heading', { name: en.start.title }).waitFor();
   expect(await first.bench(({ content }) => [content.times[10], content.positions[0]?.[2]])).toEqual([24_000, 7]);
-  expect(
-    await second.page.evaluate(async () => {
-      const opening = indexedDB.open('sidus-timer');
-      const database = await new Promise<IDBDatabase>((resolve) => {
-        opening.onsuccess = () => resolve(opening.result);
-      });
-      const all = database.transaction('unfinished').objectStore('unfinished').getAll();
-      return new Promise((resolve) => {
-        all.onsuccess = () => resolve(all.result);
-      });
-    }),
-    'nothing is left of the write but what the timer holds',
-  ).toEqual([]);
+  expect(await second.stored('unfinished'), 'nothing is left of the write but what the timer holds').toEqual([]);
   expect(await second.page.getByRole('region', { name: 'Not certain' }).count()).toBe(0);
-});
-
-test('a tab that does not answer is said', async () => {
-  const first = await AppPage.open();
-  const second = await first.waitingTab();
-  await second.button(takeOver).waitFor();
-  await first.page.evaluate(() => {
-    setTimeout(() => {
-      const end = performance.now() + 6000;
-      while (performance.now() < end);
-    });
-  });
-  await second.button(takeOver).click();
-  await second.text(gone).waitFor();
-  await second.page.locator('html[data-view]').waitFor();
 });

@@ -13,8 +13,7 @@ async function isUncertain(app: AppPage, when: string): Promise<void> {
 }
 
 test('a cable pulled before the answer to a write makes the timer uncertain until it is read', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await app.connect();
+  const app = await AppPage.connected();
   await app.type('DT time', '6:00');
   await app.bench((bench) => bench.unplugAt('SETTIMERS'));
   await app.write();

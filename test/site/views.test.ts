@@ -9,8 +9,7 @@ const heading = (app: AppPage): Promise<string> =>
   app.page.getByRole('main').getByRole('heading', { level: 1 }).innerText();
 
 test('each view has an address: Back leads through them, and a reload shows the same', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
-  await app.connect();
+  const app = await AppPage.connected();
   for (const view of VIEWS) {
     await app.goTo(view);
     await expect.poll(() => heading(app)).toContain(view);
@@ -30,8 +29,7 @@ test('each view has an address: Back leads through them, and a reload shows the 
 
 test('the heading stands at the same place in every view', async () => {
   for (const size of [{}, { viewport: { width: 820, height: 1180 }, hasTouch: true }]) {
-    const app = await AppPage.open({ bench: { granted: true }, ...size });
-    await app.connect();
+    const app = await AppPage.connected(size);
     /** The middle of its letters. */
     const place = (name: string): Promise<number> =>
       app.page.getByRole('heading', { level: 1, name, exact: true }).evaluate((heading) => {
@@ -52,8 +50,7 @@ test('the heading stands at the same place in every view', async () => {
 });
 
 test('a view is as it was left: the focus, the scroll position, and what was typed', async () => {
-  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 900, height: 560 } });
-  await app.connect();
+  const app = await AppPage.connected({ viewport: { width: 900, height: 560 } });
   await app.field('Function 9, S2').fill('7');
   const scrolled = await app.page.evaluate(() => scrollY);
   expect(scrolled).toBeGreaterThan(0);
@@ -69,8 +66,7 @@ test('a view is as it was left: the focus, the scroll position, and what was typ
 });
 
 test('a table with many servos is as far to the side as it was left', async () => {
-  const app = await AppPage.open({ ...PHONE, bench: { granted: true, identity: { servos: 6 } } });
-  await app.connect();
+  const app = await AppPage.connected({ ...PHONE, bench: { identity: { servos: 6 } } });
   const scroller = app.page.locator('.table-scroller');
   await scroller.evaluate((table) => table.scrollTo(90, 0));
   await app.goTo('Memories');
@@ -118,8 +114,7 @@ test('a command that is possible can be found by its name and done with Enter', 
 
 test('the strip shows in every view what flies next, DT, motor stop and what is known', async () => {
   for (const size of [PHONE, {}]) {
-    const app = await AppPage.open({ bench: { granted: true }, ...size });
-    await app.connect();
+    const app = await AppPage.connected(size);
     const strip = app.page.locator('.strip-line');
     for (const view of VIEWS) {
       await app.goTo(view);

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { en } from '../tools/en.js';
-import { AppPage, FIRST_POSITIONS } from './app-page.js';
-import { edited } from './edited.js';
+import { AppPage, FIRST_POSITIONS, isInSight } from './app-page.js';
+import { edited, held } from './edited.js';
 
 describe('through a serial port', () => {
   test('a pilot connects, reads, edits, writes, and sees it verified', async () => {
@@ -54,24 +54,15 @@ describe('the plug is pulled', () => {
     await app.tickSafety();
     await app.dialog.getByRole('button', { name: /^(Write|Read back)/ }).click();
     await app.result('Verified.');
-    const { times, positions } = await app.bench(({ content }) => content);
-    expect([times[10], positions[0]?.[2]]).toEqual([24000, 7]);
+    expect(await held(app)).toEqual([24000, 7]);
   });
 
   test('the message is visible, wherever the page is scrolled on a phone', async () => {
-    const app = await AppPage.open({ bench: {}, viewport: { width: 390, height: 844 } });
-    await app.connect();
+    const app = await AppPage.connected({ viewport: { width: 390, height: 844 } });
     await app.field('DT, S1').scrollIntoViewIfNeeded();
     await app.bench((bench) => bench.adapter.unplug());
     await app.says(en.link.lost.title);
-    const seen = await app.text(en.link.lost.title).evaluate(
-      (element) =>
-        new Promise<boolean>((resolve) => {
-          const observer = new IntersectionObserver(([entry]) => resolve(entry?.isIntersecting ?? false));
-          observer.observe(element);
-        }),
-    );
-    expect(seen).toBe(true);
+    await expect.poll(() => isInSight(app.text(en.link.lost.title))).toBe(true);
   });
 });
 

@@ -33,7 +33,7 @@ async function violations(page, onlyColours) {
 }
 
 /** Buttons, fields and choices that a finger would miss, or a mouse where there is room and one. Runs in the page. */
-function smallTargets() {
+export function smallTargets() {
   const targets = [...document.querySelectorAll('button, input, select, summary')].map((element) =>
     element.matches('[type=checkbox], [type=radio]') ? (element.closest('label') ?? element) : element,
   );
@@ -51,7 +51,7 @@ function smallTargets() {
 }
 
 /** What stands over the edge of the window. Runs in the page. */
-function tooWide() {
+export function tooWide() {
   const { scrollWidth, clientWidth } = document.documentElement;
   if (scrollWidth <= clientWidth) return [];
   const over = [...document.body.querySelectorAll('*')].filter(
