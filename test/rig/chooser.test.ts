@@ -15,10 +15,10 @@ test('choosing nothing is reported; a chosen port is connected, and needs no cho
   await pilot.clickConnect();
   await rig.chooser.shows(1);
   await rig.chooser.choose();
-  await pilot.isConnected();
+  await pilot.isReady();
   await pilot.sees('firmware 536');
 
   await pilot.button(en.header.disconnect).click();
   await pilot.clickConnect();
-  await pilot.isConnected();
+  await pilot.isReady();
 });

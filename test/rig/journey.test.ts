@@ -41,9 +41,9 @@ test('a time and two positions are written with one SETTIMERS and two SETSERVO, 
   const asked = core.answered.length;
 
   const typed = { 'DT time': '2:30', 'Function 3, S1': '44', 'DT, S3': '130' };
-  await pilot.type(typed);
+  await pilot.enter(typed);
   await pilot.write();
-  expect(await pilot.result()).toContain(en.write.verified.title);
+  expect(await pilot.outcome()).toContain(en.write.verified.title);
 
   const who = { name: 'GETSWVER' };
   const memory = { name: 'GETMEMORY' };
@@ -73,5 +73,5 @@ test('a port that another program uses is reported as in use, and is connected w
     await pilot.clickConnect();
     await pilot.sees(en.link.refused);
   });
-  await pilot.isConnected();
+  await pilot.isReady();
 });

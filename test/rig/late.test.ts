@@ -12,5 +12,5 @@ test('a port that is plugged in while the chooser is open can be chosen', async 
   await rig.plug();
   await rig.chooser.shows(1);
   await rig.chooser.choose();
-  await pilot.isConnected();
+  await pilot.isReady();
 });

@@ -15,7 +15,7 @@ test('a drag with the mouse over the table, with real events of X, selects and m
   await pilot.clickConnect();
   await rig.chooser.shows(1);
   await rig.chooser.choose();
-  await pilot.isConnected();
+  await pilot.isReady();
   const { core } = rig.timer;
   const names = [...new Set(ROUTES.flatMap((route) => route.slice(0, 2)))];
   const before = await pilot.shown(names);
@@ -61,7 +61,7 @@ test('a drag with the mouse over the table, with real events of X, selects and m
   // The last range is of functions 3 to 5 of S1: the timer gets what it is filled with, and nothing else.
   await page.keyboard.press('Control+d');
   await pilot.write();
-  expect(await pilot.result()).toContain(en.write.verified.title);
+  expect(await pilot.outcome()).toContain(en.write.verified.title);
   const wanted = structuredClone(held);
   const row = wanted[0]?.positions[0] as number[];
   row[4] = row[3] as number;

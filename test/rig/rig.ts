@@ -201,11 +201,6 @@ export class Rig {
     this.#covered = false;
   }
 
-  /** Something else than the timer says this on the line. */
-  say(bytes: Uint8Array): void {
-    this.#pass('toPage', bytes, (passed) => this.#box.send(passed));
-  }
-
   /** The adapter fails, while for the machine it is still there. */
   async breakAdapter(): Promise<void> {
     this.#plugged = false;

@@ -28,7 +28,8 @@ async function timed(work: () => Promise<void>): Promise<number> {
 
 /** Finishes what was interrupted, in whatever way the page offers it, and looks that the timer holds it all. */
 async function bringToEnd(rig: Rig, pilot: Pilot, round: number): Promise<'offered' | 'again' | 'complete'> {
-  const way = (await pilot.isOffered())
+  const isOffered = await pilot.page.getByRole('region', { name: en.recovery.title }).isVisible();
+  const way = isOffered
     ? 'offered'
     : held(rig).every((value, at) => value === wanted(round)[at])
       ? 'complete'
@@ -37,8 +38,12 @@ async function bringToEnd(rig: Rig, pilot: Pilot, round: number): Promise<'offer
   if (way === 'complete') {
     await pilot.sees(en.notes['write-completed'].title);
   } else {
-    await (way === 'offered' ? pilot.finish() : pilot.write());
-    expect(await pilot.result()).toContain(en.write.verified.title);
+    if (way === 'offered') {
+      await pilot.button(en.recovery.finish).click();
+      await pilot.tickSafety();
+      await pilot.startWriting();
+    } else await pilot.write();
+    expect(await pilot.outcome()).toContain(en.write.verified.title);
   }
   expect(held(rig)).toEqual(wanted(round));
   return way;
@@ -46,15 +51,15 @@ async function bringToEnd(rig: Rig, pilot: Pilot, round: number): Promise<'offer
 
 test('plugged in again, also under another name, the connection is back in a moment, with what was typed', async () => {
   const { rig, pilot } = await connected();
-  await pilot.type(values(1));
+  await pilot.enter(values(1));
   const times: number[] = [];
   for (const number of [0, 0, 0, 1, 2, 0]) {
     await pilot.page.evaluate(async () => Object.assign(globalThis, { before: await navigator.serial.getPorts() }));
     await rig.unplug();
-    await pilot.isAway();
+    await pilot.sees(en.link.lost.title);
     const time = await timed(async () => {
       await rig.plug(number);
-      await pilot.isConnected();
+      await pilot.isReady();
     });
     times.push(Math.round(time));
     expect(await pilot.shown(Object.keys(values(1)))).toEqual(values(1));
@@ -62,7 +67,7 @@ test('plugged in again, also under another name, the connection is back in a mom
   }
   stdout.write(`From plugging in to the program on the screen: ${times.join(', ')} ms.\n`);
   await pilot.write();
-  expect(await pilot.result()).toContain(en.write.verified.title);
+  expect(await pilot.outcome()).toContain(en.write.verified.title);
   expect(held(rig)).toEqual(wanted(1));
 });
 
@@ -93,11 +98,11 @@ test.for<[Direction, number]>([
   async ([direction, seed]) => {
     const { rig, pilot } = await connected();
     // How many bytes a whole write takes.
-    await pilot.type(values(0));
-    await pilot.review();
+    await pilot.enter(values(0));
+    await pilot.prepare();
     const before = rig.passed[direction].length;
     await pilot.startWriting();
-    expect(await pilot.result()).toContain(en.write.verified.title);
+    expect(await pilot.outcome()).toContain(en.write.verified.title);
     const whole = rig.passed[direction].length - before;
 
     const cuts = below(whole, seed);
@@ -105,15 +110,15 @@ test.for<[Direction, number]>([
     const time = await timed(async () => {
       for (let round = 1; round <= 25; round++) {
         const bytes = 1 + cuts.next().value;
-        await pilot.type(values(round));
-        await pilot.review();
+        await pilot.enter(values(round));
+        await pilot.prepare();
         const unplugged = rig.unplugAfter(bytes, direction);
         await pilot.startWriting();
         await unplugged;
         await pilot.writeEnds();
-        await pilot.isAway();
+        await pilot.sees(en.link.lost.title);
         await rig.plug();
-        await pilot.isConnected();
+        await pilot.isReady();
         ways[await bringToEnd(rig, pilot, round)]++;
       }
     });
@@ -128,8 +133,8 @@ test.for<[Direction, number]>([
 /** Begins a write and covers the infrared head in the middle of it: after the times, and before the last position. */
 async function halfWritten(): Promise<{ rig: Rig; pilot: Pilot }> {
   const { rig, pilot } = await connected();
-  await pilot.type(values(1));
-  await pilot.review();
+  await pilot.enter(values(1));
+  await pilot.prepare();
   // The fresh reading takes 63 bytes, SETTIMERS 31, each SETSERVO 12.
   const covered = rig.coverAfter(63 + 31 + 12 + 8, 'fromPage');
   await pilot.startWriting();
@@ -152,7 +157,7 @@ test('the page is loaded again in the middle of a write: it warns, and offers to
   expect(await warned).toBe('beforeunload');
   rig.uncover();
   await pilot.clickConnect();
-  await pilot.isConnected();
+  await pilot.isReady();
   expect(await bringToEnd(rig, pilot, 1)).toBe('offered');
 });
 
@@ -171,21 +176,21 @@ test.for(['crashes', 'is closed'])('the page %s in the middle of a write: a new 
   rig.uncover();
   const next = new Pilot(await rig.open());
   await next.clickConnect();
-  await next.isConnected();
+  await next.isReady();
   expect(await bringToEnd(rig, next, 1)).toBe('offered');
 });
 
 test('a port that fails without an event is reported as lost, and is connected again when it works', async () => {
   const { rig, pilot } = await connected();
-  await pilot.type(values(1));
+  await pilot.enter(values(1));
   await rig.breakAdapter();
   // It is still listed, so it is tried again and again.
   await pilot.sees(en.link.refused);
   await rig.mendAdapter();
-  await pilot.isConnected();
+  await pilot.isReady();
   expect(await pilot.shown(Object.keys(values(1)))).toEqual(values(1));
   await pilot.write();
-  expect(await pilot.result()).toContain(en.write.verified.title);
+  expect(await pilot.outcome()).toContain(en.write.verified.title);
   expect(held(rig)).toEqual(wanted(1));
 });
 
@@ -197,6 +202,6 @@ test('a timer that answers only at 19200 baud is found, and the next time that r
   await expect.poll(() => rig.sessions.closed, { timeout: 60_000 }).toBe(rig.sessions.opened);
   const { opened } = rig.sessions;
   await pilot.clickConnect();
-  await pilot.isConnected();
+  await pilot.isReady();
   expect(rig.sessions.opened, 'the port is opened once, at the rate that is known').toBe(opened + 1);
 });

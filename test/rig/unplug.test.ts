@@ -12,9 +12,9 @@ const whileReading: [Direction, number[]][] = [
 
 /** Plugs the adapter in again, and the connection comes back by itself. */
 async function comesBack(rig: Rig, pilot: Pilot): Promise<void> {
-  await pilot.isAway();
+  await pilot.sees(en.link.lost.title);
   await rig.plug();
-  await pilot.isConnected();
+  await pilot.isReady();
 }
 
 test.for(whileReading)(
@@ -22,12 +22,12 @@ test.for(whileReading)(
   async ([direction, cuts]) => {
     const { rig, pilot } = await connected();
     const typed = { 'Function 9 time': '7.25', 'Start, S2': '0', 'Function 4, S3': 'x' };
-    await pilot.type(typed);
+    await pilot.enter(typed);
     for (const bytes of cuts) {
       const unplugged = rig.unplugAfter(bytes, direction);
       await pilot.button(en.program.read).click();
       await unplugged;
-      await pilot.isAway();
+      await pilot.sees(en.link.lost.title);
       expect(
         await pilot.shown(Object.keys(typed)),
         `the fields after the cable was pulled after ${bytes} bytes`,
@@ -39,9 +39,9 @@ test.for(whileReading)(
       ).toEqual(typed);
     }
     const good = { 'Function 4, S3': '54' };
-    await pilot.type(good);
+    await pilot.enter(good);
     await pilot.write();
-    expect(await pilot.result()).toContain(en.write.verified.title);
+    expect(await pilot.outcome()).toContain(en.write.verified.title);
     const { times, positions } = rig.timer.core.content;
     expect([times[9], positions[1]?.[0], positions[2]?.[4]]).toEqual([725, 0, 54]);
   },
@@ -49,11 +49,11 @@ test.for(whileReading)(
 
 test('an adapter that fails while it is plugged in is reported as lost, and later as unplugged', async () => {
   const { rig, pilot } = await connected();
-  await pilot.type({ 'Function 9 time': '7.25' });
+  await pilot.enter({ 'Function 9 time': '7.25' });
   await rig.breakAdapter();
   await pilot.sees(en.link.lost.title);
   await rig.unplug();
-  await pilot.isAway();
+  await pilot.sees(en.link.lost.title);
   await comesBack(rig, pilot);
   expect(await pilot.shown(['Function 9 time'])).toEqual({ 'Function 9 time': '7.25' });
 });
