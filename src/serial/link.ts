@@ -121,15 +121,14 @@ export class TimerLink {
   /**
    * Connects to a port. Ends any other connection, or attempt, first.
    * @param settings default: those remembered for this port, else `DEFAULT_SETTINGS`.
-   * @param options `knownRate`: the rate at which a timer has answered there, in bits a second. Default: the one
-   * remembered for this port. `signal`: gives the attempt up, as {@link stop} does. It no longer counts once the link
-   * has settled, or once another call has taken over.
+   * @param options `signal`: gives the attempt up, as {@link stop} does. It no longer counts once the link has settled,
+   * or once another call has taken over.
    * @returns once the link has settled: it is `on`, `waiting`, `away` or `off`.
    */
   async connect(
     port: SerialPortLike,
     settings?: SerialSettings,
-    { knownRate, signal }: { readonly knownRate?: number | undefined; readonly signal?: AbortSignal | undefined } = {},
+    { signal }: { readonly signal?: AbortSignal | undefined } = {},
   ): Promise<void> {
     if (signal?.aborted) return;
     const mine = this.#supersede();
@@ -138,18 +137,13 @@ export class TimerLink {
     };
     signal?.addEventListener('abort', stop);
     try {
-      await this.#connect(mine, port, settings, knownRate);
+      await this.#connect(mine, port, settings);
     } finally {
       signal?.removeEventListener('abort', stop);
     }
   }
 
-  async #connect(
-    mine: number,
-    port: SerialPortLike,
-    settings: SerialSettings | undefined,
-    knownRate: number | undefined,
-  ): Promise<void> {
+  async #connect(mine: number, port: SerialPortLike, settings: SerialSettings | undefined): Promise<void> {
     if (this.#reconnector) await this.#end();
     if (mine !== this.#newest) return;
     const { serial, onLine, assumed, remembered } = this.#options;
@@ -159,7 +153,7 @@ export class TimerLink {
       clock: this.#clock,
       serial,
       settings: settings ?? memory?.settings ?? DEFAULT_SETTINGS,
-      knownRate: knownRate ?? memory?.knownRate,
+      knownRate: memory?.knownRate,
       margin: MARGIN,
       onLine,
       assumed,

@@ -55,14 +55,6 @@ describe('finding the rate', () => {
     expect(way(states)).toBe('opening > searching > on');
   });
 
-  it('asks the rate first at which the timer answered before', async () => {
-    const { clock, link, port } = linkBench({ answersAt: 57600 });
-    const rates = ratesOpened(port);
-    await clock.run(link.connect(port, DEFAULT_SETTINGS, { knownRate: 57600 }));
-    expect(connectionOf(link).settings.baudRate).toBe(57600);
-    expect(rates).toEqual([57600]);
-  });
-
   it('uses the remembered rate and settings of the port, also of one that was chosen', async () => {
     const keys: string[] = [];
     const settings = { ...DEFAULT_SETTINGS, stopBits: 2 } as const;
@@ -201,9 +193,9 @@ describe('waiting for a timer', () => {
     await fc.assert(
       fc.asyncProperty(rates, rates, fc.integer({ min: 0, max: 60_000 }), async (answersAt, knownRate, ms) => {
         fc.pre(answersAt !== 31250 || knownRate === 31250);
-        const { clock, timer, link, port } = linkBench({ answersAt });
+        const { clock, timer, link, connect } = linkBench({ answersAt, link: { remembered: () => ({ knownRate }) } });
         timer.core.sleep();
-        await clock.run(link.connect(port, DEFAULT_SETTINGS, { knownRate }));
+        await connect();
         await clock.advance(ms);
         timer.core.press();
         await clock.advance(65_000);
