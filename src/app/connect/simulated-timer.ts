@@ -1,11 +1,11 @@
-import { ByteLine, type Clock, realClock, soon } from '../../line/index.js';
+import { type Clock, realClock, soon } from '../../line/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { SerialPortLike } from '../../serial/index.js';
 import { exampleMemories, ReplayTimer, type TimerCore, VirtualTimer } from '../../simulator/index.js';
 import type { SimulatedClass } from '../work/timer-access.js';
 
-/** How long an adapter and a timer take to answer, in milliseconds: about as long as over infrared. */
-const LATENCY = 40;
+/** A line as over infrared: bits a second, and how many milliseconds an adapter and a timer take to answer. */
+const LINE = { baudRate: 9600, latency: 40 };
 
 /**
  * The clock of line and timer. In the background a browser calls timeouts once a second at most, but the bytes of a
@@ -19,28 +19,20 @@ const promptInBackground: Clock = {
 /** What the timer of each class holds until the page is closed: a pilot connects again to see what was written. */
 const held = new Map<SimulatedClass, TimerCore>();
 
-/** A port whose cable ends at a timer in this page. */
+/** A port whose cable ends at a timer in this page, which has the time of its line itself. */
 class TimerPort extends EventTarget implements SerialPortLike {
   readable: ReadableStream<Uint8Array> | null = null;
   writable: WritableStream<Uint8Array> | null = null;
-  readonly #hasSpeed: boolean;
-  readonly #toTimer: ByteLine;
-  readonly #toPage: ByteLine;
+  readonly #toTimer: WritableStreamDefaultWriter<Uint8Array>;
   #page: ReadableStreamDefaultController<Uint8Array> | null = null;
 
-  /** @param speed how fast the line is: as it was opened, or no time at all. `latency` counts in each direction. */
-  constructor(timer: VirtualTimer | ReplayTimer, speed: { readonly latency: number } | null) {
+  constructor(timer: VirtualTimer | ReplayTimer) {
     super();
-    this.#hasSpeed = speed !== null;
-    const line = { clock: promptInBackground, latency: speed?.latency ?? 0 };
-    const writer = timer.writable.getWriter();
-    this.#toTimer = new ByteLine((bytes) => void writer.write(bytes), line);
-    this.#toPage = new ByteLine((bytes) => this.#page?.enqueue(bytes), line);
-    void timer.readable.pipeTo(new WritableStream({ write: (bytes) => void this.#toPage.send(bytes) }));
+    this.#toTimer = timer.writable.getWriter();
+    void timer.readable.pipeTo(new WritableStream({ write: (bytes) => this.#page?.enqueue(bytes) }));
   }
 
-  async open({ baudRate }: Parameters<SerialPortLike['open']>[0]): Promise<void> {
-    for (const line of [this.#toTimer, this.#toPage]) line.baudRate = this.#hasSpeed ? baudRate : 0;
+  async open(): Promise<void> {
     this.readable = new ReadableStream({
       start: (page) => {
         this.#page = page;
@@ -49,12 +41,11 @@ class TimerPort extends EventTarget implements SerialPortLike {
         this.#page = null;
       },
     });
-    this.writable = new WritableStream({ write: (bytes) => void this.#toTimer.send(bytes) });
+    this.writable = new WritableStream({ write: (bytes) => this.#toTimer.write(bytes) });
   }
 
   async close(): Promise<void> {
     this.readable = this.writable = this.#page = null;
-    for (const line of [this.#toTimer, this.#toPage]) line.clear();
   }
 
   getInfo() {
@@ -67,17 +58,16 @@ class TimerPort extends EventTarget implements SerialPortLike {
  * one before held. It takes the same path through the code as a real timer.
  */
 export function plugSimulatedTimer(timerClass: SimulatedClass): SerialPortLike {
-  const clock = promptInBackground;
   const last = held.get(timerClass);
   const memories = last?.memories ?? exampleMemories(timerClass);
-  const timer = new VirtualTimer({ identity: { timerClass }, memories, clock });
+  const timer = new VirtualTimer({ identity: { timerClass }, memories, clock: promptInBackground, ...LINE });
   const { core } = timer;
   if (last) [core.memory, core.idleThrottle] = [last.memory, last.idleThrottle];
   held.set(timerClass, core);
-  return new TimerPort(timer, { latency: LATENCY / 2 });
+  return new TimerPort(timer);
 }
 
-/** A recorded timer. The port adds no time: the recording has the times of its own line. */
+/** A recorded timer, with the times of its recording. */
 export function plugRecording(entries: readonly CaptureEntry[]): SerialPortLike {
-  return new TimerPort(new ReplayTimer(entries), null);
+  return new TimerPort(new ReplayTimer(entries));
 }
