@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { choicesOf, conclude, joined, type Said, type Seen, type Tried } from '../../../src/app/settle/conclusions.js';
+import { choicesOf, conclude, type Said, type Seen, type Tried } from '../../../src/app/settle/conclusions.js';
 import { cellOf } from '../../../src/app/settle/try-position.js';
 import type { Answers } from '../../../src/app/storage/records.js';
 import type { TimerProgram } from '../../../src/program/index.js';
@@ -95,69 +95,30 @@ describe('a position', () => {
   const yes = { away: true, there: true };
   const only = { away: false, there: true };
   const never = { away: false, there: false };
+  const usual = { layout: 'function-first' } as const;
+  const anywhere = { ...usual, stores: 'anywhere' } as const;
+  const both = { away: AWAY, there: THERE };
+  const lost = end(AWAY, 'unchanged');
+  const lostThere = end(THERE, 'unchanged');
+  const exchanged = end(AWAY, 'exchanged');
   const rows: [string, Partial<Seen>, Said, Answers][] = [
-    ['kept away from the servos', { away: AWAY }, {}, { layout: 'function-first', stores: 'anywhere' }],
-    ['kept at an unknown place', { away: { ...AWAY, at: null } }, {}, { layout: 'function-first' }],
-    ['kept where they stand alone', { there: THERE }, only, { layout: 'function-first' }],
-    ['exchanged', { away: end(AWAY, 'exchanged') }, {}, { layout: 'servo-first', stores: 'anywhere' }],
-    ['exchanged where the servos stand', { away: { ...end(AWAY, 'exchanged'), at: 0 } }, {}, { layout: 'servo-first' }],
-    [
-      'exchanged, in the other order',
-      { away: end(servoFirst(AWAY), 'exchanged') },
-      {},
-      { layout: 'function-first', stores: 'anywhere' },
-    ],
+    ['kept away from the servos', { away: AWAY }, {}, anywhere],
+    ['kept at an unknown place', { away: { ...AWAY, at: null } }, {}, usual],
+    ['kept where they stand alone', { there: THERE }, only, usual],
+    ['exchanged', { away: exchanged }, {}, { layout: 'servo-first', stores: 'anywhere' }],
+    ['exchanged where the servos stand', { away: { ...exchanged, at: 0 } }, {}, { layout: 'servo-first' }],
+    ['exchanged, in the other order', { away: servoFirst(exchanged) }, {}, anywhere],
     ['kept in both orders', { away: AWAY, there: servoFirst(THERE) }, yes, { stores: 'anywhere', moves: 'always' }],
-    [
-      'unchanged away, kept where they stand',
-      { away: end(AWAY, 'unchanged'), there: THERE },
-      only,
-      { layout: 'function-first', stores: 'there' },
-    ],
-    [
-      'unchanged away in the wrong order',
-      { away: end(servoFirst(AWAY), 'unchanged'), there: THERE },
-      only,
-      { layout: 'function-first' },
-    ],
-    ['unchanged at both', { away: end(AWAY, 'unchanged'), there: end(THERE, 'unchanged') }, never, {}],
-    [
-      'kept away, unchanged where they stand',
-      { away: AWAY, there: end(THERE, 'unchanged') },
-      only,
-      { layout: 'function-first' },
-    ],
+    ['unchanged away, kept where they stand', { away: lost, there: THERE }, only, { ...usual, stores: 'there' }],
+    ['unchanged away in the wrong order', { away: servoFirst(lost), there: THERE }, only, usual],
+    ['unchanged at both', { away: lost, there: lostThere }, never, {}],
+    ['kept away, unchanged where they stand', { away: AWAY, there: lostThere }, only, usual],
     ['unclear', { away: end(AWAY, 'unclear'), there: end(THERE, 'unclear') }, yes, {}],
-    [
-      'that moves always',
-      { away: AWAY, there: THERE },
-      yes,
-      { layout: 'function-first', stores: 'anywhere', moves: 'always' },
-    ],
-    [
-      'that moves where they stand',
-      { away: AWAY, there: THERE },
-      only,
-      { layout: 'function-first', stores: 'anywhere', moves: 'there' },
-    ],
-    [
-      'that moves never',
-      { away: AWAY, there: THERE },
-      never,
-      { layout: 'function-first', stores: 'anywhere', moves: 'never' },
-    ],
-    [
-      'that moves only elsewhere',
-      { away: AWAY, there: THERE },
-      { away: true, there: false },
-      { layout: 'function-first', stores: 'anywhere' },
-    ],
-    [
-      'of whose movement one half is known',
-      { away: AWAY, there: THERE },
-      { there: true },
-      { layout: 'function-first', stores: 'anywhere' },
-    ],
+    ['that moves always', both, yes, { ...anywhere, moves: 'always' }],
+    ['that moves where they stand', both, only, { ...anywhere, moves: 'there' }],
+    ['that moves never', both, never, { ...anywhere, moves: 'never' }],
+    ['that moves only elsewhere', both, { away: true, there: false }, anywhere],
+    ['of whose movement one half is known', both, { there: true }, anywhere],
   ];
   it.each(rows)('%s', (_, seen, said, answers) => {
     expect(concluded(seen, said)).toEqual(answers);
@@ -172,12 +133,6 @@ it('an answer takes what half of them take, once there are five', () => {
 it('the reserved time is noted on B and E', () => {
   expect(conclude(nothing, {}).reserved).toBe(7);
   expect(conclude({ ...nothing, identity: { ...identity, timerClass: 'Q' } }, {}).reserved).toBeUndefined();
-});
-
-it('answers of two walks that contradict each other settle nothing, and the later measure counts', () => {
-  const before: Answers = { layout: 'servo-first', zeros: 'answered', delay: 50, reserved: 0 };
-  const now: Answers = { layout: 'function-first', unlock: '6A', delay: 70, reserved: 3 };
-  expect(joined(before, now)).toEqual({ zeros: 'answered', unlock: '6A', delay: 70, reserved: 3 });
 });
 
 describe('the position to try', () => {
