@@ -1,6 +1,5 @@
 import type { Identity } from '../../protocol/index.js';
 import { changeText, fieldLabel, messages } from '../messages/index.js';
-import { NoticeText } from '../ui/notice-text.js';
 import type { Session } from '../work/session.js';
 import { triedText } from '../write/unfinished-text.js';
 import type { Bench } from './bench.js';
@@ -17,7 +16,7 @@ interface FollowSwitchProps {
 
 /** The switch, and what was tried: the band above all views asks what becomes of it. */
 export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
-  const { bench: words, program, write, cancel } = messages.value;
+  const { bench: words, program } = messages.value;
   const on = follow.on.value;
   const tried = follow.trials.tried.value;
   const open = !on && tried.length > 0;
@@ -36,20 +35,6 @@ export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
         {words.follow}
       </button>
       <p class="hint">{on ? words.followingNow : isStarting ? program.reading : words.followHint}</p>
-      {follow.unkept.value && (
-        <div role="alert">
-          <NoticeText said={write.unkept} />
-          <div class="buttons">
-            <button type="button" onClick={() => follow.answer(true)}>
-              {write.withoutCopy}
-            </button>
-            <button type="button" onClick={() => follow.answer(false)}>
-              {cancel}
-            </button>
-          </div>
-        </div>
-      )}
-      {on && follow.hasEarlier.value && <p class="hint">{words.followPending}</p>}
       {on && <p role="status">{tried.length > 0 && triedText(identity, tried)}</p>}
     </section>
   );
@@ -88,7 +73,6 @@ export function FollowNote({ session, bench, follow }: FollowNoteProps) {
     <div class="row follows follow-note" role="status">
       <p>
         <strong>{words.ended[ended.reason]}</strong> {ended.unlike && `${unlikeText(identity, ended.unlike)} `}
-        {!follow.endRead.value && `${words.endUnread} `}
         {done && !done.certain && <span class="bad-text">{doneText(identity, done, null)}</span>}
       </p>
       <button type="button" class="quiet" onClick={() => follow.dismissEnd()}>

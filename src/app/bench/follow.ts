@@ -20,8 +20,6 @@ export type EndReason = 'over' | 'memory' | 'failed' | 'strayed' | 'unlike';
 /** How following ended. */
 interface Ended {
   readonly reason: EndReason;
-  /** What the timer was believed to hold at that moment. */
-  readonly held: TimerProgram | null;
   /** What the reading after the first position has shown, where the timer did something else. */
   readonly unlike: Unlike | null;
 }
@@ -31,8 +29,6 @@ interface Following {
   readonly connection: TimerConnection;
   /** Which program it is: see `OnScreen.keyOf`. */
   readonly key: string;
-  /** Whether the browser has kept what was stored. It keeps each position before the first byte goes out. */
-  isKept: boolean;
   /** Whether a position was sent. */
   hasStored: boolean;
   /** Whether a reading has shown that the timer takes positions as it says. */
@@ -45,7 +41,7 @@ interface Following {
  */
 const BESIDE: ReadonlySet<JobKind> = new Set(['bench', 'frame']);
 
-type FollowParts = BenchParts & Pick<Session, 'backups' | 'knowledge' | 'reader' | 'simulated' | 'trials'>;
+type FollowParts = BenchParts & Pick<Session, 'backups' | 'knowledge' | 'notices' | 'reader' | 'simulated' | 'trials'>;
 
 /**
  * Servos that follow the fields. A changed position is stored at once, and its servo moves, for the function where the
@@ -58,21 +54,12 @@ export class Follow {
   /** Whether the servos follow and a position is still on its way. */
   readonly isBehind = computed(() => this.on.value && !this.#bench.ready.value);
   /** Whether the timer is being read and backed up, which comes before following. */
-  readonly starting = computed(() => this.#start.value !== null && this.#unkept.value === null);
-  /** Whether the backup could not be kept: the page asks whether to follow all the same. */
-  readonly unkept = computed(() => this.#unkept.value !== null);
-  /** Whether the timer was read since following ended. */
-  readonly endRead = computed(() => {
-    const { fresh, baseline } = this.#parts.editor;
-    return fresh.value && baseline.value !== this.ended.value?.held;
-  });
+  readonly starting = computed(() => this.#start.value !== null);
   /** The functions with changed positions at which the servos do not stand. */
   readonly awaited: ReadonlySignal<ReadonlySet<number>> = computed(() => {
     const slots = this.on.value ? this.#edits.pending().map(({ field }) => field.slot) : [];
     return new Set(slots.filter((slot) => slot !== this.#bench.stand.at.value));
   });
-  /** Whether positions that were edited before following began wait for a write. */
-  readonly hasEarlier: ReadonlySignal<boolean>;
   /** The positions that were tried and not yet kept or put back. */
   readonly trials: Trials;
   /**
@@ -83,8 +70,6 @@ export class Follow {
   readonly #following = signal<Following | null>(null, { name: 'following' });
   /** Stands for the start in progress; another one is another object. */
   readonly #start = signal<object | null>(null, { name: 'start' });
-  /** Takes the pilot's answer, while no backup of what the timer holds could be kept. */
-  readonly #unkept = signal<((goOn: boolean) => void) | null>(null, { name: 'unkept' });
   readonly #parts: FollowParts;
   readonly #bench: Bench;
   /** The function to which the pilot has sent the servos. */
@@ -99,7 +84,6 @@ export class Follow {
     this.#bench = bench;
     this.#edits = new FollowedEdits(editor);
     this.trials = parts.trials;
-    this.hasEarlier = this.#edits.hasEarlier;
     parts.connection.subscribe(() => void this.stop('over'));
     parts.safety.confirmed.subscribe((safe) => void (safe || this.stop('over')));
     parts.servoMoves.count.subscribe(() => void this.stop('over'));
@@ -113,10 +97,11 @@ export class Follow {
   }
 
   /**
-   * Reads the timer afresh and keeps a backup. From then on it stores each position that changes, but no earlier edit.
+   * Reads the timer afresh and keeps a backup: without one it does not begin. From then on it stores each position that
+   * changes, but no earlier edit.
    */
   async start(): Promise<void> {
-    const { editor, backups, simulated, connection } = this.#parts;
+    const { editor, backups, simulated, connection, notices } = this.#parts;
     const { value: bound } = connection;
     if (!bound || !this.#bench.ready.value || this.starting.value || this.on.value) return;
     if (this.trials.tried.value.length > 0) return;
@@ -132,30 +117,19 @@ export class Follow {
       const before = editor.baseline.value;
       if (!before) return;
       const kept = await backups.add(before, 'write', simulated.value);
-      if (isOff() || !(kept || (await this.#ask())) || isOff()) return;
+      if (isOff()) return;
+      if (!kept) return notices.say('not-backed-up');
       // The backup must be of what the timer holds now.
       if (!this.#bench.ready.value || !editor.fresh.value || editor.baseline.value !== before) return;
       batch(() => {
         this.#edits.begin();
         this.trials.set({ before, touched: new Set() });
         const key = this.#parts.onScreen.keyOf(before);
-        this.#following.value = { connection: bound, key, isKept: true, hasStored: false, isProven: false };
+        this.#following.value = { connection: bound, key, hasStored: false, isProven: false };
       });
     } finally {
       if (this.#start.peek() === start) this.#start.value = null;
     }
-  }
-
-  /** Whether the pilot lets the servos follow although no backup could be kept. */
-  answer(goOn: boolean): void {
-    this.#unkept.value?.(goOn);
-    this.#unkept.value = null;
-  }
-
-  #ask(): Promise<boolean> {
-    return new Promise((resolve) => {
-      this.#unkept.value = resolve;
-    });
   }
 
   /**
@@ -193,10 +167,7 @@ export class Follow {
    */
   async stop(reason: EndReason | null = null, unlike: Unlike | null = null): Promise<void> {
     const { connection, editor, runner } = this.#parts;
-    batch(() => {
-      this.#start.value = null;
-      this.answer(false);
-    });
+    this.#start.value = null;
     const following = this.#following.peek();
     if (!following) return;
     const held = editor.baseline.peek();
@@ -204,7 +175,7 @@ export class Follow {
     batch(() => {
       this.#following.value = null;
       this.#wanted.value = null;
-      this.ended.value = reason && { reason, held, unlike };
+      this.ended.value = reason && { reason, unlike };
     });
     if (held && following.hasStored && !editor.fresh.peek()) this.#watch(held, following.connection);
     // Any other job reads the timer itself.
@@ -227,7 +198,7 @@ export class Follow {
       // A reading on a round trip through other memories does not say which one was current.
       if (!editor.fresh.value || nextFlight.open.value || !now) return;
       this.#unwatch();
-      if (now.memory !== held.memory) this.ended.value = { reason: 'strayed', held, unlike: null };
+      if (now.memory !== held.memory) this.ended.value = { reason: 'strayed', unlike: null };
     });
   }
 
@@ -302,9 +273,7 @@ export class Follow {
     if (!pending || !trial || !before || !following) return;
     // Kept before the first byte goes out: the position may be stored even without an answer.
     this.trials.set({ ...trial, touched: new Set([...trial.touched, fieldKey(field)]) });
-    const keeping = knowledge.begin(before, withValues(before, [pending]), true);
-    // Where the browser keeps nothing, the servos must not wait for it each time.
-    if (following.isKept) following.isKept = await keeping;
+    await knowledge.begin(before, withValues(before, [pending]), true);
     options.stillOn();
     if (this.#following.peek() !== following) return;
     editor.sent();
@@ -328,7 +297,7 @@ export class Follow {
       }
       // The pilot may have ended it in the meantime, and has to know all the same.
       if (this.#following.peek() === following) void this.stop(reason, unlike);
-      else this.ended.value = { reason, held: before, unlike };
+      else this.ended.value = { reason, unlike };
       return;
     }
     following.isProven ||= isProof(pending);

@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { signal } from '@preact/signals';
 import { differences, fieldKey, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
@@ -19,12 +19,6 @@ export class FollowedEdits {
   readonly #touched = signal<ReadonlySet<string>>(new Set(), { name: 'touched' });
   /** Goes up each time that typed digits have rested long enough. */
   readonly #rested = signal(0, { name: 'rested' });
-  /** Whether positions that were edited before following began wait for a write. */
-  readonly hasEarlier: ReadonlySignal<boolean> = computed(() =>
-    this.#editor.changes.value.some(
-      ({ field }) => field.kind === 'position' && !this.#touched.value.has(fieldKey(field)),
-    ),
-  );
   readonly #editor: Editor;
   /** The wanted program at the last call of `note()`. */
   #seen: TimerProgram | null = null;

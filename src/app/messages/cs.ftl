@@ -20,7 +20,6 @@ bench_follow = Serva sledují změny
 bench_followHint = Stránka nejprve přečte časovač a uchová zálohu. Každou polohu, kterou pak změníte v řádku, u kterého serva stojí, si časovač hned zapamatuje a její servo se pohne.
 bench_followingNow = Serva sledují změny: polohu, kterou změníte v řádku, u kterého stojí, si časovač hned zapamatuje.
 bench_stopFollowing = Ukončit sledování
-bench_followPending = Dřívější změny čekají na „Zapsat“.
 bench_ended_over = Serva už změny nesledují.
 bench_ended_memory = Serva už změny nesledují: aktuální je, nebo může být, jiná paměť.
 bench_ended_strayed = Zatímco serva sledovala změny, stala se aktuální jiná paměť. Mohla převzít některé polohy: než s ní poletíte, celou ji prohlédněte.
@@ -34,7 +33,6 @@ bench_beside =
         [few] Kromě toho se změnilo: { $named }; a ještě { $more } hodnoty.
        *[other] Kromě toho se změnilo: { $named }; a ještě { $more } hodnot.
     }
-bench_endUnread = Od té doby časovač nebyl přečten.
 bench_triedHere =
     { $more ->
         [0] Vyzkoušeno: { $named }.

@@ -20,7 +20,6 @@ bench_follow = Servos folgen den Stellungen
 bench_followHint = Zuerst liest die Seite den Timer und legt eine Sicherung an. Danach wird jede Stellung, die Sie in der Zeile ändern, bei der die Servos stehen, sofort in den Timer geschrieben, und ihr Servo bewegt sich.
 bench_followingNow = Servos folgen: Eine Stellung, die Sie in der Zeile ändern, bei der die Servos stehen, wird sofort in den Timer geschrieben.
 bench_stopFollowing = Folgen beenden
-bench_followPending = Frühere Änderungen warten auf „Schreiben“.
 bench_ended_over = Die Servos folgen nicht mehr.
 bench_ended_memory = Die Servos folgen nicht mehr: Ein anderer Speicher ist aktuell oder könnte es sein.
 bench_ended_strayed = Während die Servos folgten, wurde ein anderer Speicher aktuell. Er kann einige der Stellungen übernommen haben: Sehen Sie ihn ganz durch, bevor Sie damit fliegen.
@@ -33,7 +32,6 @@ bench_beside =
         [one] Außerdem geändert: { $named } und { $more } weiterer Wert.
        *[other] Außerdem geändert: { $named } und { $more } weitere Werte.
     }
-bench_endUnread = Seitdem wurde der Timer nicht gelesen.
 bench_triedHere =
     { $more ->
         [0] Probiert: { $named }.

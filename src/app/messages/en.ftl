@@ -32,7 +32,6 @@ bench_follow = Servos follow the positions
 bench_followHint = First the page reads the timer and keeps a backup. Then each position that you change where the servos stand is stored at once, and its servo moves.
 bench_followingNow = Following: a position that you change where the servos stand is stored at once.
 bench_stopFollowing = Stop following
-bench_followPending = Earlier changes wait for Write.
 bench_ended_over = The servos no longer follow.
 bench_ended_memory = The servos no longer follow: another memory is current, or may be.
 bench_ended_strayed = Another memory became current while the servos followed. It may have taken some of the positions: look at all of it before you fly it.
@@ -46,7 +45,6 @@ bench_beside =
         [one] Changed beside it: { $named }; and { $more } more value.
        *[other] Changed beside it: { $named }; and { $more } more values.
     }
-bench_endUnread = The timer has not been read since then.
 # $more: how many there are besides those that are named.
 bench_triedHere =
     { $more ->

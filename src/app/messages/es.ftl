@@ -19,7 +19,6 @@ bench_follow = Los servos siguen las posiciones
 bench_followHint = Primero la página lee el temporizador y conserva una copia de seguridad. Después, cada posición que se cambia en la fila donde están los servos se almacena al momento en el temporizador, y su servo se mueve.
 bench_followingNow = Los servos siguen: una posición que se cambia en la fila donde están se almacena al momento en el temporizador.
 bench_stopFollowing = Dejar de seguir
-bench_followPending = Hay cambios anteriores que esperan a «Escribir».
 bench_ended_over = Los servos ya no siguen las posiciones.
 bench_ended_memory = Los servos ya no siguen: otra memoria es la actual, o puede que lo sea.
 bench_ended_strayed = Mientras los servos seguían, otra memoria ha pasado a ser la actual. Puede haber tomado algunas de las posiciones: revísela entera antes de volar con ella.
@@ -32,7 +31,6 @@ bench_beside =
         [one] Han cambiado además: { $named }; y { $more } valor más.
        *[other] Han cambiado además: { $named }; y { $more } valores más.
     }
-bench_endUnread = Desde entonces no se ha leído el temporizador.
 bench_triedHere =
     { $more ->
         [0] Probado: { $named }.

@@ -19,7 +19,6 @@ bench_follow = Les servos suivent les positions
 bench_followHint = D’abord, la page lit la minuterie et conserve une sauvegarde. Ensuite, chaque position que vous changez à la fonction où sont les servos est écrite aussitôt dans la minuterie, et son servo bouge.
 bench_followingNow = Les servos suivent{"\u00a0"}: une position que vous changez à la fonction où ils sont est écrite aussitôt dans la minuterie.
 bench_stopFollowing = Arrêter le suivi
-bench_followPending = Des changements antérieurs attendent l’écriture.
 bench_ended_over = Les servos ne suivent plus.
 bench_ended_memory = Les servos ne suivent plus{"\u00a0"}: une autre mémoire est sélectionnée, ou l’est peut-être.
 bench_ended_strayed = Pendant que les servos suivaient, une autre mémoire est devenue la mémoire sélectionnée. Elle a peut-être pris certaines des positions{"\u00a0"}: regardez-la en entier avant de voler avec elle.
@@ -32,7 +31,6 @@ bench_beside =
         [one] Autres changements{"\u00a0"}: { $named }{"\u00a0"}; et { $more } autre valeur.
        *[other] Autres changements{"\u00a0"}: { $named }{"\u00a0"}; et { $more } autres valeurs.
     }
-bench_endUnread = La minuterie n’a pas été lue depuis.
 bench_triedHere =
     { $more ->
         [0] À l’essai{"\u00a0"}: { $named }.

@@ -21,7 +21,6 @@ bench_follow = A szervók követik az állásokat
 bench_followHint = Az oldal először kiolvassa az időzítőt, és biztonsági másolatot készít. Utána minden állás, amelyet abban a sorban módosít, ahol a szervók állnak, azonnal bekerül az időzítőbe, és a szervója elmozdul.
 bench_followingNow = Követés: ha abban a sorban módosít egy állást, ahol a szervók állnak, az azonnal bekerül az időzítőbe.
 bench_stopFollowing = Követés vége
-bench_followPending = Korábbi módosítások várnak beírásra.
 bench_ended_over = A szervók már nem követik az állásokat.
 bench_ended_memory = A szervók már nem követik az állásokat: másik memória az aktuális, vagy lehet az.
 bench_ended_strayed = Követés közben másik memória lett az aktuális. Lehet, hogy az állások egy része abba került: nézze át az egész memóriát, mielőtt repül vele.
@@ -33,7 +32,6 @@ bench_beside =
         [0] Ezenkívül megváltozott: { $named }.
        *[other] Ezenkívül megváltozott: { $named }; és még { $more } érték.
     }
-bench_endUnread = Azóta az időzítő nem lett kiolvasva.
 bench_triedHere =
     { $more ->
         [0] Kipróbálva: { $named }.

@@ -19,7 +19,6 @@ bench_follow = I servi seguono le posizioni
 bench_followHint = Prima la pagina legge il timer e conserva un backup. Poi ogni posizione cambiata nella riga in cui si trovano i servi viene memorizzata subito nel timer, e il suo servo si muove.
 bench_followingNow = I servi seguono: una posizione cambiata nella riga in cui si trovano viene memorizzata subito nel timer.
 bench_stopFollowing = Smetti di seguire
-bench_followPending = Modifiche precedenti attendono «Scrivi».
 bench_ended_over = I servi non seguono più le posizioni.
 bench_ended_memory = I servi non seguono più: è corrente un’altra memoria, o potrebbe esserlo.
 bench_ended_strayed = Mentre i servi seguivano è diventata corrente un’altra memoria. Potrebbe aver preso alcune delle posizioni: controllarla tutta prima di volare con essa.
@@ -32,7 +31,6 @@ bench_beside =
         [one] Cambiati inoltre: { $named }; e { $more } altro valore.
        *[other] Cambiati inoltre: { $named }; e altri { $more } valori.
     }
-bench_endUnread = Da allora il timer non è stato letto.
 bench_triedHere =
     { $more ->
         [0] Provate: { $named }.

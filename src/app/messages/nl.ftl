@@ -20,7 +20,6 @@ bench_follow = Servo’s volgen de posities
 bench_followHint = Eerst leest de pagina de timer en bewaart een back-up. Daarna wordt elke positie die je wijzigt in de rij waar de servo’s staan, meteen in de timer geschreven, en beweegt de servo ervan.
 bench_followingNow = Servo’s volgen: een positie die je wijzigt in de rij waar de servo’s staan, wordt meteen in de timer geschreven.
 bench_stopFollowing = Volgen stoppen
-bench_followPending = Eerdere wijzigingen wachten op “Schrijven”.
 bench_ended_over = De servo’s volgen niet meer.
 bench_ended_memory = De servo’s volgen niet meer: een ander geheugen is het huidige, of is dat misschien.
 bench_ended_strayed = Terwijl de servo’s volgden, werd een ander geheugen het huidige. Het heeft misschien enkele van de posities overgenomen: kijk het helemaal na voordat je ermee vliegt.
@@ -33,7 +32,6 @@ bench_beside =
         [one] Daarnaast gewijzigd: { $named }; en nog { $more } waarde.
        *[other] Daarnaast gewijzigd: { $named }; en nog { $more } waarden.
     }
-bench_endUnread = De timer is sindsdien niet gelezen.
 bench_triedHere =
     { $more ->
         [0] Geprobeerd: { $named }.

@@ -20,7 +20,6 @@ bench_follow = Serwa podążają za pozycjami
 bench_followHint = Najpierw strona odczytuje timer i zachowuje kopię zapasową. Potem każda pozycja, którą zmienisz w wierszu, przy którym stoją serwa, jest od razu zapamiętywana w timerze, a jej serwo się porusza.
 bench_followingNow = Serwa podążają: pozycja, którą zmienisz w wierszu, przy którym stoją, jest od razu zapamiętywana w timerze.
 bench_stopFollowing = Zakończ podążanie
-bench_followPending = Wcześniejsze zmiany czekają na „Wgraj”.
 bench_ended_over = Serwa już nie podążają.
 bench_ended_memory = Serwa już nie podążają: bieżąca jest albo może być inna pamięć.
 bench_ended_strayed = Podczas podążania serw bieżąca stała się inna pamięć. Mogła przyjąć część pozycji: obejrzyj ją całą, zanim z nią polecisz.
@@ -34,7 +33,6 @@ bench_beside =
         [few] Poza tym zmieniło się: { $named }; i jeszcze { $more } wartości.
        *[many] Poza tym zmieniło się: { $named }; i jeszcze { $more } wartości.
     }
-bench_endUnread = Od tego czasu timera nie odczytano.
 bench_triedHere =
     { $more ->
         [0] Wypróbowano: { $named }.

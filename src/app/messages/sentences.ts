@@ -20,7 +20,6 @@ export interface PageSentences {
     readonly followHint: string;
     readonly followingNow: string;
     readonly stopFollowing: string;
-    readonly followPending: string;
     readonly ended: {
       readonly over: string;
       readonly memory: string;
@@ -30,7 +29,6 @@ export interface PageSentences {
     };
     readonly notTaken: (params: { readonly field: Text; readonly held: Text; readonly wanted: Text }) => string;
     readonly beside: (params: { readonly more: number; readonly named: Text }) => string;
-    readonly endUnread: string;
     readonly triedHere: (params: { readonly more: number; readonly named: Text }) => string;
     readonly triedAndWaiting: (params: { readonly waiting: number; readonly tried: Text }) => string;
     readonly triedIn: (params: { readonly memory: Text }) => string;

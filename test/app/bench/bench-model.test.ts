@@ -102,32 +102,21 @@ describe('the motor', () => {
   });
 });
 
-describe('holding a button down', () => {
-  it('does nothing when the page stood still, and hears only afterwards that it was released', async () => {
-    const app = await safeBench();
-    const hold = new PressAndHold(() => void app.bench.unlock());
-    hold.press();
-    const now = performance.now();
-    const clock = vi.spyOn(performance, 'now').mockReturnValue(now + 5000);
-    await vi.advanceTimersByTimeAsync(HOLD);
-    clock.mockRestore();
-    hold.release();
-    await idle();
-    expect(requests(app, 'UNLOCK')).toEqual([]);
-  });
-
-  it('acts a moment later when the page stood still and it is still held', async () => {
-    const app = await safeBench();
-    const hold = new PressAndHold(() => void app.bench.unlock());
-    hold.press();
-    const now = performance.now();
-    const clock = vi.spyOn(performance, 'now').mockReturnValue(now + 5000);
-    await vi.advanceTimersByTimeAsync(HOLD);
-    await vi.advanceTimersByTimeAsync(HOLD);
-    clock.mockRestore();
-    await idle();
-    expect(requests(app, 'UNLOCK')).toHaveLength(1);
-  });
+it.each([
+  ['does nothing when it was released meanwhile, which is heard only afterwards', true],
+  ['acts a moment later when it is still held', false],
+])('a button that is held down while the page stands still %s', async (_, isReleased) => {
+  const app = await safeBench();
+  const hold = new PressAndHold(() => void app.bench.unlock());
+  hold.press();
+  const now = performance.now();
+  const clock = vi.spyOn(performance, 'now').mockReturnValue(now + 5000);
+  await vi.advanceTimersByTimeAsync(HOLD);
+  if (isReleased) hold.release();
+  await vi.advanceTimersByTimeAsync(HOLD);
+  clock.mockRestore();
+  await idle();
+  expect(requests(app, 'UNLOCK')).toHaveLength(isReleased ? 0 : 1);
 });
 
 describe('following', () => {

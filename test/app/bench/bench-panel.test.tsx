@@ -72,24 +72,6 @@ describe('the bench', () => {
     expect(screen.getByText('Servos at DT')).toBeTruthy();
   });
 
-  it('moves nothing before the pilot has said that it is safe', async () => {
-    const { session, timer } = await opened();
-    session.safety.withdraw();
-    await idle(0);
-    await press('Function 4');
-    await flip();
-    expect([timer.core.answered, isOn()]).toEqual([[], false]);
-    expect(unlockButton().hasAttribute('disabled')).toBe(true);
-  });
-
-  it('says that the servos may have moved anyway, when no answer comes', async () => {
-    const { timer, adapter } = await opened();
-    adapter.answersAt = 1;
-    await press('Function 4');
-    expect(screen.getByText(en.bench.moveMaybe)).toBeTruthy();
-    expect(timer.core.slot).toBe(10);
-  });
-
   it('has no motor to unlock on B', async () => {
     await opened({ identity: { timerClass: 'B' } });
     expect(within(panel()).queryByRole('button', { name: /UNLOCK/ })).toBeNull();
@@ -134,33 +116,28 @@ describe('the grid of the bench', () => {
 });
 
 describe('hold to unlock', () => {
-  const ways: [string, (button: HTMLElement) => void, (button: HTMLElement) => void][] = [
-    [
-      'a pointer',
-      (button) => fireEvent.pointerDown(button, { button: 0, isPrimary: true }),
-      (button) => fireEvent.pointerUp(button),
-    ],
-    [
-      'a pointer that leaves',
-      (button) => fireEvent.pointerDown(button, { button: 0, isPrimary: true }),
-      (button) => fireEvent.pointerLeave(button),
-    ],
+  type Does = (button: HTMLElement) => void;
+  const point = { button: 0, isPrimary: true };
+  const down: Does = (button) => fireEvent.pointerDown(button, { ...point, buttons: 1 });
+  const keyDown =
+    (key: string): Does =>
+    (button) =>
+      fireEvent.keyDown(button, { key });
+  const keyUp =
+    (key: string): Does =>
+    (button) =>
+      fireEvent.keyUp(button, { key });
+  const ways: [string, Does, Does][] = [
+    ['a pointer', down, (button) => fireEvent.pointerUp(button)],
+    ['a pointer that leaves', down, (button) => fireEvent.pointerLeave(button)],
     [
       'a mouse whose other button stays down',
-      (button) => fireEvent.pointerDown(button, { button: 0, buttons: 1, isPrimary: true }),
-      (button) => fireEvent.pointerMove(button, { button: 0, buttons: 2, isPrimary: true }),
+      down,
+      (button) => fireEvent.pointerMove(button, { ...point, buttons: 2 }),
     ],
-    ['Space', (button) => fireEvent.keyDown(button, { key: ' ' }), (button) => fireEvent.keyUp(button, { key: ' ' })],
-    [
-      'Enter',
-      (button) => fireEvent.keyDown(button, { key: 'Enter' }),
-      (button) => fireEvent.keyUp(button, { key: 'Enter' }),
-    ],
-    [
-      'a key, and the focus goes',
-      (button) => fireEvent.keyDown(button, { key: ' ' }),
-      (button) => fireEvent.blur(button),
-    ],
+    ['Space', keyDown(' '), keyUp(' ')],
+    ['Enter', keyDown('Enter'), keyUp('Enter')],
+    ['a key, and the focus goes', keyDown(' '), (button) => fireEvent.blur(button)],
   ];
 
   it.each(ways)('by %s: acts once for a whole hold, and not for a shorter one', async (_, down, up) => {
@@ -197,11 +174,11 @@ describe('hold to unlock', () => {
 });
 
 it('an idle throttle waits for Write once it is changed', async () => {
-  const app = await opened();
+  const { editor } = await opened();
   const waits = () => within(panel()).queryByText(en.bench.waits);
   expect(waits()).toBeNull();
-  act(() => app.session.editor.type({ kind: 'idleThrottle' }, '31'));
-  expect(waits()).toBeTruthy();
+  await press(en.of({ button: '+1', name: 'Idle throttle' }));
+  expect([editor.changes.value, waits()]).toMatchObject([[{ field: { kind: 'idleThrottle' }, to: 31 }], {}]);
 });
 
 describe('servos that follow', () => {
@@ -308,20 +285,19 @@ describe('servos that follow', () => {
     );
   });
 
-  it('say why they have stopped, whether the timer was read since, and what may have moved', async () => {
+  it('say why they have stopped, and what may have moved', async () => {
     const { timer } = await opened();
     await press('Function 4');
     await flip();
     await press('Read again');
     expect(note()).toContain(en.bench.ended.over);
-    expect(note()).not.toContain(en.bench.endUnread);
     await press('Dismiss');
     expect(note()).not.toContain(en.bench.ended.over);
     await flip();
     // After the reading that follows the first position.
     timer.core.onAnswer = ({ name }) => name === 'GETSWVER' && timer.core.sleep();
     await type('Function 4, S2', '70');
-    expect(note()).toContain(`${en.bench.ended.failed} ${en.bench.endUnread}`);
+    expect(note()).toContain(en.bench.ended.failed);
     expect(note()).toContain(en.bench.moveMaybe);
   });
 
@@ -334,7 +310,6 @@ describe('servos that follow', () => {
     expect(note()).toContain(
       `${en.bench.ended.unlike} ${en.bench.notTaken({ field: 'Function 4, S2', wanted: '70', held })}`,
     );
-    expect(note()).not.toContain(en.bench.endUnread);
     expect(editor.changes.value).toMatchObject([{ from: Number(held), to: 70 }]);
     expect(screen.queryByRole('button', { name: en.bench.putBack })).toBeNull();
   });
@@ -352,18 +327,5 @@ describe('servos that follow', () => {
     await press(en.bench.putBack);
     expect(editor.working.value?.positions[2]?.[0]).toBe(Number(beside));
     expect(timer.core.content.positions[2]?.[0]).toBe(70);
-  });
-
-  it('ask before they follow without a backup', async () => {
-    const app = await opened();
-    await press('Function 4');
-    app.store.broken = true;
-    await flip();
-    expect(isOn()).toBe(false);
-    expect(screen.getByRole('alert').textContent).toContain(en.write.unkept.title);
-    await press(en.write.withoutCopy);
-    expect(isOn()).toBe(true);
-    await type('Function 4, S2', '70');
-    expect(positions(app)).toEqual([70, 70]);
   });
 });

@@ -44,11 +44,6 @@ const HOLDS: [string, (on: HTMLElement) => void, (on: HTMLElement) => void][] = 
     (on) => fireEvent.pointerDown(on, { button: 0, buttons: 1, isPrimary: true }),
     (on) => [fireEvent.pointerUp(on), fireEvent.click(on)],
   ],
-  [
-    'a finger',
-    (on) => fireEvent.pointerDown(on, { pointerType: 'touch', button: 0, isPrimary: true }),
-    (on) => [fireEvent.pointerUp(on), fireEvent.click(on)],
-  ],
   ...[' ', 'Enter'].map((name): (typeof HOLDS)[number] => [
     name === ' ' ? 'Space' : name,
     (on) => [fireEvent.keyDown(on, { key: name }), fireEvent.keyDown(on, { key: name, repeat: true })],
@@ -176,12 +171,6 @@ describe('trimming', () => {
     app.editor.revertAll();
     await press('Keep it');
     expect([field('S2').value, was('S2')]).toEqual(['44', undefined]);
-  });
-
-  it('has an idle throttle, too', async () => {
-    const app = await atFour();
-    fireEvent.click(screen.getByRole('button', { name: en.of({ button: '+1', name: 'Idle throttle' }) }));
-    expect(app.editor.changes.value).toMatchObject([{ field: { kind: 'idleThrottle' }, to: 31 }]);
   });
 });
 

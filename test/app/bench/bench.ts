@@ -144,10 +144,10 @@ export async function safeBench(options: BenchOptions = {}): Promise<AppBench> {
   return app;
 }
 
-/** Servos that follow. @param at where they were moved to before; null for nowhere. */
-export async function following(options: BenchOptions = {}, at: number | null = 4): Promise<AppBench> {
+/** Servos that follow. @param at where they were moved to before. */
+export async function following(options: BenchOptions = {}, at = 4): Promise<AppBench> {
   const app = await safeBench(options);
-  if (at !== null) await run(app.bench.moveTo(at));
+  await run(app.bench.moveTo(at));
   await run(app.follow.start());
   expect(app.follow.on.value).toBe(true);
   app.timer.core.answered.length = 0;

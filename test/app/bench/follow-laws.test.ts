@@ -1,60 +1,68 @@
 import fc from 'fast-check';
 import { afterEach, expect, it, vi } from 'vitest';
-import { setValues } from '../../../src/app/editing/edit.js';
+import type { ProgramField } from '../../../src/program/index.js';
 import { COMMANDS } from '../../../src/protocol/index.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';
-import { type AppBench, connectedBench, idle } from './bench.js';
+import { type AppBench, connectedBench, idle, set } from './bench.js';
 
 afterEach(() => localStorage.clear());
 
-/** What a pilot, his timer and his cable may do, each followed by some milliseconds. */
-type Act =
-  | { readonly do: 'edit'; readonly servo: number; readonly slots: readonly number[]; readonly value: number }
-  | { readonly do: 'type'; readonly servo: number; readonly slot: number; readonly text: string }
-  | { readonly do: 'move' | 'bring'; readonly slot: number }
-  | { readonly do: 'safe'; readonly on: boolean }
-  | { readonly do: 'deaf'; readonly answers: number }
-  | { readonly do: 'select'; readonly memory: number }
-  | {
-      readonly do:
-        | 'undo'
-        | 'time'
-        | 'follow'
-        | 'stop'
-        | 'hide'
-        | 'unplug'
-        | 'replug'
-        | 'sleep'
-        | 'press'
-        | 'jump'
-        | 'unlock'
-        | 'read'
-        | 'write';
-    };
+const position = (servo: number, slot: number) => ({ kind: 'position' as const, servo, slot });
 
-const slot = fc.integer({ min: 0, max: 10 });
-const servo = fc.nat(2);
-const value = fc.nat(130);
-const few = fc.constantFrom(3, 4, 5);
-const act: fc.Arbitrary<Act> = fc.oneof(
-  {
-    arbitrary: fc.record({ do: fc.constant('edit' as const), servo, slots: few.map((at) => [at]), value }),
-    weight: 8,
-  },
-  fc.record({ do: fc.constant('edit' as const), servo, slots: fc.uniqueArray(slot, { minLength: 1 }), value }),
-  fc.record({ do: fc.constant('type' as const), servo, slot: few, text: value.map(String) }),
-  { arbitrary: fc.record({ do: fc.constantFrom('move' as const, 'bring' as const), slot: few }), weight: 4 },
-  fc.record({ do: fc.constant('safe' as const), on: fc.constantFrom(true, true, true, false) }),
-  fc.record({ do: fc.constant('deaf' as const), answers: fc.integer({ min: 1, max: 4 }) }),
-  fc.record({ do: fc.constant('select' as const), memory: fc.nat(1) }),
-  { arbitrary: fc.constant<Act>({ do: 'follow' }), weight: 4 },
-  fc
-    .constantFrom(
-      ...(['undo', 'time', 'stop', 'hide', 'unplug', 'replug', 'press'] as const),
-      ...(['sleep', 'jump', 'unlock', 'read', 'write'] as const),
-    )
-    .map((name): Act => ({ do: name })),
-);
+/** What a pilot, his timer and his cable may do. @param lose loses the next answers. */
+const ACTS = {
+  edit: (app: AppBench, { servo, slot, value }: Act) => set(app, [position(servo, slot), value]),
+  editMany: (app: AppBench, { servo, slots, value }: Act) =>
+    set(app, ...slots.map((slot): [ProgramField, number] => [position(servo, slot), value])),
+  type: ({ editor }: AppBench, { servo, slot, value }: Act) => editor.type(position(servo, slot), String(value)),
+  move: ({ bench }: AppBench, { slot }: Act) => void bench.moveTo(slot),
+  bring: ({ follow }: AppBench, { slot }: Act) => follow.bring(slot),
+  safe: ({ session: { safety } }: AppBench, { on }: Act) => (on ? safety.confirm() : safety.withdraw()),
+  deaf: (_: AppBench, { answers }: Act, lose: (answers: number) => void) => lose(answers),
+  select: ({ session }: AppBench, { memory }: Act) => void session.reader.selectMemory(memory),
+  follow: ({ follow }: AppBench) => void follow.start(),
+  undo: ({ editor }: AppBench) => editor.undo(),
+  time: (app: AppBench) => set(app, [{ kind: 'time', slot: 10 }, 20_000]),
+  stop: ({ follow }: AppBench) => void follow.stop(),
+  hide: ({ follow }: AppBench) => void follow.stop('over'),
+  unplug: ({ adapter }: AppBench) => adapter.port.connected && adapter.unplug(),
+  replug: ({ adapter }: AppBench) => adapter.port.connected || adapter.replug(),
+  sleep: ({ timer }: AppBench) => timer.core.sleep(),
+  press: ({ timer }: AppBench) => timer.core.press(),
+  jump: ({ bench }: AppBench) => void bench.jump(),
+  unlock: ({ bench }: AppBench) => void bench.unlock(),
+  read: ({ session }: AppBench) => void session.reader.read(),
+  write: ({ write }: AppBench) => void write.open().then(() => write.dismiss()),
+};
+
+/** What is done, and how, as far as that matters. */
+interface Act {
+  readonly do: keyof typeof ACTS;
+  readonly servo: number;
+  readonly slot: number;
+  readonly slots: readonly number[];
+  readonly value: number;
+  readonly on: boolean;
+  readonly answers: number;
+  readonly memory: number;
+}
+
+const act: fc.Arbitrary<Act> = fc.record({
+  do: fc.oneof(
+    { arbitrary: fc.constant('edit' as const), weight: 8 },
+    { arbitrary: fc.constantFrom('move' as const, 'bring' as const), weight: 4 },
+    { arbitrary: fc.constant('follow' as const), weight: 4 },
+    { arbitrary: fc.constantFrom(...(['editMany', 'type', 'safe', 'deaf', 'select'] as const)), weight: 5 },
+    fc.constantFrom(...(Object.keys(ACTS) as (keyof typeof ACTS)[])),
+  ),
+  servo: fc.nat(2),
+  slot: fc.constantFrom(3, 4, 5),
+  slots: fc.uniqueArray(fc.integer({ min: 0, max: 10 }), { minLength: 1 }),
+  value: fc.nat(130),
+  on: fc.constantFrom(true, true, true, false),
+  answers: fc.integer({ min: 1, max: 4 }),
+  memory: fc.nat(1),
+});
 const step = fc.record({ act, ms: fc.constantFrom(0, 10, 30, 70, 700, 5000) });
 const setMoves = fc.constantFrom<NonNullable<TimerQuirks['setMoves']>>('never', 'there', 'always');
 
@@ -130,35 +138,6 @@ class Judge {
   }
 }
 
-function perform(app: AppBench, act: Act, lose: (answers: number) => void): void {
-  const { editor, session, bench, follow, write, timer, adapter } = app;
-  const position = (servo: number, slot: number) => ({ kind: 'position' as const, servo, slot });
-  if (act.do === 'edit') {
-    const values = act.slots.map((slot) => ({ field: position(act.servo, slot), value: act.value }));
-    editor.apply(setValues({ code: 'change', params: {} }, values));
-  } else if (act.do === 'type') editor.type(position(act.servo, act.slot), act.text);
-  else if (act.do === 'undo') editor.undo();
-  else if (act.do === 'time') {
-    const values = [{ field: { kind: 'time', slot: 10 } as const, value: 20_000 }];
-    editor.apply(setValues({ code: 'change', params: {} }, values));
-  } else if (act.do === 'move') void bench.moveTo(act.slot);
-  else if (act.do === 'bring') follow.bring(act.slot);
-  else if (act.do === 'safe') act.on ? session.safety.confirm() : session.safety.withdraw();
-  else if (act.do === 'deaf') lose(act.answers);
-  else if (act.do === 'select') void session.reader.selectMemory(act.memory);
-  else if (act.do === 'follow') void follow.start();
-  else if (act.do === 'stop') void follow.stop();
-  else if (act.do === 'hide') void follow.stop('over');
-  else if (act.do === 'unplug' && adapter.port.connected) adapter.unplug();
-  else if (act.do === 'replug' && !adapter.port.connected) adapter.replug();
-  else if (act.do === 'sleep') timer.core.sleep();
-  else if (act.do === 'press') timer.core.press();
-  else if (act.do === 'jump') void bench.jump();
-  else if (act.do === 'unlock') void bench.unlock();
-  else if (act.do === 'read') void session.reader.read();
-  else if (act.do === 'write') void write.open().then(() => write.dismiss());
-}
-
 /** Replies that get lost on their way, though the timer has done what it was told. */
 function losing({ timer: { core } }: AppBench): (answers: number) => void {
   let left = 0;
@@ -184,7 +163,7 @@ it('every movement on the wire comes from a click, and the servos stand where th
       let wasOn = false;
       for (const { act, ms } of steps) {
         judge.acts(act, app.follow.on.value);
-        perform(app, act, lose);
+        ACTS[act.do](app, act, lose);
         await vi.advanceTimersByTimeAsync(ms);
         judge.judges(app);
         const isOn = app.follow.on.value;

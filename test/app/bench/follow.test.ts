@@ -25,13 +25,6 @@ function told({ timer }: AppBench): string[] {
 const reads = ({ timer }: AppBench): number => timer.core.answered.filter(({ name }) => name === 'GETSERVOPOS').length;
 
 describe('where the servos stand', () => {
-  it('is not known before they were moved', async () => {
-    const { bench, timer } = await safeBench();
-    expect([bench.stand.at.value, timer.core.slot]).toEqual([null, 10]);
-    await run(bench.moveTo(4));
-    expect(bench.stand.at.value).toBe(4);
-  });
-
   it('stays known while only times are written, and while it is read', async () => {
     const app = await safeBench();
     await run(app.bench.moveTo(4));
@@ -114,13 +107,6 @@ describe('servos that follow', () => {
     await idle();
     expect([told(app), [...app.follow.awaited.value]]).toEqual([['M6', 'S6.0=7', 'M6'], []]);
     expect(app.timer.core.servos).toEqual([7, 75, 75]);
-  });
-
-  it('wait for that at every function while it is not known where they stand', async () => {
-    const app = await following({}, null);
-    set(app, [S2, 70]);
-    await idle();
-    expect([told(app), [...app.follow.awaited.value]]).toEqual([[], [4]]);
   });
 
   it('go where they are sent as soon as the running command has ended', async () => {
@@ -279,23 +265,9 @@ describe('following ends', () => {
     const app = await following();
     set(app, [S2, 70]);
     await idle();
-    app.timer.core.answered.length = 0;
-    const stopping = app.follow.stop('over');
-    expect(app.follow.endRead.value).toBe(false);
-    await run(stopping);
-    expect([reads(app) > 0, app.follow.endRead.value]).toEqual([true, true]);
-  });
-
-  it('with a reading when the timer is back, too', async () => {
-    const app = await following();
-    set(app, [S2, 70]);
-    await idle();
-    app.adapter.unplug();
-    await idle();
-    expect(app.follow.endRead.value).toBe(false);
-    app.adapter.replug();
-    await idle(60_000);
-    expect([app.follow.ended.value?.reason, app.follow.endRead.value]).toEqual(['over', true]);
+    expect(app.session.standing.value.sure).toBe('once');
+    await run(app.follow.stop('over'));
+    expect(app.session.standing.value.sure).toBe('now');
   });
 
   it('when the page stood still while a position was stored: nothing moves after that', async () => {
@@ -418,38 +390,21 @@ describe('following ends', () => {
   });
 });
 
-describe('without a backup', () => {
-  const failures: [string, (app: AppBench) => void][] = [
+describe('nothing begins', () => {
+  it.each<[string, (app: AppBench) => void]>([
     ['the storage is full', ({ store }) => (store.broken = true)],
     ['the storage does not answer', ({ store }) => (store.backups.save = () => new Promise(() => {}))],
-  ];
-
-  it.each(failures)('the page asks first when %s', async (_, fail) => {
+  ])('without a backup, and the page says so, when %s', async (_, fail) => {
     const app = await safeBench();
-    await run(app.bench.moveTo(4));
     fail(app);
     void app.follow.start();
     await idle();
-    expect([app.follow.on.value, app.follow.unkept.value]).toEqual([false, true]);
-    app.follow.answer(true);
-    await idle(0);
-    expect([app.follow.on.value, app.follow.unkept.value]).toEqual([true, false]);
-    set(app, [S2, 70]);
-    await idle();
-    expect(told(app)).toEqual(['M4', 'S4.1=70', 'M4']);
-  });
-
-  it('nothing begins when the pilot does not want that', async () => {
-    const app = await safeBench();
-    app.store.broken = true;
-    void app.follow.start();
-    await idle();
-    app.follow.answer(false);
-    await idle(0);
-    expect([app.follow.on.value, app.follow.unkept.value]).toEqual([false, false]);
+    expect([app.follow.on.value, app.follow.starting.value]).toEqual([false, false]);
+    expect(app.session.notices.current.value).toMatchObject({ code: 'not-backed-up' });
   });
 
   it.each<[string, (app: AppBench) => unknown]>([
+    ['the page was hidden', ({ follow }) => follow.stop('over')],
     ['it was read again', ({ session }) => session.reader.read()],
     [
       'the timer was disconnected and connected again',
@@ -459,25 +414,18 @@ describe('without a backup', () => {
         session.safety.confirm();
       },
     ],
-  ])('nothing begins when %s since the question', async (_, done) => {
+  ])('when %s during the wait for the storage', async (_, done) => {
     const app = await safeBench();
-    app.store.broken = true;
-    void app.follow.start();
-    await idle();
-    await run(Promise.resolve(done(app)));
-    app.follow.answer(true);
-    await idle(0);
-    expect(app.follow.on.value).toBe(false);
-  });
-
-  it('nothing begins when the page was hidden during the wait for the storage', async () => {
-    const app = await safeBench();
-    app.store.backups.save = () => new Promise(() => {});
+    const { save } = app.store.backups;
+    app.store.backups.save = async (backup) => {
+      await new Promise((resolve) => setTimeout(resolve, 3000));
+      await save.call(app.store.backups, backup);
+    };
     const starting = app.follow.start();
     await vi.advanceTimersByTimeAsync(2000);
     expect(app.follow.starting.value).toBe(true);
-    await app.follow.stop('over');
+    await run(Promise.resolve(done(app)));
     await run(starting);
-    expect([app.follow.on.value, app.follow.unkept.value, app.follow.starting.value]).toEqual([false, false, false]);
+    expect([app.follow.on.value, app.follow.starting.value]).toEqual([false, false]);
   });
 });

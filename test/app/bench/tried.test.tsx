@@ -3,32 +3,22 @@ import { afterEach, beforeEach, expect, it } from 'vitest';
 import { ComparedPair } from '../../../src/app/compare/choice.js';
 import { Compare } from '../../../src/app/compare/compare.js';
 import { sideName } from '../../../src/app/compare/compare-page.js';
-import { setValues } from '../../../src/app/editing/edit.js';
 import { whole } from '../../../src/app/messages/dotted.js';
 import { Print } from '../../../src/app/print/print.js';
 import { PrintOrder } from '../../../src/app/print/print-order.js';
-import type { Backup, ModelRecord } from '../../../src/app/storage/index.js';
+import type { ModelRecord } from '../../../src/app/storage/index.js';
 import { BackupList } from '../../../src/app/write/backup-list.js';
 import { en } from '../../tools/en.js';
-import { LANCER_HELD, lancerConnected, S2, twoModels } from '../two-models.js';
-import { idle, run } from './bench.js';
+import { BACKUP, LANCER_HELD, lancerConnected, S2, twoModels } from '../two-models.js';
+import { idle, run, set } from './bench.js';
 
 beforeEach(() => localStorage.clear());
 afterEach(() => localStorage.clear());
 
-/** What the timer of the Lancer held: the same as now. */
-const BACKUP: Backup = {
-  key: '2026-11-20T10:00:00.000Z/0',
-  savedAt: 1_795_000_000_000,
-  reason: 'write',
-  program: LANCER_HELD,
-  simulated: false,
-  model: 'Lancer',
-};
-
 it('a value that is tried while the servos follow is nowhere as the timer holds it now, until it is read', async () => {
   const store = twoModels();
-  store.backups.records.set(BACKUP.key, BACKUP);
+  // What the timer of the Lancer held: the same as now.
+  store.backups.records.set(BACKUP.key, { ...BACKUP, program: LANCER_HELD, model: 'Lancer' });
   const bench = await lancerConnected(store);
   const { session } = bench;
   const record = session.library.models.get('Lancer') as ModelRecord;
@@ -52,7 +42,7 @@ it('a value that is tried while the servos follow is nowhere as the timer holds 
   session.safety.confirm();
   await run(bench.bench.moveTo(4));
   await run(bench.follow.start());
-  bench.editor.apply(setValues({ code: 'change', params: {} }, [{ field: S2, value: 77 }]));
+  set(bench, [S2, 77]);
   await idle();
   expect(bench.timer.core.content.positions[1]?.[4], 'it is in the timer').toBe(77);
   expect(backups()).not.toContain(same);
