@@ -137,9 +137,9 @@ function placesOf(bench: AppBench, memoryOfTimer: number) {
     const record = session.library.models.get(key) as ModelRecord;
     return drawn(<BackupList session={session} of={record} following={false} onLoad={() => {}} onCompare={() => {}} />);
   };
-  flights.flying();
-  const flown = session.library.flights.get(flights.logged.value)?.flight ?? null;
-  flights.undo();
+  const key = flights.flying() ?? '';
+  const flown = session.library.flights.get(key)?.flight ?? null;
+  flights.remove(key);
   return {
     strip: drawn(<StripModel session={session} />),
     known: drawn(<KnownLine session={session} follow={follow} />),

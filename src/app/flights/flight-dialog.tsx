@@ -1,5 +1,5 @@
-import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
-import { LIMITS } from '../../program/index.js';
+import { useEffect, useId, useRef } from 'preact/hooks';
+import { type Flight, LIMITS } from '../../program/index.js';
 import { dotted, whole } from '../messages/dotted.js';
 import { dtText, messages, shortDtText } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
@@ -8,15 +8,13 @@ import { ProgramGrid } from '../timeline/program-grid.js';
 import { Choice } from '../ui/choice.js';
 import { Modal } from '../ui/modal.js';
 import { OpenButton } from '../ui/open-button.js';
-import { Problem } from '../ui/problem.js';
-import { TimeQuestion } from '../ui/time-question.js';
 import type { Session } from '../work/session.js';
-import { FlightForm } from './flight-form.js';
-import { placesOf, ROUND_MAXIMUM } from './flight-list.js';
+import { dayOf, momentOf, placesOf, timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
-import { clockOf, dayHeading, heldText, resultText, roundText } from './flight-text.js';
-import { measureText } from './measures.js';
+import { clockOf, dayHeading, heldText, resultText } from './flight-text.js';
+import { measureText, RANGES } from './measures.js';
 import { Stepper } from './stepper.js';
+import { useTypedMeasure } from './typed-measure.js';
 import './flight-dialog.css';
 
 interface FlightDialogProps {
@@ -31,43 +29,46 @@ export function FlightDialog({ session, log, onProgram }: FlightDialogProps) {
   const { form: words } = moreMessages.value.flights;
   const { flights, models } = session.library;
   const key = log.filling.value;
-  const isHere = flights.get(key) !== undefined;
+  const flight = flights.get(key)?.flight;
   useEffect(() => {
     // Loads the models to choose from, and the log with its places and the flight before.
     if (key !== null) void Promise.all([models.load(), flights.load()]);
   }, [key, models, flights]);
   return (
-    <Modal open={isHere} title={words.title} onEscape={() => log.close()}>
-      {key !== null && isHere && <Form key={key} id={key} {...{ session, log, onProgram }} />}
+    <Modal open={flight !== undefined} title={words.title} onEscape={() => leaveForm(log)}>
+      {flight && <Form key={flight.id} {...{ flight, session, log, onProgram }} />}
     </Modal>
   );
 }
 
-interface FormProps extends FlightDialogProps {
-  /** The key of the flight. */
-  readonly id: string;
+/** Closes the form with what was typed last. */
+function leaveForm(log: FlightLog): void {
+  if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  log.close();
 }
 
-function Form({ id, session, log, onProgram }: FormProps) {
+interface FormProps extends FlightDialogProps {
+  readonly flight: Flight;
+}
+
+/** What parts of the form need. A change goes into the log at once, so nothing typed is lost. */
+interface PartProps extends Pick<FormProps, 'session' | 'flight'> {
+  readonly change: (changes: Partial<Flight>) => void;
+}
+
+function Form({ flight, session, log, onProgram }: FormProps) {
   const { form: words, flying } = moreMessages.value.flights;
   const { delete: remove, done: doneLabel, label, noModel } = messages.value;
-  const { flights } = session.library;
-  const form = useMemo(() => {
-    const list = flights.list.peek();
-    const at = list.findIndex(({ key }) => key === id);
-    const opened = list[at];
-    const before = list.slice(at + 1).map(({ flight }) => flight);
-    return opened ? new FlightForm(log, opened.flight, before) : null;
-  }, [id, log, flights]);
   const box = useRef<HTMLFormElement>(null);
-  if (!form) return null;
-  const flight = form.flight.value;
+  const change = (changes: Partial<Flight>): void => void log.change(flight.id, changes);
+  const wind = useTypedMeasure('wind', flight.wind, (value) => change({ wind: value }));
+  const temperature = useTypedMeasure('temperature', flight.temperature, (value) => change({ temperature: value }));
   const done = (event: Event): void => {
     event.preventDefault();
     // Done first leads to a text that cannot be read; Escape closes the form with it.
     const wrong = box.current?.querySelector<HTMLElement>('[aria-invalid="true"]');
     if (wrong) wrong.focus();
-    else log.close();
+    else leaveForm(log);
   };
   return (
     <form class="stack gap-4 flight-form" ref={box} noValidate onSubmit={done}>
@@ -76,13 +77,12 @@ function Form({ id, session, log, onProgram }: FormProps) {
         <span>{heldText(flight.program)}</span>
         <span class="hint">{dotted([dayHeading(flight), clockOf(flight), flight.place])}</span>
       </p>
-      <Result form={form} />
-      <Proposed form={form} />
-      <Round form={form} />
-      <ShortDtNote {...{ session, log, form, id }} />
+      <Result {...{ session, flight, change }} />
+      <Round {...{ flight, change }} />
+      <ShortDtNote {...{ session, log, flight }} />
       <div class="stack">
-        <Stepper form={form} measure="wind" label={words.wind} unit={words.windUnit} />
-        <Stepper form={form} measure="temperature" label={words.temperature} unit={words.temperatureUnit} />
+        <Stepper field={wind} label={words.wind} first={() => firstOf('wind', session, flight)} />
+        <Stepper field={temperature} label={words.temperature} first={() => firstOf('temperature', session, flight)} />
       </div>
       <label class="field">
         <span>{label.note}</span>
@@ -90,13 +90,17 @@ function Form({ id, session, log, onProgram }: FormProps) {
           rows={2}
           maxLength={LIMITS.note}
           value={flight.note}
-          onInput={({ currentTarget }) => form.set({ note: currentTarget.value })}
+          onInput={({ currentTarget }) => change({ note: currentTarget.value })}
         />
       </label>
-      <Where session={session} form={form} />
-      <Flown form={form} />
+      <Where {...{ session, flight, change }} />
+      {/* A copy that nothing changes any more. */}
+      <details>
+        <summary>{words.flown}</summary>
+        <ProgramGrid program={flight.program} caption={messages.value.program.tableCaption} />
+      </details>
       <div class="buttons">
-        <button type="button" class="quiet" onClick={() => log.remove(id)}>
+        <button type="button" class="quiet" onClick={() => log.remove(flight.id)}>
           {remove}
         </button>
         <button type="button" class="quiet" onClick={() => log.fillIn(log.flyAgain(flight))}>
@@ -121,50 +125,35 @@ function Form({ id, session, log, onProgram }: FormProps) {
   );
 }
 
-function Result({ form }: { readonly form: FlightForm }) {
+/** What was noted last on the same day, because wind and temperature change slowly; else a usual value. */
+function firstOf(measure: 'wind' | 'temperature' | 'result', { library }: Session, flight: Flight): number {
+  const last = library.flights.list
+    .peek()
+    .find(({ flight: each }) => each.at < flight.at && dayOf(each) === dayOf(flight) && each[measure] !== null);
+  return last?.flight[measure] ?? RANGES[measure].first;
+}
+
+/** A full round of most classes, in seconds. */
+const FULL_ROUND = 180;
+
+function Result({ session, flight, change }: PartProps) {
   const { form: words } = moreMessages.value.flights;
-  const field = useId();
-  const { result } = form.flight.value;
+  const field = useTypedMeasure('result', flight.result, (result) => change({ result }));
   return (
     <div class="stack">
-      <Stepper form={form} measure="result" label={words.result} unit={messages.value.times.units.s} field={field} />
-      {form.either.value && (
-        <TimeQuestion
-          label={words.result}
-          either={form.either.value}
-          onAnswer={(value, byKey) => {
-            form.answer(value);
-            if (byKey) document.getElementById(field)?.focus();
-          }}
-          onEscape={() => form.answer(null)}
-        />
-      )}
+      <Stepper field={field} label={words.result} first={() => firstOf('result', session, flight)} />
       <div class="row">
         <button
           type="button"
           class="chip"
-          aria-pressed={result === ROUND_MAXIMUM}
-          onClick={() => form.type('result', String(ROUND_MAXIMUM))}
+          aria-pressed={field.value === FULL_ROUND}
+          onClick={() => field.take(FULL_ROUND)}
         >
           {words.full}
         </button>
-        <span class="hint">{result === null ? words.resultHint : understood(result)}</span>
+        <span class="hint">{field.value === null ? words.resultHint : understood(field.value)}</span>
       </div>
     </div>
-  );
-}
-
-/** The next round and the last wind of the day, to note with one tap. */
-function Proposed({ form }: { readonly form: FlightForm }) {
-  const { form: words, row } = moreMessages.value.flights;
-  const proposed = form.proposed.value;
-  if (!proposed) return null;
-  const { round, wind } = proposed;
-  const facts = [round && roundText(round), wind !== null && row.wind({ wind: measureText(wind) })];
-  return (
-    <button type="button" class="chip" onClick={() => form.takeProposed()}>
-      {words.propose({ facts: dotted(facts) })}
-    </button>
   );
 }
 
@@ -178,9 +167,8 @@ function understood(result: number): string {
 /** The numbered rounds that have buttons. */
 const ROUNDS: readonly string[] = ['1', '2', '3', '4', '5'];
 
-function Round({ form }: { readonly form: FlightForm }) {
+function Round({ flight: { round }, change }: Omit<PartProps, 'session'>) {
   const { form: words } = moreMessages.value.flights;
-  const { round } = form.flight.value;
   return (
     <fieldset class="stack gap-1">
       <legend class="hint">{words.round}</legend>
@@ -191,7 +179,7 @@ function Round({ form }: { readonly form: FlightForm }) {
             class="chip"
             key={value}
             aria-pressed={round === value}
-            onClick={() => form.set({ round: round === value ? '' : value })}
+            onClick={() => change({ round: round === value ? '' : value })}
           >
             {value}
           </button>
@@ -202,7 +190,7 @@ function Round({ form }: { readonly form: FlightForm }) {
           aria-label={words.round}
           maxLength={LIMITS.round}
           value={round}
-          onInput={({ currentTarget }) => form.set({ round: currentTarget.value })}
+          onInput={({ currentTarget }) => change({ round: currentTarget.value })}
         />
       </span>
     </fieldset>
@@ -210,10 +198,9 @@ function Round({ form }: { readonly form: FlightForm }) {
 }
 
 /** A contest round with a short DT for trimming: asks before the flight, says so afterwards. */
-function ShortDtNote({ session, log, form, id }: Omit<FormProps, 'onProgram'> & { readonly form: FlightForm }) {
+function ShortDtNote({ session, log, flight }: Omit<FormProps, 'onProgram'>) {
   const { shortDt } = messages.value;
   const { form: words } = moreMessages.value.flights;
-  const flight = form.flight.value;
   const { identity, memory, times } = flight.program;
   const held = session.shortDt.held.value;
   if (flight.round === '' || !session.shortDt.isShort(flight.program)) return null;
@@ -232,7 +219,7 @@ function ShortDtNote({ session, log, form, id }: Omit<FormProps, 'onProgram'> & 
         )}
       </p>
       {canPutBack && (
-        <button type="button" onClick={() => void log.putBack(id)}>
+        <button type="button" onClick={() => void log.putBack(flight.id)}>
           {shortDt.putBack({ back: whole(dtText(held.back)), remembered: held.remembered })}
         </button>
       )}
@@ -240,14 +227,13 @@ function ShortDtNote({ session, log, form, id }: Omit<FormProps, 'onProgram'> & 
   );
 }
 
-function Where({ session, form }: { readonly session: Session; readonly form: FlightForm }) {
+function Where({ session, flight, change }: PartProps) {
   const { form: words } = moreMessages.value.flights;
   const { label, noModel } = messages.value;
   const { models, flights } = session.library;
-  const flight = form.flight.value;
+  const when = `${dayOf(flight)}T${timeOfDay(flight)}`;
   const places = useId();
-  const known = models.get(flight.model);
-  const listed = models.list.value.filter(({ model, key }) => !model.archived || key === flight.model);
+  const listed = models.list.value.flatMap(({ model, key }) => (model.archived ? [] : key));
   return (
     <details>
       <summary>{words.when}</summary>
@@ -256,13 +242,17 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
           <span>{words.date}</span>
           <input
             type="datetime-local"
-            aria-invalid={form.problems.value.has('at')}
-            value={form.when}
-            onChange={({ currentTarget }) => form.setWhen(currentTarget.value)}
+            required
+            value={when}
+            // While a year is typed, it is the year 2 for a moment.
+            onBlur={({ currentTarget }) => {
+              const at = momentOf(currentTarget.value, flight);
+              if (currentTarget.value === when) return;
+              if (at >= 0) change({ at });
+              else currentTarget.value = when;
+            }}
           />
         </label>
-        <Problem text={form.problems.value.has('at') && words.unreadable['not-a-date']} />
-        {flight.utcOffset === undefined && <p class="hint">{words.noOffset}</p>}
         <label class="field">
           <span>{words.place}</span>
           <input
@@ -271,7 +261,7 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
             autocomplete="off"
             maxLength={LIMITS.place}
             value={flight.place}
-            onInput={({ currentTarget }) => form.set({ place: currentTarget.value })}
+            onInput={({ currentTarget }) => change({ place: currentTarget.value })}
           />
         </label>
         <datalist id={places}>
@@ -281,24 +271,12 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
         </datalist>
         <Choice
           label={label.model}
-          choices={[null, ...(flight.model !== null && !known ? [flight.model] : []), ...listed.map(({ key }) => key)]}
+          choices={[...new Set([null, flight.model, ...listed])]}
           nameOf={(key) => (key === null ? noModel : (models.get(key)?.model.name ?? flight.modelName))}
           chosen={flight.model}
-          onChoose={(model) => form.set({ model, modelName: models.get(model)?.model.name ?? '' })}
+          onChoose={(model) => change({ model, modelName: models.get(model)?.model.name ?? '' })}
         />
       </div>
-    </details>
-  );
-}
-
-/** The program that was flown: a copy that nothing changes any more. */
-function Flown({ form }: { readonly form: FlightForm }) {
-  const { form: words } = moreMessages.value.flights;
-  const { program } = form.flight.value;
-  return (
-    <details>
-      <summary>{words.flown}</summary>
-      <ProgramGrid program={program} caption={messages.value.program.tableCaption} />
     </details>
   );
 }

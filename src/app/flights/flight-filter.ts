@@ -1,9 +1,6 @@
 /** The address of the log, after `#library/`. */
 export const FLIGHTS = 'flights';
 
-export const PERIODS = ['all', 'today', 'year'] as const;
-type Period = (typeof PERIODS)[number];
-
 /** A model, or a saved program, whose flights are shown. */
 export interface FlownBy {
   readonly kind: 'model' | 'setting';
@@ -15,11 +12,10 @@ export interface FlownBy {
 export interface FlightFilter {
   /** Whose flights; null for all. */
   readonly of: FlownBy | null;
-  /** Words that must stand somewhere in the texts of a flight. */
+  /** Words that must stand somewhere in the date or the texts of a flight. */
   readonly text: string;
-  readonly period: Period;
   /** The key of the day and place whose score card is shown; null for none. */
   readonly day: string | null;
 }
 
-export const NO_FILTER: FlightFilter = { of: null, text: '', period: 'all', day: null };
+export const NO_FILTER: FlightFilter = { of: null, text: '', day: null };

@@ -4,9 +4,6 @@ import { askCalendar } from '../messages/today.js';
 import type { FlightRecord } from '../storage/index.js';
 import type { FlightFilter } from './flight-filter.js';
 
-/** A full round of most classes, in seconds. */
-export const ROUND_MAXIMUM = 180;
-
 export interface Totals {
   readonly flights: number;
   /** Seconds; null when fewer than two flights have a result. */
@@ -17,42 +14,27 @@ export interface Totals {
 /** When a flight was: a moment, and the clock of its field. */
 export type When = Pick<Flight, 'at' | 'utcOffset'>;
 
-/** The flights of one day at one place. */
-export interface FlightDay {
-  readonly key: string;
-  readonly place: string;
-  readonly latest: When;
-  readonly records: readonly FlightRecord[];
-}
-
-/**
- * The flights that pass the filter, in the same order.
- * @param now milliseconds since 1970, because periods end today.
- */
-export function filtered(records: readonly FlightRecord[], filter: FlightFilter, now: number): readonly FlightRecord[] {
-  const { of, day } = filter;
-  const from = beginOf(filter.period, now);
-  const isFound = searchFor(filter.text);
+/** The flights that pass the filter, in the same order. */
+export function filtered(records: readonly FlightRecord[], { of, text, day }: FlightFilter): readonly FlightRecord[] {
+  const isFound = searchFor(text);
   return records.filter((record) => {
     const { flight } = record;
     if (of && flight[of.kind] !== of.id) return false;
-    if (flight.at < from) return false;
     if (day !== null && dayKey(flight) !== day) return false;
-    return filter.text === '' || isFound(textOf(record));
+    return text === '' || isFound(textOf(record));
   });
 }
 
 /** The same flights by day and place, in the given order (newest first). Each place of a day comes once. */
-export function grouped(records: readonly FlightRecord[]): readonly FlightDay[] {
-  const days = new Map<string, { place: string; latest: When; records: FlightRecord[] }>();
+export function grouped(records: readonly FlightRecord[]): ReadonlyMap<string, readonly FlightRecord[]> {
+  const days = new Map<string, FlightRecord[]>();
   for (const record of records) {
-    const { place } = record.flight;
     const key = dayKey(record.flight);
     const day = days.get(key);
-    if (day) day.records.push(record);
-    else days.set(key, { place, latest: record.flight, records: [record] });
+    if (day) day.push(record);
+    else days.set(key, [record]);
   }
-  return [...days].map(([key, day]) => ({ key, ...day }));
+  return days;
 }
 
 function dayKey(flight: Flight): string {
@@ -76,14 +58,10 @@ export function totalsOf(records: readonly FlightRecord[]): Totals {
   const results = records.flatMap(({ flight }) => flight.result ?? []);
   // Of a single result, best and average would be that result.
   if (results.length < 2) return { flights: records.length, best: null, average: null };
-  const best = results.reduce((one, other) => Math.max(one, other));
   const sum = results.reduce((one, other) => one + other);
-  return { flights: records.length, best, average: sum / results.length };
-}
-
-/** Whether it reached the maximum of a numbered round. A fly-off goes on past it. */
-export function isFull({ round, result, maximum }: Flight, ofDay: number | null): boolean {
-  return roundNumber(round) !== null && result !== null && result >= (maximum ?? ofDay ?? ROUND_MAXIMUM);
+  // Rounded down: an average of 179.7 s is no 3:00 min, and is never above the best. A sum of tenths has an error.
+  const average = Math.floor((sum / results.length) * 10 + 1e-6) / 10;
+  return { flights: records.length, best: results.reduce((one, other) => Math.max(one, other)), average };
 }
 
 /** The number of a round such as “3”, “3.” or “3/5”; null for one with letters, such as a fly-off, and for none. */
@@ -92,37 +70,19 @@ export function roundNumber(round: string): number | null {
   return number === undefined ? null : Number(number);
 }
 
-/** The round after one: “4” after “3”, “fly-off 2” after “fly-off 1”. Empty after one without a number. */
-export function nextRound(round: string): string {
-  const [, name, number] = /^(.*?)(\d{1,3})$/.exec(round.trim()) ?? [];
-  return number === undefined ? '' : `${name}${Number(number) + 1}`;
-}
-
 /** The places in the log, the latest first. */
 export function placesOf(records: readonly FlightRecord[]): readonly string[] {
   return [...new Set(records.map(({ flight }) => flight.place))].filter((place) => place !== '');
 }
 
-/** The first millisecond of a period. */
-export function beginOf(period: FlightFilter['period'], now: number): number {
-  if (period === 'all') return Number.NEGATIVE_INFINITY;
-  const date = new Date(now);
-  if (period === 'year') date.setMonth(0, 1);
-  return date.setHours(0, 0, 0, 0);
-}
-
-const two = (part: number): string => String(part).padStart(2, '0');
-
 /** A calendar day on the clock of the field, in the form of files and fields: `2026-11-22`. */
 export function dayOf(when: When): string {
-  const date = onClock(when);
-  return `${String(date.getUTCFullYear()).padStart(4, '0')}-${two(date.getUTCMonth() + 1)}-${two(date.getUTCDate())}`;
+  return onClock(when).toISOString().slice(0, 10);
 }
 
 /** A time of day on the clock of the field: `14:05`. */
 export function timeOfDay(when: When): string {
-  const date = onClock(when);
-  return `${two(date.getUTCHours())}:${two(date.getUTCMinutes())}`;
+  return onClock(when).toISOString().slice(11, 16);
 }
 
 /** What the clock of the field showed, as the UTC of a date. Where that is not known: what this device would show. */
@@ -133,8 +93,8 @@ export function onClock({ at, utcOffset = deviceOffset(at) }: When): Date {
 
 /** The moment at which the clock of a flight shows a day and a time; NaN when the text is none. */
 export function momentOf(text: string, { utcOffset }: Partial<When>): number {
-  if (utcOffset === undefined) return text === '' ? Number.NaN : new Date(text).getTime();
-  return new Date(`${text}Z`).getTime() - utcOffset * 60_000;
+  const shown = new Date(utcOffset === undefined ? text : `${text}Z`).getTime();
+  return shown - (utcOffset ?? 0) * 60_000;
 }
 
 /** How far the clock of this device is ahead of UTC at a moment, in minutes. */
@@ -145,10 +105,12 @@ export function deviceOffset(at: number): number {
 /** “UTC+08:00”; empty when it is not known. */
 export function offsetText({ utcOffset }: Partial<When>): string {
   if (utcOffset === undefined) return '';
-  const size = Math.abs(utcOffset);
-  return `UTC${utcOffset < 0 ? '−' : '+'}${two(Math.floor(size / 60))}:${two(size % 60)}`;
+  const size = new Date(Math.abs(utcOffset) * 60_000).toISOString().slice(11, 16);
+  return `UTC${utcOffset < 0 ? '−' : '+'}${size}`;
 }
 
-const textOf = foldedOf<FlightRecord>(({ flight: { place, modelName, settingName, round, note } }) => [
-  ...[place, modelName, settingName, round, note],
-]);
+/** What the search looks through: the pilot's words, and the date. */
+const textOf = foldedOf<FlightRecord>(({ flight }) => {
+  const { place, modelName, settingName, round, note } = flight;
+  return [dayOf(flight), place, modelName, settingName, round, note];
+});

@@ -35,7 +35,7 @@ type LogParts = Pick<
 
 /**
  * Logs a flight with one tap, and changes flights. The view itself has the parts that only it needs: see
- * `flight-list.ts` and `FlightForm`.
+ * `flight-list.ts`.
  */
 export class FlightLog {
   /** The program that flies next, by a fresh reading and without unwritten edits; null while it is not known. */
@@ -44,8 +44,6 @@ export class FlightLog {
   readonly flyable: ReadonlySignal<TimerProgram | null>;
   /** The key of the flight that was last logged on this page; null once it was undone, or filled in. */
   readonly logged: ReadonlySignal<string | null>;
-  /** Whether the browser failed to keep that flight. */
-  readonly unkept: ReadonlySignal<boolean>;
   /** The flight that is open in the form; null for none. */
   readonly filling: ReadonlySignal<string | null>;
   /** Which flights of the log are shown. Outlasts the view. */
@@ -64,7 +62,6 @@ export class FlightLog {
     this.#parts = parts;
     this.#write = write;
     this.logged = this.#logged;
-    this.unkept = computed(() => parts.library.flights.refused.value.has(this.#logged.value ?? ''));
     this.filling = this.#filling;
     this.filter = this.#filter;
     this.held = computed(() => {
@@ -104,20 +101,9 @@ export class FlightLog {
     return this.#add({ model, modelName, setting, settingName, program, place: where });
   }
 
-  /** Removes the flight that was logged last. */
-  undo(): void {
-    const key = this.#logged.peek();
-    if (key !== null) this.remove(key);
-  }
-
   /** The logged flight is no longer shown in the place of the button. */
   forgetLogged(): void {
     this.#logged.value = null;
-  }
-
-  /** Changes some fields of the filter. */
-  narrow(changes: Partial<FlightFilter>): void {
-    this.#filter.value = { ...this.#filter.peek(), ...changes };
   }
 
   /** Shows all flights of the log, or only those that these fields ask for. */

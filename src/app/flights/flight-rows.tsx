@@ -5,7 +5,6 @@ import { moreMessages } from '../messages/more.js';
 import type { FlightRecord } from '../storage/index.js';
 import { memo } from '../ui/memo.js';
 import type { ShortDt } from '../work/short-dt.js';
-import { type FlightDay, isFull } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { changedText, clockOf, dayHeading, resultText, roundText } from './flight-text.js';
 import { measureText } from './measures.js';
@@ -14,7 +13,8 @@ import { ScoreCard } from './score-card.js';
 import './flight-rows.css';
 
 interface FlightRowsProps {
-  readonly days: readonly FlightDay[];
+  /** By day and place. */
+  readonly days: ReadonlyMap<string, readonly FlightRecord[]>;
   /** What the model of each flight flew before it, by the key of the flight. */
   readonly before: ReadonlyMap<string, TimerProgram>;
   readonly shortDt: ShortDt;
@@ -28,16 +28,16 @@ export function FlightRows({ days, before, ...props }: FlightRowsProps) {
   const { day, of } = log.filter.value;
   return (
     <div class="stack">
-      {days.map(({ key, latest, place, records }) => {
-        const title = dotted([dayHeading(latest), place]);
-        const score = scoreOf(records.map(({ flight }) => flight));
+      {[...days].map(([key, records]) => {
+        const { flight: latest } = records[0] as FlightRecord;
+        const title = dotted([dayHeading(latest), latest.place]);
         const isOpen = day === key;
         return (
           <section class="flight-day" key={key} aria-label={title}>
             <div class="row">
               <h2>
                 <span>{title}</span> {/* Of a single day, the totals above say the same. */}
-                {days.length > 1 && <small>{totals.flights({ count: records.length })}</small>}
+                {days.size > 1 && <small>{totals.flights({ count: records.length })}</small>}
               </h2>
               {(isOpen || records.some(({ flight }) => flight.round.trim() !== '')) && (
                 <button
@@ -51,16 +51,10 @@ export function FlightRows({ days, before, ...props }: FlightRowsProps) {
                 </button>
               )}
             </div>
-            {isOpen && <ScoreCard score={score} log={log} />}
+            {isOpen && <ScoreCard score={scoreOf(records.map(({ flight }) => flight))} log={log} />}
             <ul class="ruled">
               {records.map((record) => (
-                <Row
-                  key={record.key}
-                  record={record}
-                  before={before.get(record.key)}
-                  ofDay={score.maximum}
-                  {...props}
-                />
+                <Row key={record.key} record={record} before={before.get(record.key)} {...props} />
               ))}
             </ul>
           </section>
@@ -73,14 +67,12 @@ export function FlightRows({ days, before, ...props }: FlightRowsProps) {
 interface RowProps extends Pick<FlightRowsProps, 'shortDt' | 'log'> {
   readonly record: FlightRecord;
   readonly before: TimerProgram | undefined;
-  /** The maximum of its day. */
-  readonly ofDay: number | null;
 }
 
 /** Only a flight that changes is drawn again: a season is long, and its programs are compared. */
 const Row = memo(RowContent);
 
-function RowContent({ record: { key, flight }, before, ofDay, shortDt, log }: RowProps) {
+function RowContent({ record: { key, flight }, before, shortDt, log }: RowProps) {
   const { row: words } = moreMessages.value.flights;
   const { wind, temperature, round, result, note, program } = flight;
   const facts = [
@@ -100,11 +92,7 @@ function RowContent({ record: { key, flight }, before, ofDay, shortDt, log }: Ro
         </span>
         {facts.some(Boolean) && <small class="flight-facts">{dotted(facts)}</small>}
         <span class="flight-end">
-          {result === null ? (
-            <small>{words.noResult}</small>
-          ) : (
-            <b class={isFull(flight, ofDay) ? 'full' : undefined}>{resultText(result)}</b>
-          )}
+          {result === null ? <small>{words.noResult}</small> : <b>{resultText(result)}</b>}
           {shortDt.isShort(program) && (
             <small class="bad-text">
               {messages.value.program.dt} {dtText(program.times[program.identity.functions] as number)}

@@ -22,15 +22,11 @@ export function roundText(round: string): string {
   return `${round.charAt(0).toUpperCase()}${round.slice(1)}`;
 }
 
-/** The figures by which a pilot knows a program: “DT 3:00 min”, “motor stop 10.0 s”. */
-function figuresOf(program: TimerProgram): readonly string[] {
-  return keyFigures(program).map(({ label, text }) => `${label} ${text}`);
-}
-
-/** The memory and the figures of a program that a timer holds. */
+/** The memory and the figures of a program that a timer holds: “M1 · DT 3:00 min · motor stop 10.0 s”. */
 export function heldText(program: TimerProgram): string {
   const { memory } = program;
-  return dotted([memory === null ? null : memoryName(memory), ...figuresOf(program)]);
+  const figures = keyFigures(program).map(({ label, text }) => `${label} ${text}`);
+  return dotted([memory === null ? null : memoryName(memory), ...figures]);
 }
 
 /** So many changes are named; of more, only their number. */

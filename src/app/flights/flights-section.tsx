@@ -20,7 +20,7 @@ export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps)
   const words = moreMessages.value.flights;
   const { flights } = session.library;
   useEffect(() => void flights.load(), [flights]);
-  const records = filtered(flights.list.value, { ...NO_FILTER, of }, 0);
+  const records = filtered(flights.list.value, { ...NO_FILTER, of });
   // A setting stands beside its model, which says that there is none.
   if (of.kind === 'setting' && records.length === 0 && !flights.failed.value) return null;
   return (

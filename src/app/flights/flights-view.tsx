@@ -5,7 +5,6 @@ import { moreMessages } from '../messages/more.js';
 import type { FlightRecord } from '../storage/index.js';
 import { BackHead } from '../ui/back-head.js';
 import type { Session } from '../work/session.js';
-import { FilterBar } from './filter-bar.js';
 import { NO_FILTER } from './flight-filter.js';
 import { dayOf, filtered, flownBefore, grouped } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
@@ -26,7 +25,7 @@ const MANY = 10;
 /** The log of flights with its filter and totals: newest first, by day and place. */
 export function FlightsView({ session, log }: FlightsViewProps) {
   const words = moreMessages.value.flights;
-  const { parts, views } = messages.value;
+  const { label, parts, views } = messages.value;
   const { library } = session;
   const { list, loaded, failed } = library.flights;
   useLayoutEffect(() => {
@@ -40,7 +39,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
   const filter = log.filter.value;
   // Of the whole log: a filter hides flights, but they were flown.
   const before = useMemo(() => flownBefore(list.value), [list.value]);
-  const shown = filtered(list.value, filter, Date.now());
+  const shown = filtered(list.value, filter);
   return (
     <div class="stack gap-3 flights">
       <BackHead back={views.names.library} to="#library">
@@ -71,7 +70,20 @@ export function FlightsView({ session, log }: FlightsViewProps) {
       {list.value.length > 0 && (
         <>
           {/* A part of a day would have a wrong total. */}
-          {filter.day === null && (list.value.length >= MANY || filter !== NO_FILTER) && <FilterBar log={log} />}
+          {filter.day === null && (list.value.length >= MANY || filter !== NO_FILTER) && (
+            <search class="stack" aria-label={label.search}>
+              <label class="field">
+                <span>{label.search}</span>
+                <input
+                  type="search"
+                  autocomplete="off"
+                  value={filter.text}
+                  onInput={({ currentTarget }) => log.showOnly({ of: filter.of, text: currentTarget.value })}
+                />
+              </label>
+              {filter.of && <p>{words.filter.of({ name: filter.of.name })}</p>}
+            </search>
+          )}
           <div class="row between flights-sum">
             <TotalsLine records={shown} />
             {shown.length < list.value.length && (
@@ -80,7 +92,6 @@ export function FlightsView({ session, log }: FlightsViewProps) {
               </button>
             )}
           </div>
-          {shown.length === 0 && <p class="hint">{words.nothingFound}</p>}
           {loaded.value && (
             <div class="buttons">
               <button type="button" disabled={shown.length === 0} onClick={() => saveTable(shown)}>

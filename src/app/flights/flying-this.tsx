@@ -24,7 +24,7 @@ const NOTE_STAYS = 60_000;
 /** One tap logs a flight with what the timer holds. Then it says so, and offers to undo it or to fill it in. */
 export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThisProps) {
   const { flying: words } = moreMessages.value.flights;
-  const { noModel, notKept, undo } = messages.value;
+  const { noModel, undo } = messages.value;
   const { flights } = session.library;
   const key = log.logged.value;
   const logged = flights.get(key)?.flight;
@@ -50,10 +50,9 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
           <strong>
             {dotted([words.logged({ time: timeOfDay(logged) }), logged.modelName || noModel, logged.place])}
           </strong>
-          {log.unkept.value && <span class="bad-text"> {notKept}</span>}
         </p>
         <div class="buttons">
-          <button type="button" class="quiet" onClick={() => log.undo()}>
+          <button type="button" class="quiet" onClick={() => log.remove(logged.id)}>
             {undo}
           </button>
           <button type="button" onClick={fillIn}>
@@ -64,24 +63,20 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
     );
   }
   const last = again ? flights.list.value[0]?.flight : undefined;
-  if (!held && last) {
-    const names = [last.modelName || noModel, last.settingName, heldText(last.program)];
-    return (
-      <div class="row between flying-this" {...box}>
-        <p class="hint">{dotted(names)}</p>
-        <button type="button" class="primary" onClick={() => log.flyAgain(last)}>
-          {words.again}
-        </button>
-      </div>
-    );
-  }
-  if (!held) return null;
+  const offer = held
+    ? // After a write, the figures stand above.
+      { text: again ? heldText(held) : words.purpose, name: words.button, log: () => log.flying() }
+    : last && {
+        text: dotted([last.modelName || noModel, last.settingName, heldText(last.program)]),
+        name: words.again,
+        log: () => log.flyAgain(last),
+      };
+  if (!offer) return null;
   return (
     <div class="row between flying-this" {...box}>
-      {/* After a write, the figures stand above. */}
-      <p class="hint">{again ? heldText(held) : words.purpose}</p>
-      <button type="button" class={again ? 'primary' : undefined} onClick={() => log.flying()}>
-        {words.button}
+      <p class="hint">{offer.text}</p>
+      <button type="button" class={again ? 'primary' : undefined} onClick={offer.log}>
+        {offer.name}
       </button>
     </div>
   );

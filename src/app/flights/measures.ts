@@ -16,8 +16,7 @@ export const RANGES = {
   /** The longest result that counts. */
   maximum: { min: 1, max: 36_000, first: 180 },
 } as const;
-/** Those that the form of a flight has. */
-export type Measure = Exclude<keyof typeof RANGES, 'maximum'>;
+export type Measure = keyof typeof RANGES;
 
 /** A number; null for an empty text; the two or more that a text may mean; or why it is no number. */
 export type ReadMeasure =
@@ -27,7 +26,7 @@ export type ReadMeasure =
   | { readonly unreadable: 'not-a-number' | 'not-a-time' | 'too-fine' | 'out-of-range' };
 
 const NUMBER = /^[+-]?(?:\d{1,6}(?:[.,]\d{0,6})?|[.,]\d{1,6})$/;
-const UNITS: Readonly<Record<Exclude<Measure, 'result'>, RegExp>> = {
+const UNITS: Readonly<Record<'wind' | 'temperature', RegExp>> = {
   wind: /\s*(?:m\/s|м\/с)$/i,
   temperature: /\s*(?:°\s*[cс]?|c)$/i,
 };
@@ -36,7 +35,7 @@ const UNITS: Readonly<Record<Exclude<Measure, 'result'>, RegExp>> = {
  * Reads `3`, `3,5`, `-2.5`, `4 m/s`, `12 °C`; a result also as `2:58`, `2'58`, `2 58`, `2m58s`
  * and `3 min`. A result of `2.58` may be minutes and seconds, or seconds. Empty text: nothing noted.
  */
-export function readMeasure(measure: keyof typeof RANGES, text: string): ReadMeasure {
+export function readMeasure(measure: Measure, text: string): ReadMeasure {
   const trimmed = plainDigits(text);
   if (trimmed === '') return { value: null };
   const read =

@@ -1,13 +1,10 @@
-import { useSignal } from '@preact/signals';
 import type { Flight } from '../../program/index.js';
 import { dotted } from '../messages/dotted.js';
-import { messages } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
 import { CopyButton } from '../ui/copy-button.js';
 import { useHandedFocus } from '../ui/use-handed-focus.js';
 import type { FlightLog, FlightScore } from './flight-log.js';
 import { clockOf, resultText, roundText } from './flight-text.js';
-import { marksOf } from './flights-csv.js';
 import { MaximumField } from './maximum-field.js';
 import { measureText } from './measures.js';
 import type { Score, ScoreLine } from './score.js';
@@ -16,26 +13,14 @@ import './score-card.css';
 
 /** The flights of a day and place as a contestant writes them down. */
 export function ScoreCard({ score, log }: { readonly score: Score; readonly log: FlightLog }) {
-  const { score: words, csv, flying } = moreMessages.value.flights;
+  const { score: words, csv } = moreMessages.value.flights;
   const { rounds, others, maximum, total, models } = score;
-  /** What was said of the flights before the last change. */
-  const before = useSignal<readonly FlightScore[]>([]);
   const box = useHandedFocus('.copy-button button');
-  const say = (flights: readonly Flight[], change: (flight: Flight) => Omit<FlightScore, 'id'>): void => {
-    before.value = flights.map(({ id, maximum = null, counts = null }) => ({ id, maximum, counts }));
+  const say = (flights: readonly Flight[], change: (flight: Flight) => Omit<FlightScore, 'id'>): void =>
     void log.score(flights.map((flight) => ({ id: flight.id, ...change(flight) })));
-  };
-  const undo = (): void => {
-    void log.score(before.peek());
-    before.value = [];
-  };
   const rowOf = (line: ScoreLine, ofDay: number | null) => {
     const { flight, round, counts, own, points } = line;
     const name = roundText(flight.round.trim()) || words.noRound;
-    const isOpen = flight.result === null || name === words.noRound;
-    const toDo = isOpen
-      ? () => log.fillIn(flight.id)
-      : () => say(round, (each) => ({ counts: each === flight || null }));
     return (
       <tr key={flight.id}>
         <th scope="row">
@@ -55,9 +40,13 @@ export function ScoreCard({ score, log }: { readonly score: Score; readonly log:
         </td>
         <td>
           {points === null ? <small>{pointsText(line)}</small> : <b>{pointsText(line)}</b>}
-          {points === null && (
-            <button type="button" class="quiet" onClick={toDo}>
-              {isOpen ? flying.fillIn : words.count}
+          {points === null && flight.result !== null && name !== words.noRound && (
+            <button
+              type="button"
+              class="quiet"
+              onClick={() => say(round, (each) => ({ counts: each === flight || null }))}
+            >
+              {words.count}
             </button>
           )}
         </td>
@@ -109,12 +98,7 @@ export function ScoreCard({ score, log }: { readonly score: Score; readonly log:
         </tbody>
       </table>
       <div class="buttons">
-        <CopyButton label={words.copy} text={() => scoreText(score, marksOf())} />
-        {before.value.length > 0 && (
-          <button type="button" class="quiet" onClick={undo}>
-            {messages.value.undo}
-          </button>
-        )}
+        <CopyButton label={words.copy} text={() => scoreText(score)} />
       </div>
     </div>
   );

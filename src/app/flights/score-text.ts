@@ -1,6 +1,6 @@
 import { moreMessages } from '../messages/more.js';
 import { dayHeading, roundText } from './flight-text.js';
-import { type Marks, noFormula } from './flights-csv.js';
+import { noFormula } from './flights-csv.js';
 import { measureText } from './measures.js';
 import type { Score, ScoreLine } from './score.js';
 
@@ -13,14 +13,13 @@ export function pointsText({ flight, points }: ScoreLine): string {
 
 /**
  * A score card for a message or a spreadsheet: short cells with tabs between them, which stand below each other in
- * both. Numbers have the decimal mark of a saved table.
+ * both. Numbers stand as on the screen.
  */
-export function scoreText({ rounds, others, total, models }: Score, { decimal }: Pick<Marks, 'decimal'>): string {
+export function scoreText({ rounds, others, total, models }: Score): string {
   const { csv, score: words } = moreMessages.value.flights;
-  const number = (text: string): string => text.replace(/^(\d+)[.,](?=\d+$)/, `$1${decimal}`);
   const cellsOf = (line: ScoreLine, name: string): string[] => {
     const { flight, counts, maximum } = line;
-    return [name, measureText(flight.result), counts ? measureText(maximum) : '', pointsText(line)].map(number);
+    return [name, measureText(flight.result), counts ? measureText(maximum) : '', pointsText(line)];
   };
   const after = others.filter(({ flight }) => flight.round.trim() !== '');
   const { flight } = (rounds[0] ?? others[0]) as ScoreLine;
@@ -31,7 +30,7 @@ export function scoreText({ rounds, others, total, models }: Score, { decimal }:
     // The unit would make a heading wider than the figures below it.
     heads.map((head) => head.replace(/ \(.*/, '')),
     ...rounds.map((line) => cellsOf(line, line.flight.round)),
-    ...(rounds.length > 0 ? [[words.total, '', '', number(measureText(total))]] : []),
+    ...(rounds.length > 0 ? [[words.total, '', '', measureText(total)]] : []),
     ...after.map((line) => cellsOf(line, roundText(line.flight.round))),
   ];
   return lines.map((cells) => cells.map((cell) => noFormula(cell.replaceAll(/\s+/g, ' '))).join('\t')).join('\n');

@@ -11,13 +11,7 @@ export function TotalsLine({ records }: { readonly records: readonly FlightRecor
     <p class="row flight-totals">
       <strong>{words.flights({ count: flights })}</strong>
       {best !== null && <span>{words.best({ time: resultText(best) })}</span>}
-      {average !== null && <span>{words.average({ time: resultText(tenthsDown(average)) })}</span>}
+      {average !== null && <span>{words.average({ time: resultText(average) })}</span>}
     </p>
   );
-}
-
-/** Rounded down: an average of 179.7 s is no 3:00 min, and is never above the best. */
-function tenthsDown(seconds: number): number {
-  // A sum of tenths has a rounding error.
-  return Math.floor(seconds * 10 + 1e-6) / 10;
 }

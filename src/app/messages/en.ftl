@@ -77,7 +77,6 @@ flights_title = Flights
 flights_empty_title = No flight logged yet.
 flights_empty_advice = Read or write a timer, then press “{ flights_flying_button }”.
 flights_failed = The browser cannot read the library now. Close other tabs of this page and try again.
-flights_nothingFound = No flight fits this filter.
 # One tap logs a flight with what the timer holds.
 flights_flying_button = Flying this
 flights_flying_purpose = Logs a flight with what the timer holds.
@@ -98,10 +97,6 @@ flights_totals_flights =
     }
 flights_totals_best = best { $time }
 flights_totals_average = average { $time }
-flights_filter_period = Period
-flights_filter_periods_all = Any time
-flights_filter_periods_today = Today
-flights_filter_periods_year = This year
 # $name: of a model or a saved program.
 flights_filter_of = Flights of { $name }
 flights_filter_clear = Show all
@@ -109,8 +104,6 @@ flights_form_title = Flight
 flights_form_result = Result
 flights_form_resultHint = Seconds, or minutes like 2:58.
 flights_form_readAs = { $time }, { $seconds } s
-# $facts: the next round and the last wind.
-flights_form_propose = Note { $facts }
 flights_form_full = Full round, 180 s
 flights_form_round = Round
 flights_form_flyOff = Fly-off
@@ -120,15 +113,12 @@ flights_form_temperature = Temperature
 flights_form_temperatureUnit = °C
 flights_form_when = Date, place, model
 flights_form_date = Date and time
-flights_form_noOffset = The time zone of the field is not known: this is the time of this device.
 flights_form_place = Place
 flights_form_flown = What was flown
 flights_form_open = Open its program
-flights_form_unreadable_ambiguous = Say what it means.
 flights_form_unreadable_not-a-number = Not a number.
 flights_form_unreadable_not-a-time = Not a time: type seconds like 178, or minutes like 2:58.
 flights_form_unreadable_too-fine = { unreadable_too-fine }
-flights_form_unreadable_not-a-date = Not a date.
 flights_form_range = { $min } to { $max } { $unit }.
 flights_form_shortDt = DT was { $dt } on this flight.
 flights_score_open = Score card

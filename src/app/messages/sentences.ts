@@ -950,7 +950,6 @@ export interface MoreSentences {
       readonly advice: string;
     };
     readonly failed: string;
-    readonly nothingFound: string;
     readonly flying: {
       readonly button: string;
       readonly purpose: string;
@@ -972,12 +971,6 @@ export interface MoreSentences {
       readonly average: (params: { readonly time: Text }) => string;
     };
     readonly filter: {
-      readonly period: string;
-      readonly periods: {
-        readonly all: string;
-        readonly today: string;
-        readonly year: string;
-      };
       readonly of: (params: { readonly name: Text }) => string;
       readonly clear: string;
     };
@@ -986,7 +979,6 @@ export interface MoreSentences {
       readonly result: string;
       readonly resultHint: string;
       readonly readAs: (params: { readonly time: Text; readonly seconds: Text }) => string;
-      readonly propose: (params: { readonly facts: Text }) => string;
       readonly full: string;
       readonly round: string;
       readonly flyOff: string;
@@ -996,16 +988,13 @@ export interface MoreSentences {
       readonly temperatureUnit: string;
       readonly when: string;
       readonly date: string;
-      readonly noOffset: string;
       readonly place: string;
       readonly flown: string;
       readonly open: string;
       readonly unreadable: {
-        readonly ambiguous: string;
         readonly 'not-a-number': string;
         readonly 'not-a-time': string;
         readonly 'too-fine': string;
-        readonly 'not-a-date': string;
       };
       readonly range: (params: { readonly min: Text; readonly max: Text; readonly unit: Text }) => string;
       readonly shortDt: (params: { readonly dt: Text }) => string;

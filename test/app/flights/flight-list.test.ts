@@ -1,15 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { type FlightFilter, NO_FILTER, PERIODS } from '../../../src/app/flights/flight-filter.js';
+import { type FlightFilter, NO_FILTER } from '../../../src/app/flights/flight-filter.js';
 import {
-  beginOf,
   dayOf,
   deviceOffset,
   filtered,
   flownBefore,
   grouped,
   momentOf,
-  nextRound,
   offsetText,
   placesOf,
   timeOfDay,
@@ -20,86 +18,55 @@ import { withValue } from '../../../src/program/index.js';
 import { programOf } from '../programs.js';
 import { anyLog, PLAIN, recordOf } from './flights.js';
 
-const NOW = new Date(2026, 0, 18, 12).getTime();
 const anyFilter: fc.Arbitrary<FlightFilter> = fc.record({
   of: fc.constantFrom(null, ...(['lancer', 'gone'] as const).map((id) => ({ kind: 'model', id, name: '' }) as const), {
     kind: 'setting',
     id: 'calm',
     name: '',
   } as const),
-  text: fc.constantFrom('', 'a', 'gyu 1', 'É'),
-  period: fc.constantFrom(...PERIODS),
+  text: fc.constantFrom('', 'a', 'gyu 1', 'É', '2026-01-1'),
   day: fc.constantFrom(null, '2026-01-10 Wiese', '2026-01-11 '),
 });
 
 describe('the filter of the log', () => {
-  it('shows all flights in their order when nothing is asked', () => {
-    fc.assert(
-      fc.property(anyLog, (log) => {
-        expect(filtered(log, NO_FILTER, NOW)).toEqual(log);
-      }),
-    );
-  });
-
-  it('shows exactly the flights that fit every part of it', () => {
+  it('shows exactly the flights that fit every part of it, in their order', () => {
     fc.assert(
       fc.property(anyLog, anyFilter, (log, filter) => {
         const parts = Object.entries(filter).map(([name, value]) => ({ [name]: value }));
         // One part at a time, in any order, is the same.
         const inTurn = parts.reduceRight<ReturnType<typeof filtered>>(
-          (left, part) => filtered(left, { ...NO_FILTER, ...part }, NOW),
+          (left, part) => filtered(left, { ...NO_FILTER, ...part }),
           log,
         );
-        expect(filtered(log, filter, NOW)).toEqual(inTurn);
-        const days = { all: '', today: '2026-01-18', year: '2026-01-01' };
-        for (const { flight } of inTurn) {
-          if (filter.of) expect(flight[filter.of.kind]).toBe(filter.of.id);
-          expect(dayOf(flight) >= days[filter.period]).toBe(true);
-        }
+        expect(filtered(log, filter)).toEqual(inTurn);
+        expect(inTurn).toEqual(log.filter((record) => inTurn.includes(record)));
+        for (const { flight } of inTurn) if (filter.of) expect(flight[filter.of.kind]).toBe(filter.of.id);
       }),
     );
   });
 
-  it('finds every word of the text, whatever its case and its marks', () => {
+  it('finds every word of the text and the date, whatever its case and its marks', () => {
+    const at = new Date(2025, 4, 9).getTime();
     const log = [
       recordOf({ id: '1', place: 'Gyűla', modelName: 'Lancer 07', round: 'fly-off 1' }),
-      recordOf({ id: '2', place: 'GYULA', note: 'Thermal\nat once' }),
+      recordOf({ id: '2', place: 'GYULA', note: 'Thermal\nat once', at }),
     ];
-    const found = (text: string) => filtered(log, { ...NO_FILTER, text }, NOW).map(({ key }) => key);
-    expect([
-      found('gyula'),
-      found(' LANCER  gyu'),
-      found('thermal once'),
-      found('fly-off'),
-      found('lancer thermal'),
-    ]).toEqual([['1', '2'], ['1'], ['2'], ['1'], []]);
+    const found = (text: string) => filtered(log, { ...NO_FILTER, text }).map(({ key }) => key);
+    const texts = ['', 'gyula', ' LANCER  gyu', 'thermal once', 'fly-off', 'lancer thermal', '2026', '2025-05-09 gyu'];
+    expect(texts.map(found)).toEqual([['1', '2'], ['1', '2'], ['1'], ['2'], ['1'], [], ['1'], ['2']]);
   });
 });
-
-it.each([
-  ['today', NOW, new Date(2026, 0, 18).getTime()],
-  ['today', new Date(2026, 2, 29, 23, 59).getTime(), new Date(2026, 2, 29).getTime()],
-  ['year', NOW, new Date(2026, 0, 1).getTime()],
-  ['all', NOW, Number.NEGATIVE_INFINITY],
-] as const)(
-  'the period %s at %i begins at its first millisecond, also where a clock was changed',
-  (period, now, begin) => {
-    expect(beginOf(period, now)).toBe(begin);
-  },
-);
 
 describe('the log by days', () => {
   it('has every flight once, in order, grouped by day and place', () => {
     fc.assert(
       fc.property(anyLog, (log) => {
-        const days = grouped(log);
-        expect(days.flatMap(({ records }) => records).length).toBe(log.length);
-        expect(new Set(days.map(({ key }) => key)).size).toBe(days.length);
-        for (const { latest, place, records } of days) {
-          expect(records[0]?.flight).toBe(latest);
-          expect(new Set(records.map(({ flight }) => `${dayOf(flight)}|${flight.place}`))).toEqual(
-            new Set([`${dayOf(latest)}|${place}`]),
-          );
+        const days = [...grouped(log).values()];
+        expect(days.flat().length).toBe(log.length);
+        const places = days.map((records) => new Set(records.map(({ flight }) => `${dayOf(flight)}|${flight.place}`)));
+        expect(places.map(({ size }) => size)).toEqual(days.map(() => 1));
+        expect(new Set(places.flatMap((place) => [...place])).size).toBe(days.length);
+        for (const records of days) {
           expect(records.map(({ flight }) => flight.at)).toEqual(
             records.map(({ flight }) => flight.at).sort((a, b) => b - a),
           );
@@ -144,59 +111,19 @@ describe('the clock of the field', () => {
   });
 });
 
-describe('the next round', () => {
-  it.each([
-    ['3', '4'],
-    ['9', '10'],
-    ['fly-off 1', 'fly-off 2'],
-    ['Round 2', 'Round 3'],
-    ['fly-off', ''],
-    ['', ''],
-  ])('after “%s” is “%s”', (round, next) => {
-    expect(nextRound(round)).toBe(next);
-  });
+it.each([
+  [[180, 179.5, 300, null, 40.5], { best: 300, average: 175 }],
+  [[180, 180, 179], { best: 180, average: 179.6 }],
+  [Array<number>(6).fill(170.3), { best: 170.3, average: 170.3 }],
+  [[180, null], { best: null, average: null }],
+  [[], { best: null, average: null }],
+])('the totals of %j: an average is never above the best, and a single result is neither', (results, totals) => {
+  const log = results.map((result, at) => recordOf({ id: `${at}`, result }));
+  expect(totalsOf(log)).toEqual({ flights: results.length, ...totals });
 });
 
-describe('the totals', () => {
-  it('count flights, and give the best and the average result', () => {
-    const log = [
-      recordOf({ id: '1', result: 180, round: '1' }),
-      recordOf({ id: '2', result: 179.5, round: '2' }),
-      recordOf({ id: '3', result: 300, round: 'fly-off 1' }),
-      recordOf({ id: '4', round: '3' }),
-      recordOf({ id: '5', result: 40.5 }),
-    ];
-    expect(totalsOf(log)).toEqual({ flights: 5, best: 300, average: 175 });
-    expect(totalsOf(log.slice(4)), 'a single result is no best and no average').toMatchObject({
-      flights: 1,
-      best: null,
-      average: null,
-    });
-    expect(totalsOf([])).toEqual({ flights: 0, best: null, average: null });
-  });
-
-  it('are always possible', () => {
-    fc.assert(
-      fc.property(anyLog, (log) => {
-        const { flights, best, average } = totalsOf(log);
-        expect(flights).toBe(log.length);
-        expect(average === null).toBe(best === null);
-        if (best !== null && average !== null) expect(average).toBeLessThanOrEqual(best + 1e-9);
-      }),
-    );
-  });
-});
-
-describe('what was flown before', () => {
-  it('gives places to choose from, the latest first', () => {
-    const log = [
-      recordOf({ id: '1', place: 'B', model: 'x', modelName: 'Lancer 08' }),
-      recordOf({ id: '2', place: '' }),
-      recordOf({ id: '3', place: 'A', model: 'x', modelName: 'Lancer' }),
-      recordOf({ id: '4', place: 'B', model: 'y', modelName: 'Vega' }),
-    ];
-    expect(placesOf(log)).toEqual(['B', 'A']);
-  });
+it('what was flown before gives places to choose from, the latest first', () => {
+  expect(placesOf(['B', '', 'A', 'B'].map((place, at) => recordOf({ id: `${at}`, place })))).toEqual(['B', 'A']);
 });
 
 it('says what changed since the flight of the same model before', () => {

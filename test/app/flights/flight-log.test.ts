@@ -1,5 +1,4 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { FlightForm } from '../../../src/app/flights/flight-form.js';
 import { emptyModel } from '../../../src/app/records/library.js';
 import type { Flight, ProgramField } from '../../../src/program/index.js';
 import { type AppBench, asked, connectedBench, goOn, idle, reloaded, review, run } from '../bench/bench.js';
@@ -26,13 +25,6 @@ async function write(app: AppBench, dt: string): Promise<void> {
   app.write.dismiss();
 }
 
-/** A flight in the log, and the form in which it is filled in. */
-async function opened(changes: Partial<Flight> = {}, before: readonly Flight[] = []) {
-  const app = await connectedBench();
-  await app.session.library.keepFlight({ ...PLAIN, ...changes });
-  return { app, form: new FlightForm(app.flights, latest(app), before) };
-}
-
 describe('one tap', () => {
   it('logs what the timer was verified to hold, and never what was only typed', async () => {
     const app = await connectedBench();
@@ -45,17 +37,8 @@ describe('one tap', () => {
     expect(latest(app).program).toMatchObject({ memory: 0, times, positions });
     expect(times[10]).toBe(24_000);
     expect(latest(app).utcOffset).toBe(0 - new Date().getTimezoneOffset());
-    const { wind, temperature, round, result, note, place, model, modelName } = latest(app);
-    expect([wind, temperature, round, result, note, place, model, modelName]).toEqual([
-      null,
-      null,
-      '',
-      null,
-      '',
-      '',
-      null,
-      '',
-    ]);
+    const nothing = { wind: null, temperature: null, round: '', result: null, note: '' };
+    expect(latest(app)).toMatchObject({ ...nothing, place: '', model: null, modelName: '' });
     expect(kept(app)).toEqual(logged(app));
     await write(app, '3:00');
     expect(latest(app).program.times[10], 'a later write does not change a logged flight').toBe(24_000);
@@ -153,8 +136,7 @@ describe('one tap', () => {
 
   it('is undone, and what was deleted comes back', async () => {
     const app = await connectedBench();
-    app.flights.flying();
-    app.flights.undo();
+    app.flights.remove(app.flights.flying() ?? '');
     expect([logged(app), app.flights.logged.value]).toEqual([[], null]);
     await idle();
     expect(kept(app)).toEqual([]);
@@ -169,7 +151,7 @@ describe('one tap', () => {
     expect([logged(app), kept(app)]).toEqual([[flight], [flight]]);
   });
 
-  it('is no longer called new once it was open in the form: the next one can be logged, and undo cannot remove it', async () => {
+  it('is no longer called new once it was open in the form: the next one can be logged', async () => {
     const app = await connectedBench();
     app.flights.flying();
     await idle(0);
@@ -177,20 +159,7 @@ describe('one tap', () => {
     app.flights.fillIn(id);
     expect(app.flights.logged.value).toBe(id);
     app.flights.close();
-    app.flights.undo();
     expect([app.flights.logged.value, logged(app).length]).toEqual([null, 1]);
-  });
-
-  it('stays on the screen while the browser keeps nothing, and is kept when it does again', async () => {
-    const app = await connectedBench();
-    app.store.broken = true;
-    app.flights.flying();
-    await idle();
-    expect([logged(app).length, kept(app).length]).toEqual([1, 0]);
-    expect(app.flights.unkept.value).toBe(true);
-    app.store.broken = false;
-    await app.session.library.keepAgain();
-    expect(kept(app)).toEqual(logged(app));
   });
 
   it('does not call a flight before the write logged under the result of the write', async () => {
@@ -256,91 +225,6 @@ describe('what was flown comes back to the screen', () => {
     const app = await lancerConnected();
     expect(await shown(app, {})).toBe(false);
     expect(await shown(app, { program: MAGPIE_HELD })).toBe(true);
-  });
-});
-
-describe('the form of a flight', () => {
-  it('keeps what can be read at once, and leaves in the field what cannot', async () => {
-    const { app, form } = await opened();
-    form.type('wind', '3,5');
-    form.type('result', '2:58');
-    form.type('temperature', 'warm');
-    await idle(0);
-    expect(latest(app)).toMatchObject({ wind: 3.5, result: 178, temperature: null });
-    expect([form.textOf('wind'), form.textOf('result'), form.textOf('temperature')]).toEqual(['3,5', '2:58', 'warm']);
-    expect([...form.problems.value]).toEqual([['temperature', 'not-a-number']]);
-    for (const measure of ['wind', 'result', 'temperature'] as const) form.leave(measure);
-    expect([form.textOf('wind'), form.textOf('result'), form.textOf('temperature')]).toEqual(['3.5', '178', 'warm']);
-    form.type('wind', '');
-    await idle(0);
-    expect(latest(app).wind).toBeNull();
-    form.type('wind', '99');
-    expect([latest(app).wind, form.problems.value.get('wind')]).toEqual([null, 'out-of-range']);
-  });
-
-  it('steps from the value of the earlier flight of that day, else from a usual one', async () => {
-    const before = { ...PLAIN, id: 'before', at: PLAIN.at - 60_000, wind: 4.5 };
-    const { form } = await opened({}, [before]);
-    form.step('wind', 1);
-    form.step('temperature', -1);
-    expect([form.textOf('wind'), form.textOf('temperature')]).toEqual(['4.5', '15']);
-    form.step('wind', 1);
-    form.step('temperature', -1);
-    expect([form.textOf('wind'), form.textOf('temperature')]).toEqual(['5', '14']);
-    const other = await opened({}, [{ ...before, at: before.at - 86_400_000 }]);
-    other.form.step('wind', 1);
-    expect(other.form.textOf('wind')).toBe('2');
-  });
-
-  it('takes a date, and keeps it where a text is none', async () => {
-    const { app, form } = await opened();
-    expect(form.when).toBe('2026-11-22T14:05');
-    form.setWhen('2026-11-20T09:30');
-    await idle(0);
-    expect(latest(app).at).toBe(new Date(2026, 10, 20, 9, 30).getTime());
-    form.setWhen('');
-    expect([form.problems.value.has('at'), latest(app).at]).toEqual([true, new Date(2026, 10, 20, 9, 30).getTime()]);
-  });
-
-  it('proposes the next round and the last wind of the day, and notes them with one tap', async () => {
-    const day = { at: PLAIN.at - 3_600_000 };
-    const before = [
-      { ...PLAIN, ...day },
-      { ...PLAIN, ...day, round: '3' },
-      { ...PLAIN, ...day, wind: 4, round: '2' },
-    ];
-    const { app, form } = await opened({}, before);
-    expect(form.proposed.value).toEqual({ round: '4', wind: 4 });
-    form.takeProposed();
-    await idle();
-    expect([latest(app), form.proposed.value]).toMatchObject([{ round: '4', wind: 4 }, null]);
-    const { form: next } = await opened({}, [{ ...PLAIN, at: PLAIN.at - 86_400_000, round: '3', wind: 4 }]);
-    expect(next.proposed.value, 'yesterday says nothing').toBeNull();
-  });
-
-  it('proposes the round of the model, and that of another one only while it has none', async () => {
-    const at = PLAIN.at - 3_600_000;
-    const before = [
-      { ...PLAIN, at, model: 'vega', round: '5', wind: 6 },
-      { ...PLAIN, at, model: 'lancer', round: '2' },
-    ];
-    const round = async (model: string) => (await opened({ model }, before)).form.proposed.value;
-    expect([await round('lancer'), await round('spare')]).toEqual([
-      { round: '3', wind: 6 },
-      { round: '6', wind: 6 },
-    ]);
-  });
-
-  it('asks what a result with decimals means, and has the value from before until that is said', async () => {
-    const { app, form } = await opened({ result: 170 });
-    for (const text of ['2', '2.', '2.5', '2.58']) form.type('result', text);
-    expect([form.either.value, form.flight.value.result]).toEqual([[17_800, 258], 170]);
-    form.answer(null);
-    expect([form.either.value, form.textOf('result'), form.flight.value.result]).toEqual([null, '170', 170]);
-    for (const text of ['2', '2,', '2,5', '2,58']) form.type('result', text);
-    form.answer(17_800);
-    await idle();
-    expect([latest(app).result, form.textOf('result'), form.problems.value.size]).toEqual([178, '178', 0]);
   });
 });
 

@@ -1,7 +1,6 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { offsetText } from '../../../src/app/flights/flight-list.js';
-import { dotted } from '../../../src/app/messages/dotted.js';
 import { moreMessages } from '../../../src/app/messages/more.js';
 import { emptyModel } from '../../../src/app/records/library.js';
 import { en } from '../../tools/en.js';
@@ -78,18 +77,6 @@ describe('the log', () => {
     expect(document.querySelector('.flight-totals')?.textContent).toBe('3 flightsbest 3:00 minaverage 2:55.7 min');
   });
 
-  it.each([
-    [[180, 180, 179], 'average 2:59.6 min'],
-    [[341.3, 341.3, 341.3], 'average 5:41.3 min'],
-    [[180, 180], 'average 3:00 min'],
-  ])('of %j has an average that is not above the best: %s', async (results, average) => {
-    const app = await opened();
-    for (const [at, result] of results.entries())
-      await app.session.library.keepFlight({ ...PLAIN, id: `f${at}`, result });
-    await toLog(app);
-    screen.getByText(average);
-  });
-
   it('is searched from ten flights on, and shows all again', async () => {
     const app = await season();
     const search = () => screen.queryByRole('searchbox', { name: en.label.search });
@@ -102,13 +89,9 @@ describe('the log', () => {
     act(() => void fireEvent.input(search() as Element, { target: { value: 'gyula' } }));
     expect(rows()).toEqual(['09:00Vegastrong thermalno result']);
     act(() => void fireEvent.input(search() as Element, { target: { value: 'nowhere' } }));
-    expect(screen.getByText(moreMessages.value.flights.nothingFound)).toBeTruthy();
+    expect(texts('.flight-totals')).toEqual(['0 flights']);
     await press(moreMessages.value.flights.filter.clear);
     expect(rows().length).toBe(10);
-    const period = screen.getByRole('combobox', { name: moreMessages.value.flights.filter.period });
-    act(() => void fireEvent.change(period, { target: { value: 'year' } }));
-    await idle(0);
-    expect(rows().length).toBeLessThan(10);
   });
 
   it('opens a flight, fills it in, deletes it and takes that back', async () => {
@@ -159,35 +142,38 @@ describe('the log', () => {
     expect(flights(app).map(({ round }) => round)).toEqual(['12']);
   });
 
-  it('says whose clock a flight is shown by', async () => {
+  it('keeps the clock of its field when its date is corrected, and its date when a text is none', async () => {
     const app = await season();
-    const { noOffset, when } = moreMessages.value.flights.form;
-    act(() => app.models.flights.fillIn('c'));
-    await idle(0);
-    expect(form().getByText(noOffset)).toBeTruthy();
-    act(() => app.models.flights.close());
     const at = Date.UTC(2026, 10, 22, 22, 30);
     const utcOffset = (0 - new Date(at).getTimezoneOffset() + 480) % 840;
     await app.session.library.keepFlight({ ...PLAIN, id: 'd', at, utcOffset });
     act(() => app.models.flights.fillIn('d'));
     await idle(0);
-    expect([form().queryByText(noOffset), form().getByText(when)]).toEqual([null, expect.anything()]);
-    expect(rows().some((row) => row.includes(offsetText({ utcOffset })))).toBe(true);
+    const date = form().getByLabelText<HTMLInputElement>(en.flights.form.date);
+    const enter = async (text: string): Promise<number | undefined> => {
+      date.value = text;
+      fireEvent.blur(date);
+      await idle(0);
+      return app.session.library.flights.get('d')?.flight.at;
+    };
+    const shown = date.value;
+    expect([await enter(''), date.value]).toEqual([at, shown]);
+    expect(await enter('2026-11-21T09:30')).toBe(Date.UTC(2026, 10, 21, 9, 30) - utcOffset * 60_000);
+    expect(rows().some((row) => row.includes(`09:30 ${offsetText({ utcOffset })}`))).toBe(true);
   });
 
-  it('proposes the next round and the last wind, until one is noted', async () => {
+  it('begins a step with what was noted before on that day', async () => {
     const app = await season();
-    act(() => void app.models.flights.fillIn(app.models.flights.flyAgain(recordOf({ id: 'b' }).flight)));
+    const at = new Date(2026, 10, 21, 11).getTime();
+    await app.session.library.keepFlight({ ...PLAIN, id: 'd', at });
+    act(() => app.models.flights.fillIn('d'));
     await idle(0);
-    const today = { ...PLAIN, id: 'e', at: Date.now() - 60_000, round: '3', wind: 4 };
-    act(() => app.models.flights.close());
-    await app.session.library.keepFlight(today);
-    act(() => app.models.flights.fillIn(flights(app)[0]?.id ?? ''));
-    await idle(0);
-    const { row, form: words } = moreMessages.value.flights;
-    await press(words.propose({ facts: dotted([row.round({ round: '4' }), row.wind({ wind: '4' })]) }));
-    expect(flights(app)[0]).toMatchObject({ round: '4', wind: 4 });
-    expect(form().queryByRole('button', { name: /^Note / })).toBeNull();
+    await press('Wind: less');
+    await press('Result: more');
+    expect(app.session.library.flights.get('d')?.flight).toMatchObject({ wind: 3.5, result: 171.5 });
+    await press('Wind: less');
+    await press('Result: more');
+    expect(app.session.library.flights.get('d')?.flight).toMatchObject({ wind: 3, result: 172 });
   });
 
   it('leads to the text that cannot be read, and Escape closes the form', async () => {
@@ -203,6 +189,11 @@ describe('the log', () => {
     expect(form().getByRole('alert').textContent).toBe('0 to 50 m/s.');
     act(() => void screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true })));
     expect([screen.queryByRole('dialog'), flights(app)[0]?.wind]).toEqual([null, null]);
+    act(() => app.models.flights.fillIn('c'));
+    form().getByRole('textbox', { name: 'Wind m/s' }).focus();
+    fill('Wind m/s', '3,5 m/s');
+    act(() => void screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true })));
+    expect(flights(app)[0]?.wind, 'what was typed last is not lost').toBe(3.5);
   });
 
   it('is saved as a table with what is shown', async () => {

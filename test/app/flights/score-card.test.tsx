@@ -8,7 +8,7 @@ import { PLAIN } from './flights.js';
 
 beforeEach(() => localStorage.clear());
 
-const { score: words, form, flying } = en.flights;
+const { score: words, form } = en.flights;
 const dayOne = new Date(2026, 10, 21, 9).getTime();
 const flightsIn = ({ session }: AppBench): readonly Flight[] =>
   session.library.flights.list.value.map(({ flight }) => flight).reverse();
@@ -58,10 +58,10 @@ describe('the score card', () => {
       ['1', '251', '', '251'],
       ['2 10:00', '150', '', `${words.notCounted}${words.count}`],
       ['2 11:00', '175.5', '', '175.5'],
-      ['3', '', '', `${en.flights.row.noResult}${flying.fillIn}`],
+      ['3', '', '', en.flights.row.noResult],
       [words.total, '7:06.5 min 426.5'],
       ['Fly-off', '320', '', '320'],
-      [words.noRound, '20', '', `${words.notCounted}${flying.fillIn}`],
+      [words.noRound, '20', '', words.notCounted],
     ]);
     expect(screen.getByText(words.none)).toBeTruthy();
     await press(words.open);
@@ -73,7 +73,7 @@ describe('the score card', () => {
     expect(screen.getAllByRole('button', { name: words.open }).length).toBe(1);
   });
 
-  it('takes a maximum for the day and another one for a round, as a result is typed, and undoes it', async () => {
+  it('takes a maximum for the day and another one for a round, as a result is typed', async () => {
     const app = await contest();
     await press(words.open);
     enter(words.maximum, "3'00");
@@ -89,12 +89,9 @@ describe('the score card', () => {
     enter(words.maximum, '2:00');
     await idle(0);
     expect(maxima(app), 'a round with another maximum keeps it').toEqual([240, 120, 120, 120, 300, null, null]);
-    await press('Undo');
-    expect(maxima(app)).toEqual([240, 180, 180, 180, 300, null, null]);
-    expect(screen.queryByRole('button', { name: 'Undo' })).toBeNull();
     enter(words.maximumOf({ round: 'Round 1' }), '');
     await idle(0);
-    expect(field(words.maximumOf({ round: 'Round 1' })).placeholder, 'it has that of the day again').toBe('180');
+    expect(field(words.maximumOf({ round: 'Round 1' })).placeholder, 'it has that of the day again').toBe('120');
     expect(Object.keys(flightsIn(app)[0] ?? {})).not.toContain('maximum');
   });
 
@@ -157,16 +154,6 @@ describe('the score card', () => {
     expect(rows()).toEqual([]);
   });
 
-  it('opens a flight that lacks its round or its result', async () => {
-    const app = await contest();
-    await press(words.open);
-    act(() => void fireEvent.click(screen.getAllByRole('button', { name: flying.fillIn })[1] as Element));
-    expect(app.models.flights.filling.value).toBe('f5');
-    await press('4');
-    await press('Done');
-    expect(rows()[4]?.slice(0, 2)).toEqual(['4', '20']);
-  });
-
   it('is copied as text', async () => {
     await contest();
     await press(words.open);
@@ -176,14 +163,5 @@ describe('the score card', () => {
     await press(words.copy);
     vi.unstubAllGlobals();
     expect(copied[0]?.split('\n').slice(0, 4)).toEqual(['Sat, 21 Nov 2026', 'Wiese', 'Lancer', '']);
-  });
-
-  it('marks a full round of the log by the maximum that was typed', async () => {
-    const app = await contest();
-    const full = () => [...document.querySelectorAll('.flight-row .full')].map(({ textContent }) => textContent);
-    expect(full().map((text) => text.replaceAll('\u00a0', ' '))).toEqual(['4:11 min']);
-    await app.session.library.keepFlight({ ...PLAIN, id: 'z', place: 'Gyula', round: '1', result: 200, maximum: 240 });
-    await idle(0);
-    expect(full().length).toBe(1);
   });
 });

@@ -35,68 +35,22 @@ describe('the total of a day', () => {
   });
 
   it.each([
-    [
-      'no maximum: each result counts in full',
-      [
-        ['1', 200],
-        ['2', 100],
-      ],
-      null,
-      300,
-    ],
-    [
-      'no result: the round adds nothing',
-      [
-        ['1', 180, { maximum: 180 }],
-        ['2', null],
-      ],
-      180,
-      180,
-    ],
-    [
-      'tenths and hundredths add up exactly',
-      [
-        ['1', 0.1],
-        ['2', 0.2],
-        ['3', 171.33],
-      ],
-      null,
-      171.63,
-    ],
-    ['a maximum with decimals', [['1', 180, { maximum: 150.5 }]], 150.5, 150.5],
-    [
-      'of equally many maxima that of the latest round',
-      [
-        ['1', 300, { maximum: 240 }],
-        ['2', 300, { maximum: 180 }],
-        ['3', 300],
-      ],
-      180,
-      600,
-    ],
-    [
-      'the same, whatever was flown first',
-      [
-        ['2', 300, { maximum: 180 }],
-        ['1', 300, { maximum: 240 }],
-      ],
-      180,
-      420,
-    ],
-    [
-      'a round with another maximum is not the rule',
-      [
-        ['1', 300, { maximum: 180 }],
-        ['2', 300, { maximum: 180 }],
-        ['3', 300, { maximum: 120 }],
-        ['4', 300],
-      ],
-      180,
-      660,
-    ],
-    ['nothing at all', [], null, 0],
-  ] as const)('%s', (_, flown: readonly Flown[], maximum, total) => {
-    const score = scored(...flown);
+    ['no maximum: each result counts in full', '1 200, 2 100', null, 300],
+    ['no result: the round adds nothing', '1 180/180, 2 ', 180, 180],
+    ['tenths and hundredths add up exactly', '1 0.1, 2 0.2, 3 171.33', null, 171.63],
+    ['a maximum with decimals', '1 180/150.5', 150.5, 150.5],
+    ['of equally many maxima that of the latest round', '1 300/240, 2 300/180, 3 300', 180, 600],
+    ['the same, whatever was flown first', '2 300/180, 1 300/240', 180, 420],
+    ['a round with another maximum is not the rule', '1 300/180, 2 300/180, 3 300/120, 4 300', 180, 660],
+    ['nothing at all', '', null, 0],
+  ])('%s', (_, flown, maximum, total) => {
+    // Round, result and maximum of each flight.
+    const flights = flown.matchAll(/(\d) ([\d.]*)(?:\/([\d.]+))?/g);
+    const score = scored(
+      ...[...flights].map(([, round = '', result = '', most]): Flown => {
+        return [round, result === '' ? null : Number(result), most === undefined ? {} : { maximum: Number(most) }];
+      }),
+    );
     expect([score.maximum, score.total]).toEqual([maximum, total]);
   });
 
@@ -171,7 +125,7 @@ describe('as text', () => {
       ['fly-off 1', 312],
       ['', 20],
     );
-    expect(scoreText({ ...score }, { decimal: '.' })).toBe(
+    expect(scoreText(score)).toBe(
       [
         'Sun, 22 Nov 2026',
         'Lancer 07, Vega',
@@ -185,12 +139,11 @@ describe('as text', () => {
         'Fly-off 1\t312\t\t312',
       ].join('\n'),
     );
-    expect(scoreText(score, { decimal: ',' })).toContain('Total\t\t\t411,5');
   });
 
   it('has neither a tab nor a line end nor a formula of what was typed', () => {
     const score = scored(['=1+1', 1, { place: 'A\tB\nC', modelName: '@SUM(1)' }]);
-    expect(scoreText(score, { decimal: '.' }).split('\n')).toEqual([
+    expect(scoreText(score).split('\n')).toEqual([
       'Sun, 22 Nov 2026',
       'A B C',
       "'@SUM(1)",
