@@ -25,6 +25,25 @@ export interface StepName {
   readonly params: Readonly<Record<string, string | number>>;
 }
 
+/** The present codes of steps that had codes of their own once: stored drafts still have those. */
+export const FORMER_STEPS = new Map<string, StepCode>([
+  ...[
+    'type',
+    'step',
+    'interval',
+    'copy-servo',
+    'reverse-servo',
+    'revert',
+    'revert-row',
+    'revert-column',
+    'move-mark',
+    'preset',
+    'fix',
+    'take-across',
+  ].map((code) => [code, 'change'] as const),
+  ...['finish-write', 'restore', 'lay-over', 'load-setting', 'saved-elsewhere'].map((code) => [code, 'open'] as const),
+]);
+
 /**
  * A step with the state that it leads back to: the state before it if it can be undone, after it if it can be redone.
  */

@@ -246,11 +246,12 @@ export function signed(steps: number): string {
 
 /** What a step was done to: a field, a row, some values, or what was opened. */
 function subjectText(identity: Identity, params: StepName['params']): string {
-  const { field, slot, count, servo, name = '' } = params;
+  const { field, slot, count, to, servo = to, name = '' } = params;
   const { edits } = messages.value;
   const found = fieldsOf(identity).find((each) => fieldKey(each) === field);
   if (found) return fieldInSentence(identity, found);
   if (typeof slot === 'number') return slotInSentence(identity, slot);
+  // In a draft of an earlier version also one that was changed, or copied to.
   if (typeof servo === 'number') return servoName(servo);
   if (typeof count === 'number') return edits.cells({ count });
   return name === '' ? edits.openedUnnamed : edits.opened({ name });

@@ -2,6 +2,7 @@ import { deleteDB, type IDBPDatabase, openDB } from 'idb';
 import * as v from 'valibot';
 import { on } from '../browser/lifecycle.js';
 import { service } from '../browser/services.js';
+import { withPresentNames } from './former-names.js';
 import { type AsideRecord, RECORDS } from './records.js';
 
 /** The shelves of the browser's storage. Each record has its own key. */
@@ -24,6 +25,9 @@ export interface Keeper<T extends { readonly key: string }> {
   /** All readable records, in the order of their keys. Those that cannot be read are set aside. */
   all(): Promise<T[]>;
 }
+
+/** The shelves with programs, parts of which had other names before version 4. */
+const RENAMED = ['drafts', 'unfinished', 'backups'] as const;
 
 /** The version of the shelves. A browser refuses it when a newer version of this page has been here. */
 const VERSION = 5;
@@ -49,10 +53,14 @@ export function openStorage(name: string, onEmptied: () => void = () => {}): Ope
     if (!service('indexedDB')) throw new Error('the browser has no storage for this page');
     let isEmpty = false;
     const database = await openDB<Schema>(name, VERSION, {
-      upgrade(changed, before) {
+      async upgrade(changed, before, _, change) {
         isEmpty = before === 0;
         for (const store of STORES) {
           if (!changed.objectStoreNames.contains(store)) changed.createObjectStore(store, { keyPath: 'key' });
+        }
+        if (isEmpty || before >= 4) return;
+        for (const store of RENAMED) {
+          for await (const entry of change.objectStore(store)) await entry.update(withPresentNames(entry.value));
         }
       },
       blocking: (_, version, event) => {

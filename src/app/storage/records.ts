@@ -1,18 +1,21 @@
 import * as v from 'valibot';
 import {
   LIMITS,
+  type Model,
   requireFlight,
   requireModel,
   requireProgram,
   requireSetting,
   requireShape,
   requireVersion,
+  type ServoUse,
   sameLayout,
   type TimerProgram,
 } from '../../program/index.js';
 import { type Identity, requireIdentity } from '../../protocol/index.js';
 import type { Content } from '../editing/content.js';
-import { type History, MAX_STEPS, STEP_CODES } from '../editing/history.js';
+import { FORMER_STEPS, type History, MAX_STEPS, STEP_CODES, type StepName } from '../editing/history.js';
+import { withPresentNames } from './former-names.js';
 
 /*
  * Stored data is checked as strictly as data from the wire: a fault of another version, of the browser or of a disk
@@ -82,12 +85,19 @@ const backupOf = v.optional(v.fallback(v.optional(key), undefined));
 const steps = v.pipe(
   v.array(
     v.object({
-      name: v.object({ code: v.picklist(STEP_CODES), params }),
+      name: v.union([
+        v.object({ code: v.picklist(STEP_CODES), params }),
+        v.pipe(v.object({ code: v.picklist([...FORMER_STEPS.keys()]), params }), v.transform(presentStep)),
+      ]),
       state: v.object({ working: wanted, texts, of, backupOf }),
     }),
   ),
   v.maxLength(MAX_STEPS),
 );
+function presentStep({ code, params }: { readonly code: string; readonly params: StepName['params'] }): StepName {
+  return { code: FORMER_STEPS.get(code) as StepName['code'], params };
+}
+
 const history: v.GenericSchema<unknown, History<Content>> = v.object({
   past: steps,
   future: steps,
@@ -105,11 +115,11 @@ export const draftSchema = v.pipe(
     texts,
     of,
     backupOf,
-    /** The steps to undo and redo. If they cannot be read, the draft must not be lost. */
+    /** The steps to undo and redo; older drafts have none. If they cannot be read, the draft must not be lost. */
     history: v.optional(v.fallback(v.optional(history), undefined)),
     /** Milliseconds since 1970. */
     savedAt: date,
-    /** When the baseline was read, in milliseconds since 1970. */
+    /** When the baseline was read, in milliseconds since 1970; older drafts do not say. */
     readAt: v.optional(v.nullable(date)),
     /** When it was made, in milliseconds since 1970; only for a program that was read from no timer. */
     madeAt: v.exactOptional(date),
@@ -140,10 +150,10 @@ export const unfinishedSchema = v.variant('kind', [
       before: held,
       /** What it was to hold. */
       goal: held,
-      /** When `before` was read, in milliseconds since 1970; null when that is not known. */
-      readAt: v.nullable(date),
+      /** When `before` was read, in milliseconds since 1970; older records do not say. */
+      readAt: v.optional(v.nullable(date), null),
       /** When a fresh reading has explained what the timer holds. From then on only the offer to finish it is left. */
-      seenAt: v.nullable(date),
+      seenAt: v.optional(v.nullable(date), null),
       /** Set for a position that was sent while the servos followed: no write that could be finished. */
       tried: v.exactOptional(v.literal(true)),
     }),
@@ -156,8 +166,8 @@ export const unfinishedSchema = v.variant('kind', [
     identity,
     /** The memory that was current and has to be restored, counted from 0; means nothing after `select`. */
     original: whole(0, 254),
-    /** What it was. */
-    job: v.picklist(['look', 'select', 'back-up', 'copy', 'restore']),
+    /** What it was; older records do not say. */
+    job: v.exactOptional(v.picklist(['look', 'select', 'back-up', 'copy', 'restore'])),
     /** The memory that was looked at or selected, counted from 0. */
     memory: v.exactOptional(whole(0, 254)),
   }),
@@ -179,10 +189,25 @@ export const backupSchema = v.object({
 });
 export type Backup = v.InferOutput<typeof backupSchema>;
 
+/** Earlier versions did not check the order of a servo's ends: a model from a file may have them swapped. */
+function withEndsInOrder(model: unknown): unknown {
+  const { servos } = { ...(model as Partial<Model> | null) };
+  if (!Array.isArray(servos) || !servos.some((use: Partial<ServoUse> | null) => isTurned(use))) return model;
+  return {
+    ...(model as Model),
+    servos: servos.map((use: ServoUse) => (isTurned(use) ? { ...use, low: use.high, high: use.low } : use)),
+  };
+}
+
+function isTurned(use: Partial<ServoUse> | null): boolean {
+  const { low, high } = { ...use };
+  return typeof low === 'number' && typeof high === 'number' && low > high;
+}
+
 /** A model of the library, by its id. */
 export const modelSchema = v.object({
   key,
-  model: checked(requireModel),
+  model: v.pipe(v.unknown(), v.transform(withEndsInOrder), checked(requireModel)),
   /** Milliseconds since 1970. */
   changedAt: date,
   /** What the memories of its timer held when they were last verified, one entry for each. */
@@ -201,7 +226,10 @@ export const settingSchema = v.object({
   key,
   setting: checked(requireSetting),
   changedAt: date,
-  /** What it held before, the latest first. If they cannot be read, the setting must not be lost. */
+  /**
+   * What it held before, the latest first; older records have none. If they cannot be read, the setting must not be
+   * lost.
+   */
   versions: v.optional(v.fallback(v.optional(versions), undefined)),
 });
 export type SettingRecord = v.InferOutput<typeof settingSchema>;
@@ -211,7 +239,11 @@ export const flightSchema = v.object({ key, flight: checked(requireFlight), chan
 export type FlightRecord = v.InferOutput<typeof flightSchema>;
 
 /** Positions that were tried on the bench and neither kept nor put back, by kind of timer and memory. */
-export const trialsSchema = v.array(v.object({ key, before: held, touched: v.array(v.string()) }));
+export const trialsSchema = v.pipe(
+  v.unknown(),
+  v.transform(withPresentNames),
+  v.array(v.object({ key, before: held, touched: v.array(v.string()) })),
+);
 
 /** The open questions of docs/protocol.md that a pilot can settle with a timer. The usual answer stands first. */
 export const ANSWERS = {

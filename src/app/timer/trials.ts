@@ -4,6 +4,7 @@ import { loadSetting, saveSetting } from '../browser/settings.js';
 import type { FieldValue } from '../editing/edit.js';
 import { trialsSchema } from '../storage/records.js';
 import { isSimulated } from './knowledge.js';
+import { programKey } from './record-keys.js';
 
 /** Positions that were tried while the servos followed. */
 export interface Trial {
@@ -109,5 +110,10 @@ export class Trials {
 /** Null where the browser keeps nothing. */
 function kept(): ReadonlyMap<string, Trial> | null {
   const trials = loadSetting(TRIALS, trialsSchema);
-  return trials && new Map(trials.map(({ key, before, touched }) => [key, { before, touched: new Set(touched) }]));
+  // Earlier versions had the number of a tab in the key, and lost the question with the tab.
+  const keyOf = (key: string, before: TimerProgram): string => programKey(before, isSimulated({ key }));
+  return (
+    trials &&
+    new Map(trials.map(({ key, before, touched }) => [keyOf(key, before), { before, touched: new Set(touched) }]))
+  );
 }

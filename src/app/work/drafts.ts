@@ -80,7 +80,7 @@ export class Drafts {
 
   /**
    * A stored draft is worked on: it gets the place of its program. Some have another one, because what was there must
-   * not be overwritten.
+   * not be overwritten, or because an earlier version kept the work of each tab apart.
    */
   take(draft: Draft): Draft {
     const own = { ...draft, key: workKey(draft.working, draft.simulated, draft.madeAt) };

@@ -23,7 +23,7 @@ export type Offer =
 
 /** A job that selects other memories and comes back; with `select` it stays. */
 export interface RoundTrip {
-  readonly job: UnfinishedRoundTrip['job'];
+  readonly job: NonNullable<UnfinishedRoundTrip['job']>;
   /** The memory that is looked at or selected, counted from 0; null for several. */
   readonly memory: number | null;
 }

@@ -225,7 +225,8 @@ describe('following', () => {
     const kept = (): { key: string; before: object }[] =>
       JSON.parse(localStorage.getItem('sidus-timer/trials') ?? '[]');
     const [own] = kept();
-    const other = { ...own, before: { ...own?.before, memory: 2 }, key: 'timer/Q/536/10/3/2' };
+    // Earlier versions had the number of a tab at the end of the key.
+    const other = { ...own, before: { ...own?.before, memory: 2 }, key: 'timer/Q/536/10/3/2/4' };
     localStorage.setItem('sidus-timer/trials', JSON.stringify([own, other]));
     set(app, [S2, 66]);
     await idle();

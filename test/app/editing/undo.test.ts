@@ -202,7 +202,7 @@ describe('what is kept', () => {
   });
 
   it.each([
-    ['without a history', undefined],
+    ['of an earlier version, without a history', undefined],
     ['whose history cannot be read', { past: [{ name: { code: 'no such step', params: {} }, state: 1 }] }],
   ])('is taken %s', (_, history) => {
     const { history: _own, ...content } = editorOf().snapshot() ?? {};

@@ -139,6 +139,153 @@ describe('the storage of the browser', () => {
   });
 });
 
+describe('what version 3 has stored', () => {
+  const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 3, memories: 4, servos: 1 };
+  const was = (dt: number) => ({
+    identity: IDENTITY,
+    memory: 0,
+    timers: [1000, 0, 500, dt],
+    positions: [[1, 2, 3, 4]],
+    idleThrottle: null,
+  });
+  const is = (dt: number) => {
+    const { timers, ...rest } = was(dt);
+    return { ...rest, times: timers };
+  };
+
+  it('is read under its new names, nothing of it lost', async () => {
+    const own = `test ${Math.random()}`;
+    onTestFinished(() => void indexedDB.deleteDatabase(own));
+    const old = await openDB(own, 3, {
+      upgrade(database) {
+        for (const store of ['drafts', 'unfinished', 'backups', 'ports', 'aside']) {
+          database.createObjectStore(store, { keyPath: 'key' });
+        }
+      },
+    });
+    const step = { name: { code: 'shift', params: { column: 2, by: 50 } }, state: { working: was(3), texts: {} } };
+    const draft = {
+      key: 'd',
+      baseline: was(1),
+      working: was(2),
+      texts: { 'time:3': '2,3' },
+      history: { past: [step], future: [step], open: null },
+      savedAt: 5,
+      readAt: 4,
+      simulated: false,
+    };
+    const write = {
+      key: 'w',
+      kind: 'write',
+      startedAt: 1,
+      before: was(1),
+      goal: was(2),
+      readAt: 1,
+      seenAt: null,
+    };
+    const walk = { key: 'm', kind: 'memories', startedAt: 1, identity: IDENTITY, home: 2 };
+    const backup = { key: 'b', savedAt: 1, reason: 'write', program: was(7), simulated: true };
+    // Both had the number of a tab: several could work at the same time.
+    await old.put('drafts', { ...draft, tab: 2 });
+    await old.put('unfinished', { ...write, tab: 2 });
+    await old.put('unfinished', walk);
+    await old.put('backups', backup);
+    old.close();
+
+    const { drafts, unfinished, backups, aside } = browserStorage(own);
+    const newStep = { name: { code: 'shift', params: { slot: 2, by: 50 } }, state: { working: is(3), texts: {} } };
+    const history = { past: [newStep], future: [newStep], open: null };
+    expect(await drafts.all()).toEqual([{ ...draft, baseline: is(1), working: is(2), history }]);
+    const { home, ...rest } = walk;
+    expect(await unfinished.all()).toEqual([
+      { ...rest, original: home },
+      { ...write, before: is(1), goal: is(2) },
+    ]);
+    expect(await backups.all()).toEqual([{ ...backup, program: is(7) }]);
+    expect(await aside.all()).toEqual([]);
+  });
+});
+
+describe('what each older version has stored', () => {
+  const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 3, memories: 4, servos: 1 };
+  const was = (times: 'timers' | 'times') => ({
+    identity: IDENTITY,
+    memory: 0,
+    [times]: [1000, 0, 500, 18000],
+    positions: [[1, 2, 3, 4]],
+    idleThrottle: null,
+  });
+  const is = was('times');
+
+  it.each([
+    [1, ['drafts'], 'timers'],
+    [2, ['drafts', 'unfinished', 'backups', 'ports'], 'timers'],
+    [3, ['drafts', 'unfinished', 'backups', 'ports', 'aside'], 'timers'],
+    [4, ['drafts', 'unfinished', 'backups', 'ports', 'aside'], 'times'],
+  ] as const)(
+    'version %i: drafts, writes and backups stay where they are, and a library finds its shelves',
+    async (version, shelves, times) => {
+      const own = `test ${Math.random()}`;
+      onTestFinished(() => void indexedDB.deleteDatabase(own));
+      const old = await openDB(own, version, {
+        upgrade(database) {
+          for (const shelf of shelves) database.createObjectStore(shelf, { keyPath: 'key' });
+        },
+      });
+      const draft = { key: 'd', baseline: was(times), working: was(times), texts: { 'time:3': '2,3' }, savedAt: 5 };
+      const backup = { key: 'b', savedAt: 1, reason: 'write', program: was(times), simulated: false };
+      const write = { key: 'w', kind: 'write', startedAt: 1, before: was(times), goal: was(times) };
+      await old.put('drafts', { ...draft, simulated: false });
+      const isFirst = version === 1;
+      if (!isFirst) await old.put('backups', backup);
+      if (!isFirst) await old.put('unfinished', write);
+      old.close();
+
+      const storage = browserStorage(own);
+      expect(await storage.drafts.all()).toMatchObject([{ key: 'd', baseline: is, working: is, texts: draft.texts }]);
+      expect(await storage.backups.all()).toMatchObject(isFirst ? [] : [{ key: 'b', program: is }]);
+      expect(await storage.unfinished.all()).toMatchObject(isFirst ? [] : [{ key: 'w', before: is, goal: is }]);
+      expect(await storage.aside.all()).toEqual([]);
+      const record = { key: MODEL.id, model: MODEL, changedAt: 5, verified: [] };
+      const setting = { key: SETTING.id, setting: SETTING, changedAt: 5 };
+      const flight = { key: FLIGHT.id, flight: FLIGHT, changedAt: 5 };
+      await Promise.all([storage.models.save(record), storage.settings.save(setting), storage.flights.save(flight)]);
+      const next = browserStorage(own);
+      expect([await next.models.all(), await next.settings.all(), await next.flights.all()]).toEqual([
+        [record],
+        [setting],
+        [flight],
+      ]);
+    },
+  );
+});
+
+describe('a library of the first version', () => {
+  it('is read as it was, also a servo whose ends were never checked', async () => {
+    const own = name();
+    const database = await openStorage(own)();
+    const use = { duty: 'rudder', name: '', low: 95, high: 20, reversed: false } as const;
+    const program = SETTING.program;
+    const model = { ...MODEL, servos: [use], archived: true };
+    const verified = [{ program, at: 4, simulated: true }];
+    const record = { key: MODEL.id, changedAt: 5, verified, model };
+    const setting = { key: SETTING.id, changedAt: 5, setting: { ...SETTING, from: 'backup' } };
+    const flight = { key: FLIGHT.id, changedAt: 5, flight: FLIGHT };
+    const backup = { key: 'b', savedAt: 1, reason: 'write', program, simulated: false, model: MODEL.id };
+    // It had a picture and places of its own in the lists.
+    await database.put('models', { ...record, order: 2, model: { ...model, photo: 'abcd' } });
+    await database.put('settings', { ...setting, order: 1 });
+    await database.put('flights', flight);
+    await database.put('backups', backup);
+    database.close();
+    const { models, settings, flights, backups, aside } = browserStorage(own);
+    const servos = [{ ...use, low: 20, high: 95 }];
+    expect(await models.all()).toEqual([{ ...record, model: { ...model, servos } }]);
+    expect([await settings.all(), await flights.all(), await backups.all()]).toEqual([[setting], [flight], [backup]]);
+    expect(await aside.all()).toEqual([]);
+  });
+});
+
 describe('an old version of the page in another tab', () => {
   /** It has something on the only shelf that it knows. */
   async function oldTab(own: string, letsGo: boolean) {

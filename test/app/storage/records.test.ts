@@ -1,5 +1,6 @@
 import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
+import { stepText } from '../../../src/app/messages/index.js';
 import {
   backupSchema,
   draftSchema,
@@ -110,6 +111,31 @@ describe('what a pilot has typed', () => {
       history: undefined,
     });
   });
+
+  it.each<[former: string, params: object, name: object]>([
+    ['type', { field: 'time:1' }, { code: 'change', params: { field: 'time:1' } }],
+    ['revert-row', { slot: 2 }, { code: 'change', params: { slot: 2 } }],
+    ['copy-servo', { from: 0, to: 2 }, { code: 'change', params: { from: 0, to: 2 } }],
+    ['reverse-servo', { servo: 1 }, { code: 'change', params: { servo: 1 } }],
+    ['revert-column', { name: 'S1' }, { code: 'change', params: { name: 'S1' } }],
+    ['finish-write', {}, { code: 'open', params: {} }],
+    ['restore', {}, { code: 'open', params: {} }],
+    ['lay-over', {}, { code: 'open', params: {} }],
+    ['load-setting', { name: 'calm' }, { code: 'open', params: { name: 'calm' } }],
+    ['saved-elsewhere', {}, { code: 'open', params: {} }],
+    ['shift', { slot: 3, by: 50 }, { code: 'shift', params: { slot: 3, by: 50 } }],
+  ])('keeps the history of before, in which a step is called “%s”', (code, params, name) => {
+    const state = { working: PROGRAM, texts: {} };
+    const read = (step: object) =>
+      v.parse(draftSchema, { ...DRAFT, history: { past: [{ name: step, state }], future: [], open: null } }).history;
+    expect(read({ code, params })).toEqual(read(name));
+    expect(read({ code, params })?.past).toMatchObject([{ name }]);
+    expect(read({ code: 'never-used', params })).toBeUndefined();
+  });
+
+  it('says of a servo that was copied to another which of them has changed', () => {
+    expect(stepText(PROGRAM.identity, { code: 'change', params: { from: 0, to: 2 } })).toBe('change of S3');
+  });
 });
 
 it.each<[string, object]>([
@@ -131,6 +157,11 @@ describe('a model', () => {
   const stored = (servos: unknown) => ({ key: 'm', model: { ...MODEL, servos }, changedAt: 5, verified: [] });
   const [use] = MODEL.servos;
 
+  it('that was kept with the ends of a servo in the wrong order is read with them in order', () => {
+    const { output } = v.safeParse(modelSchema, stored([use, { ...use, low: 95, high: 20 }]));
+    expect(output).toEqual(stored([use, { ...use, low: 20, high: 95 }]));
+  });
+
   it.each([null, {}, [null], [{ ...use, low: '95', high: 20 }], [{ ...use, low: 131, high: 20 }]])(
     'with servos %o is none',
     (servos) => expect(v.is(modelSchema, stored(servos))).toBe(false),
@@ -140,7 +171,7 @@ describe('a model', () => {
 describe('the record of a setting', () => {
   const stored = { key: SETTING.id, changedAt: 1, setting: SETTING };
 
-  it('is read as it is, with earlier versions and without', () => {
+  it('of an earlier version of the page has no versions, and is read as it is', () => {
     expect(v.parse(settingSchema, stored)).toEqual(stored);
     expect(v.parse(settingSchema, { ...stored, versions: [VERSION] })).toEqual({ ...stored, versions: [VERSION] });
   });
