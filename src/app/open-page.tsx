@@ -18,6 +18,7 @@ import { browserErasers } from './settings/erasers.js';
 import type { Theme } from './settings/theme.js';
 import { FramedPage, isFramed } from './shell/framed-page.js';
 import { OtherTabPage } from './shell/other-tab-page.js';
+import { shortcutOf } from './shell/shortcut.js';
 import { browserStorage } from './storage/index.js';
 import type { Session } from './work/session.js';
 
@@ -64,13 +65,15 @@ async function work(root: HTMLElement, theme: Theme, tab: OneTab, lacks: readonl
   // Long work on a slow device comes in pieces, so that the page hears the pilot between them.
   await nextTask();
   installation.follow(window);
+  const lead = tried(() => shortcutOf(window)) ?? (() => {});
   tried(() => views.follow(window));
   // Thousands of settings are read while their view is being loaded.
   if (views.shown.value === 'library') void session.library.load();
   tried(() => sharing.follow(window, () => views.address));
   leaveComposing(window);
   render(<App models={models} />, root);
-  void session.keptWork.start();
+  lead();
+  void session.keptWork.start().then(lead);
   afterPaint(() => void fetchParts().then(() => getReady(session)));
 
   tab.work(

@@ -24,6 +24,7 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
     <button
       type="button"
       class={large ? 'primary large' : leads ? 'primary' : ''}
+      data-lead="connect"
       disabled={session.engaged.value}
       onClick={() => void (isBack ? session.timer.comeBack() : session.timer.connect())}
     >

@@ -127,7 +127,7 @@ function nameOf({ working: { identity, memory }, madeAt }: Draft): string {
 export function Simulated({ session }: { readonly session: Session }) {
   const { start, classNames } = messages.value;
   return (
-    <section class="stack panel start-card" aria-labelledby="simulated-title">
+    <section class="stack panel start-card" aria-labelledby="simulated-title" data-lead="simulated">
       <h2 id="simulated-title">{start.simulatedTitle}</h2>
       <p>{start.simulatedLead}</p>
       <div class="buttons">

@@ -413,8 +413,13 @@ first_again = Načíst znovu
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
 manifest_description = Nastavuje časovače Sidus F1Q, F1B a F1E pro volné modely: přečte, co časovač obsahuje, přijme vaše změny, zapíše je, kontrolně přečte a porovná. Uchovává vaše modely a programy na tomto zařízení. Funguje bez sítě.
+manifest_connect = Připojit časovač
+manifest_connectShort = Připojit
+manifest_connectWhat = Úvodní stránka s tlačítkem „Připojit“
 manifest_library = Knihovna
 manifest_libraryWhat = Modely a jejich programy
+manifest_simulated = Simulovaný časovač
+manifest_simulatedWhat = Úvodní stránka se simulovanými časovači
 manifest_pictures_program = Program časovače se dvěma označenými změnami
 manifest_pictures_write = Co zápis změní, ukázáno před zápisem
 manifest_pictures_programPhone = Celý program na telefonu

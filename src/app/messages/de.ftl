@@ -400,8 +400,13 @@ first_again = Neu laden
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
 manifest_description = Stellt Sidus-Timer für den Freiflug ein, F1Q, F1B und F1E: liest, was ein Timer enthält, nimmt Ihre Änderungen, schreibt sie, liest sie zurück und vergleicht. Bewahrt Ihre Modelle und Programme auf diesem Gerät auf. Geht ohne Netz.
+manifest_connect = Einen Timer verbinden
+manifest_connectShort = Verbinden
+manifest_connectWhat = Die Startseite, mit „Verbinden“ zur Hand
 manifest_library = Bibliothek
 manifest_libraryWhat = Modelle und ihre Programme
+manifest_simulated = Simulierter Timer
+manifest_simulatedWhat = Die Startseite, mit den simulierten Timern zur Hand
 manifest_pictures_program = Das Programm eines Timers, zwei Änderungen markiert
 manifest_pictures_write = Was das Schreiben ändern wird, bevor es geschieht
 manifest_pictures_programPhone = Das ganze Programm auf einem Telefon

@@ -446,8 +446,13 @@ first_again = Load it again
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
 manifest_description = Sets Sidus F1Q, F1B and F1E free-flight timers: reads what a timer holds, takes your changes, writes them, reads them back and compares. Keeps your models and programs on this device. Works without a network.
+manifest_connect = Connect a timer
+manifest_connectShort = Connect
+manifest_connectWhat = The start, with Connect at hand
 manifest_library = Library
 manifest_libraryWhat = Models and their programs
+manifest_simulated = Simulated timer
+manifest_simulatedWhat = The start, with the simulated timers at hand
 manifest_pictures_program = The program of a timer, with two changes marked
 manifest_pictures_write = What a write will change, before it is written
 manifest_pictures_programPhone = The whole program on a phone

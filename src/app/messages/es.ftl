@@ -400,8 +400,13 @@ first_again = Volver a cargar
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
 manifest_description = Ajusta los temporizadores Sidus F1Q, F1B y F1E de vuelo libre: lee lo que contiene un temporizador, recoge sus cambios, los escribe, los relee y compara. Conserva sus modelos y programas en este dispositivo. Funciona sin red.
+manifest_connect = Conectar un temporizador
+manifest_connectShort = Conectar
+manifest_connectWhat = La página inicial, con Conectar a mano
 manifest_library = Biblioteca
 manifest_libraryWhat = Los modelos y sus programas
+manifest_simulated = Temporizador simulado
+manifest_simulatedWhat = La página inicial, con los temporizadores simulados a mano
 manifest_pictures_program = El programa de un temporizador, con dos cambios marcados
 manifest_pictures_write = Qué cambiará una escritura, antes de escribir
 manifest_pictures_programPhone = El programa entero en un teléfono

@@ -401,8 +401,13 @@ first_again = Recharger
 ## What a system shows of the installed page.
 
 manifest_description = Règle les minuteries de vol libre Sidus F1Q, F1B et F1E{"\u00a0"}: lit ce qu’une minuterie contient, prend vos changements, les écrit, les relit et compare. Garde vos modèles et programmes sur cet appareil. Fonctionne sans réseau.
+manifest_connect = Connecter une minuterie
+manifest_connectShort = Connecter
+manifest_connectWhat = L’accueil, avec Connecter sous la main
 manifest_library = Bibliothèque
 manifest_libraryWhat = Les modèles et leurs programmes
+manifest_simulated = Minuterie simulée
+manifest_simulatedWhat = L’accueil, avec les minuteries simulées sous la main
 manifest_pictures_program = Le programme d’une minuterie, avec deux changements marqués
 manifest_pictures_write = Ce qu’une écriture va changer, avant d’écrire
 manifest_pictures_programPhone = Tout le programme sur un téléphone

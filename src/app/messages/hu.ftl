@@ -362,8 +362,13 @@ first_again = Betöltés újra
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
 manifest_description = Sidus F1Q, F1B és F1E időzítőket állít be szabadonrepülő modellekhez: kiolvassa, mi van az időzítőben, átveszi az Ön módosításait, beírja, visszaolvassa és összeveti őket. A modelleket és a programokat ezen az eszközön őrzi. Hálózat nélkül is működik.
+manifest_connect = Kapcsolódás időzítőhöz
+manifest_connectShort = Kapcsolódás
+manifest_connectWhat = A kezdőlap, innen lehet kapcsolódni
 manifest_library = Könyvtár
 manifest_libraryWhat = Modellek és programjaik
+manifest_simulated = Szimulált időzítő
+manifest_simulatedWhat = A kezdőlap a szimulált időzítőkkel
 manifest_pictures_program = Egy időzítő programja két megjelölt módosítással
 manifest_pictures_write = Mit módosít egy írás, még a beírás előtt
 manifest_pictures_programPhone = A teljes program telefonon

@@ -401,8 +401,13 @@ first_again = Ricarica
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
 manifest_description = Imposta i timer Sidus F1Q, F1B e F1E per il volo libero: legge ciò che un timer contiene, prende le modifiche, le scrive, le rilegge e confronta. Conserva modelli e programmi su questo dispositivo. Funziona senza rete.
+manifest_connect = Connetti un timer
+manifest_connectShort = Connetti
+manifest_connectWhat = La pagina iniziale, con Connetti a portata di mano
 manifest_library = Libreria
 manifest_libraryWhat = I modelli e i loro programmi
+manifest_simulated = Timer simulato
+manifest_simulatedWhat = La pagina iniziale, con i timer simulati a portata di mano
 manifest_pictures_program = Il programma di un timer, con due modifiche segnate
 manifest_pictures_write = Che cosa cambierà una scrittura, prima di scrivere
 manifest_pictures_programPhone = L’intero programma su un telefono

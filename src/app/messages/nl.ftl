@@ -400,8 +400,13 @@ first_again = Opnieuw laden
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
 manifest_description = Stelt Sidus-timers voor vrije vlucht in, F1Q, F1B en F1E: leest wat een timer bevat, neemt je wijzigingen, schrijft ze, leest ze terug en vergelijkt. Bewaart je modellen en programma’s op dit apparaat. Werkt zonder netwerk.
+manifest_connect = Een timer verbinden
+manifest_connectShort = Verbinden
+manifest_connectWhat = De startpagina, met “Verbinden” bij de hand
 manifest_library = Bibliotheek
 manifest_libraryWhat = Modellen en hun programma’s
+manifest_simulated = Gesimuleerde timer
+manifest_simulatedWhat = De startpagina, met de gesimuleerde timers bij de hand
 manifest_pictures_program = Het programma van een timer, met twee wijzigingen gemarkeerd
 manifest_pictures_write = Wat schrijven zal wijzigen, voordat het gebeurt
 manifest_pictures_programPhone = Het hele programma op een telefoon

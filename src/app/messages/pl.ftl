@@ -413,8 +413,13 @@ first_again = Wczytaj ponownie
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
 manifest_description = Ustawia timery Sidus F1Q, F1B i F1E modeli swobodnie latających: odczytuje zawartość timera, przyjmuje twoje zmiany, wgrywa je, odczytuje kontrolnie i porównuje. Przechowuje twoje modele i programy na tym urządzeniu. Działa bez sieci.
+manifest_connect = Połącz timer
+manifest_connectShort = Połącz
+manifest_connectWhat = Strona początkowa z przyciskiem „Połącz”
 manifest_library = Biblioteka
 manifest_libraryWhat = Modele i ich programy
+manifest_simulated = Symulowany timer
+manifest_simulatedWhat = Strona początkowa z symulowanymi timerami
 manifest_pictures_program = Program timera z dwiema wyróżnionymi zmianami
 manifest_pictures_write = Co zmieni wgranie, pokazane przed wgraniem
 manifest_pictures_programPhone = Cały program na telefonie

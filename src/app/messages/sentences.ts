@@ -931,8 +931,13 @@ export interface FirstSentences {
 export interface ManifestSentences {
   readonly manifest: {
     readonly description: string;
+    readonly connect: string;
+    readonly connectShort: string;
+    readonly connectWhat: string;
     readonly library: string;
     readonly libraryWhat: string;
+    readonly simulated: string;
+    readonly simulatedWhat: string;
     readonly pictures: {
       readonly program: string;
       readonly write: string;

@@ -413,8 +413,13 @@ first_again = Завантажити знову
 ## What a system shows of the installed page: public/manifest.webmanifest has the same in English.
 
 manifest_description = Налаштовує таймери Sidus F1Q, F1B і F1E для вільнолітаючих моделей: зчитує, що містить таймер, приймає ваші зміни, записує їх, зчитує повторно й порівнює. Тримає ваші моделі й програми на цьому пристрої. Працює без мережі.
+manifest_connect = З’єднати таймер
+manifest_connectShort = З’єднати
+manifest_connectWhat = Початок, де можна з’єднатися
 manifest_library = Бібліотека
 manifest_libraryWhat = Моделі та їхні програми
+manifest_simulated = Симульований таймер
+manifest_simulatedWhat = Початок, де є симульовані таймери
 manifest_pictures_program = Програма таймера з двома позначеними змінами
 manifest_pictures_write = Що змінить запис, до самого запису
 manifest_pictures_programPhone = Уся програма на телефоні
