@@ -1335,6 +1335,7 @@ timeline_servos =
     }
 timeline_keysToEdit = Šipky vedou od značky ke značce a od serva k servu, plus a minus mění zvětšení, 0 ukáže vše. Enter vede k úchytům: šipky jimi pohybují, Escape se vrátí.
 timeline_ask = Ukažte nebo klepněte a čtěte
+timeline_finer = Jemněji
 timeline_steps =
     { $position ->
         [one] { $position } krok

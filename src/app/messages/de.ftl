@@ -1301,6 +1301,7 @@ timeline_servos =
     }
 timeline_keysToEdit = Pfeile gehen von Marke zu Marke und von Servo zu Servo, Plus und Minus zoomen, 0 zeigt alles. Enter geht zu den Griffen: Pfeile verschieben sie, Escape kommt zurück.
 timeline_ask = Zeigen oder tippen, um abzulesen
+timeline_finer = Feiner
 timeline_steps =
     { $position ->
         [one] { $position } Schritt

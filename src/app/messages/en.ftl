@@ -1400,6 +1400,8 @@ timeline_servos =
     }
 timeline_keysToEdit = Arrows go from mark to mark and from servo to servo, plus and minus zoom, 0 shows all. Enter goes to the handles: arrows move them, Escape comes back.
 timeline_ask = Point or tap to read
+# While a handle is moved: the further away the pointer is, the finer.
+timeline_finer = Finer
 timeline_steps =
     { $position ->
         [one] { $position } step

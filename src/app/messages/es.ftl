@@ -1305,6 +1305,7 @@ timeline_servos =
     }
 timeline_keysToEdit = Las flechas van de marca en marca y de servo en servo, más y menos amplían y reducen, 0 muestra todo. Intro va a los tiradores: las flechas los mueven, Escape vuelve.
 timeline_ask = Señale o toque para leer
+timeline_finer = Más fino
 timeline_steps =
     { $position ->
         [one] { $position } paso

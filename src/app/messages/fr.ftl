@@ -1306,6 +1306,7 @@ timeline_servos =
     }
 timeline_keysToEdit = Les flèches vont de repère en repère et de servo en servo, plus et moins changent le zoom, 0 montre tout. Entrée mène aux poignées{"\u00a0"}: les flèches les déplacent, Échap en revient.
 timeline_ask = Pointez ou touchez pour lire
+timeline_finer = Plus fin
 timeline_steps =
     { $position ->
         [one] { $position } pas

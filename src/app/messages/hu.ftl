@@ -1173,6 +1173,7 @@ timeline_functions = { $count } funkció
 timeline_servos = { $count } szervó
 timeline_keysToEdit = A nyilak jelről jelre és szervóról szervóra lépnek, plusz és mínusz nagyít és kicsinyít, a 0 mindent mutat. Az Enter a fogantyúkhoz visz: ezeket a nyilak mozgatják, az Escape visszalép.
 timeline_ask = Leolvasáshoz mutasson rá vagy érintse meg
+timeline_finer = Finomabban
 timeline_steps = { $position } lépés
 timeline_stepsUnit = lépés
 timeline_notKnown = Nem tudni: az idők csökkennek

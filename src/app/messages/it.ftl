@@ -1306,6 +1306,7 @@ timeline_servos =
     }
 timeline_keysToEdit = Le frecce vanno da un segno all’altro e da un servo all’altro, più e meno ingrandiscono e riducono, 0 mostra tutto. Invio va alle maniglie: le frecce le spostano, Esc torna indietro.
 timeline_ask = Puntare o toccare per leggere
+timeline_finer = Più fine
 timeline_steps =
     { $position ->
         [one] { $position } passo

@@ -1301,6 +1301,7 @@ timeline_servos =
     }
 timeline_keysToEdit = Pijlen gaan van markering naar markering en van servo naar servo, plus en min zoomen, 0 toont alles. Enter gaat naar de handvatten: pijlen verplaatsen ze, Escape gaat terug.
 timeline_ask = Wijs of tik om af te lezen
+timeline_finer = Fijner
 timeline_steps =
     { $position ->
         [one] { $position } stap

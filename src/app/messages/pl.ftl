@@ -1335,6 +1335,7 @@ timeline_servos =
     }
 timeline_keysToEdit = Strzałki prowadzą od znaku do znaku i od serwa do serwa, plus i minus zmieniają powiększenie, 0 pokazuje wszystko. Enter prowadzi do uchwytów: strzałki je przesuwają, Escape wraca.
 timeline_ask = Wskaż lub dotknij, aby odczytać
+timeline_finer = Dokładniej
 timeline_steps =
     { $position ->
         [one] { $position } krok

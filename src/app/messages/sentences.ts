@@ -672,6 +672,7 @@ export interface PageSentences {
     readonly servos: (params: { readonly count: number }) => string;
     readonly keysToEdit: string;
     readonly ask: string;
+    readonly finer: string;
     readonly steps: (params: { readonly position: number }) => string;
     readonly stepsUnit: string;
     readonly notKnown: string;

@@ -1340,6 +1340,7 @@ timeline_servos =
     }
 timeline_keysToEdit = Стрілки ведуть від позначки до позначки й від сервопривода до сервопривода, плюс і мінус змінюють масштаб, 0 показує все. Enter веде до ручок: їх рухають стрілки, Escape повертає.
 timeline_ask = Наведіть або торкніться, щоб прочитати
+timeline_finer = Точніше
 timeline_steps =
     { $position ->
         [one] { $position } крок

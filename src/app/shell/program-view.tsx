@@ -38,6 +38,7 @@ export function ProgramView(props: ProgramViewProps) {
   const { program, header, about, views: words } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
+  const marked = useComputed(() => programPicture.timeline.pointed.value ?? selected.value);
   const select = useCallback((field: ProgramField | null) => {
     selected.value = field;
   }, []);
@@ -98,7 +99,7 @@ export function ProgramView(props: ProgramViewProps) {
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
             {!isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
-            <ProgramTable {...{ session, bench, follow, tools }} marked={selected} />
+            <ProgramTable {...{ session, bench, follow, marked, tools }} />
             {/* A result of a write has it, too. Its place stays: DT above must not move while it is typed. */}
             {canFly && <div class="flying-place">{!isWriting && flying}</div>}
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}

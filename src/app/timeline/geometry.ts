@@ -88,14 +88,23 @@ export interface Look {
 }
 
 /** How to draw a program, in pixels. */
-export type Geometry = ReturnType<typeof geometryOf>;
+export interface Geometry extends Required<Omit<Look, 'view' | 'scale'>> {
+  readonly program: TimerProgram;
+  readonly measures: Measures;
+  readonly layout: Layout;
+  readonly stages: readonly Stage[];
+  readonly flags: readonly Flag[];
+  /** The times that stand below the plot. */
+  readonly ticks: readonly number[];
+  readonly motorStop: number | null;
+}
 
 /** In pixels: the least distance of two marks on the stretched axis, the run-out, the least distance of two times. */
 const MARK_GAP = 28;
 const RUN_OUT_ROOM = 16;
 const TICK_GAP = 52;
 
-export function geometryOf(program: TimerProgram, measures: Measures, look: Look) {
+export function geometryOf(program: TimerProgram, measures: Measures, look: Look): Geometry {
   const { front, first = 0, names, selected = null, behind = null, view = WHOLE } = look;
   const { left, right, top, bottom, radius } = measures;
   const width = measures.width - left - right;
@@ -108,6 +117,7 @@ export function geometryOf(program: TimerProgram, measures: Measures, look: Look
   const stages = stagesOf(program);
   // A selected time goes before all others but DT.
   const chosen = selected?.kind === 'time' ? [program.times[selected.slot] ?? 0] : [];
+  const room = { from: view.start, to: view.start + view.span, gap: (TICK_GAP / width) * view.span };
   return {
     program,
     front,
@@ -119,30 +129,57 @@ export function geometryOf(program: TimerProgram, measures: Measures, look: Look
     layout,
     stages,
     flags: flagsOf(program, stages, layout, radius),
-    /** The times that stand below the plot. */
-    ticks: ticks(scale, [stages.at(-1)?.from ?? 0], [...chosen, 0, ...marks], view, (TICK_GAP / width) * view.span),
+    ticks: ticks(scale, [stages.at(-1)?.from ?? 0], [...chosen, 0, ...marks], room),
     motorStop: motorStopOf(program),
   };
 }
 
-/** The marks of functions and DT: each `at` its time, with its number above at `x`. */
-function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout, most: number) {
+/** The mark of a function or DT: where its time is, and where its number stands above it. */
+export interface Flag {
+  readonly slot: number;
+  readonly isDt: boolean;
+  readonly at: number;
+  readonly x: number;
+  readonly radius: number;
+  /** False when there is no room for its number. */
+  readonly labelled: boolean;
+  /** Whether there is room for a circle around its number, and for a dot at each step below. */
+  readonly roomy: boolean;
+}
+
+/** The radius of the circle around a number where it is narrow, in pixels. */
+const SMALLEST_RADIUS = 8;
+
+function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout, most: number): Flag[] {
   const { left, right } = layout.box;
   const flags = stages.slice(1).map(({ slot, from }) => {
     return { slot, isDt: slotKind(program.identity, slot) === 'dt', at: layout.x(from) };
   });
   const inView = flags.filter(({ at }) => layout.shows(at));
-  // Of very many they are small: those in view are larger when the picture is.
   const room = (right - left + 2 * most) / Math.max(1, inView.length);
-  const radius = Math.max(1, Math.min(most, room / 2 - 0.5));
-  const places = spread(
-    inView.map(({ at }) => at),
-    2 * radius + 3,
-    // DT is wider, and closer to the edge of the picture than the first one.
-    left - 2 * most,
-    right,
-  );
-  return flags.map((flag) => ({ ...flag, x: places[inView.indexOf(flag)] ?? flag.at, radius }));
+  if (room >= 2 * SMALLEST_RADIUS) {
+    const radius = Math.min(most, room / 2 - 0.5);
+    const places = spread(
+      inView.map(({ at }) => at),
+      2 * radius + 3,
+      // DT is wider, and closer to the edge of the picture than the first one.
+      left - 2 * most,
+      right,
+    );
+    return flags.map((flag) => {
+      const x = places[inView.indexOf(flag)] ?? flag.at;
+      return { ...flag, x, radius, labelled: true, roomy: true };
+    });
+  }
+  // Not every mark has room for its number: DT has it, and each mark far enough from the last one with a number.
+  const dt = inView.find(({ isDt }) => isDt)?.at ?? Number.POSITIVE_INFINITY;
+  let last = Number.NEGATIVE_INFINITY;
+  return flags.map((flag) => {
+    const free = Math.abs(flag.at - last) > 3 * most && Math.abs(dt - flag.at) > 3 * most;
+    const labelled = flag.isDt || (free && layout.shows(flag.at));
+    if (labelled && !flag.isDt) last = flag.at;
+    return { ...flag, x: flag.at, radius: most, labelled, roomy: flag.isDt };
+  });
 }
 
 /** The place of a handle. */

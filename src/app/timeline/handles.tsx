@@ -38,8 +38,7 @@ function Handle({ geometry, entered, field, x, y }: HandlesProps & HandlePlace) 
   const isSelected = selected !== null && fieldKey(selected) === key;
   const value = valueAt(program, field) ?? 0;
   const { min, max } = limitsOf(program, field);
-  const servo = field.kind === 'position' ? field.servo : null;
-  const isTime = servo === null;
+  const isTime = field.kind === 'time';
   const shown = (number: number): number => (isTime ? number / 100 : number);
   return (
     <g
@@ -57,8 +56,15 @@ function Handle({ geometry, entered, field, x, y }: HandlesProps & HandlePlace) 
     >
       <rect class="reach" x={-FINGER / 2} y={-FINGER / 2} width={FINGER} height={FINGER} />
       <circle class="ring" r="15" />
-      {/* A mark has its number in its place. */}
-      {(servo !== null || field.slot === 0) && <circle class="dot" {...servoColour(servo)} r="6" />}
+      {isTime ? field.slot === 0 && <circle class="dot" r="6" /> : <Dot {...geometry} {...field} />}
     </g>
   );
+}
+
+/** The dot at a step of the selected servo. A mark has its number in its place. */
+function Dot({ flags, stages, servo, slot }: Geometry & { readonly servo: number; readonly slot: number }) {
+  const roomy = flags[slot - 1]?.roomy ?? true;
+  const passed = stages[slot]?.passing === 'passed';
+  const classes = `dot ${passed ? 'passed' : ''} ${roomy ? '' : 'small'}`;
+  return <circle class={classes} {...servoColour(servo)} r={roomy ? 6 : 3} />;
 }

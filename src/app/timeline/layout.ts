@@ -42,6 +42,7 @@ export function layoutOf(scale: Scale, view: TimeView, box: Box, lanes: readonly
   const laneOf = (servo: number): Pick<Lane, 'top' | 'bottom'> => lanes[servo] ?? box;
   return {
     scale,
+    view,
     box,
     lanes,
     highest,
@@ -75,18 +76,24 @@ export function highestOf(programs: readonly TimerProgram[]): number {
 }
 
 /**
- * The line of one servo, as the data of a path: its positions and how it goes from one to the next. It has a gap where
- * it would have to go back in time.
+ * The line of one servo, as the data of paths: its positions and how it goes from one to the next, and apart from that
+ * where it would have to go back in time.
  */
-export function lineOf({ positions }: TimerProgram, stages: readonly Stage[], servo: number, layout: Layout): string {
-  const height = (slot: number): number => rounded(layout.y(servo, positions[servo]?.[slot] ?? 0));
-  const last = Math.max(layout.x(layout.scale.end), layout.box.right);
-  const ways = stages.map(({ slot, until, passing }) => {
+export function lineOf({ positions }: TimerProgram, stages: readonly Stage[], servo: number, layout: Layout) {
+  const row = positions[servo] ?? [];
+  const height = (slot: number): number => rounded(layout.y(servo, row[slot] ?? 0));
+  let line = `M${rounded(layout.x(0))} ${height(0)}`;
+  let back = '';
+  for (const { slot, from, until, passing } of stages) {
+    const last = Math.max(layout.x(layout.scale.end), layout.box.right);
     const end = rounded(until === null ? last : layout.x(until));
-    const way = passing === 'back' ? `M${end} ${height(slot)}` : `H${end}`;
-    return until === null ? way : `${way}V${height(slot + 1)}`;
-  });
-  return `M${rounded(layout.x(0))} ${height(0)}${ways.join('')}`;
+    if (passing === 'back') {
+      back += `M${rounded(layout.x(from))} ${height(slot)}H${end}`;
+      line += `M${end} ${height(slot)}`;
+    } else line += `H${end}`;
+    if (until !== null) line += `V${height(slot + 1)}`;
+  }
+  return { line, back };
 }
 
 /**
@@ -94,15 +101,34 @@ export function lineOf({ positions }: TimerProgram, stages: readonly Stage[], se
  * is too little room they are closer.
  */
 export function spread(numbers: readonly number[], gap: number, min: number, max: number): number[] {
-  const last = numbers.length - 1;
-  const order = numbers.map((_, i) => i).sort((a, b) => (numbers[a] as number) - (numbers[b] as number));
-  const each = Math.min(gap, (max - min) / Math.max(1, last));
-  const wished = order.map((i, at) => Math.min(max - last * each, Math.max(min, (numbers[i] as number) - at * each)));
+  const order = numbers.map((_, i) => i).sort((a, b) => (numbers[a] as number) - (numbers[b] as number) || a - b);
+  const each = Math.min(gap, (max - min) / Math.max(1, numbers.length - 1));
+  // Groups that touch are joined and moved to the average place of their members.
+  const groups: { first: number; members: number[] }[] = [];
+  for (const i of order) {
+    let group = { first: numbers[i] as number, members: [i] };
+    for (
+      let last = groups.at(-1);
+      last && group.first < last.first + last.members.length * each;
+      last = groups.at(-1)
+    ) {
+      groups.pop();
+      const members = [...last.members, ...group.members];
+      const wished = members.map((member, at) => (numbers[member] as number) - at * each);
+      group = { first: wished.reduce((a, b) => a + b, 0) / members.length, members };
+    }
+    const longest = max - (group.members.length - 1) * each;
+    groups.push({ ...group, first: Math.max(min, Math.min(longest, group.first)) });
+  }
   const result = [...numbers];
-  order.forEach((i, at) => {
-    // The middle between moving all that are too close to the right, and to the left.
-    const [right, left] = [Math.max(...wished.slice(0, at + 1)), Math.min(...wished.slice(at))];
-    result[i] = at * each + (right + left) / 2;
-  });
+  // From the end back, in case that the edge has pushed a group into the one before.
+  let limit = max;
+  for (const { first, members } of groups.reverse()) {
+    const start = Math.min(first, limit - (members.length - 1) * each);
+    members.forEach((member, at) => {
+      result[member] = start + at * each;
+    });
+    limit = start - each;
+  }
   return result;
 }

@@ -70,14 +70,14 @@ type LinesProps = Pick<Geometry, 'program' | 'stages' | 'layout'> & Partial<Pick
 export function Lines({ program, stages, layout, front = null, first = 0 }: LinesProps) {
   return (
     <>
-      {program.positions.map((_, lane) => (
-        <path
-          key={lane}
-          {...servoColour(first + lane)}
-          class={`servo-line ${lane === front ? 'front' : ''}`}
-          d={lineOf(program, stages, lane, layout)}
-        />
-      ))}
+      {program.positions.flatMap((_, lane) => {
+        const { line, back } = lineOf(program, stages, lane, layout);
+        const colour = servoColour(first + lane);
+        return [
+          <path key={lane} {...colour} class={`servo-line ${lane === front ? 'front' : ''}`} d={line} />,
+          back !== '' && <path key={`${lane} back`} {...colour} class="servo-line back" d={back} />,
+        ];
+      })}
     </>
   );
 }
@@ -91,9 +91,10 @@ function Behind({ behind, layout, motorStop }: Geometry) {
   const marks = [stages.at(-1)?.from ?? 0, ...(stop === null || stop === motorStop ? [] : [stop])];
   return (
     <g class="overlay">
-      {behind.positions.map((_, servo) => (
-        <path key={servo} d={lineOf(behind, stages, servo, layout)} />
-      ))}
+      {behind.positions.map((_, servo) => {
+        const { line, back } = lineOf(behind, stages, servo, layout);
+        return <path key={servo} d={line + back} />;
+      })}
       {marks.map((time, i) => (
         <path key={i} class="mark" d={`M${layout.x(time)} ${layout.box.top}V${layout.box.bottom}`} />
       ))}
@@ -185,10 +186,10 @@ function Marks({ flags, layout, measures, selected }: Geometry) {
   const { top, bottom } = layout.box;
   return (
     <g>
-      {flags.map(({ slot, isDt, at, x, radius }) => {
+      {flags.map(({ slot, isDt, at, x, radius, labelled }) => {
+        const lead = labelled ? `M${rounded(x)} ${measures.flag + radius}L${rounded(at)} ${top - 3}V${top}` : '';
         const classes = `flag-line ${isDt ? 'dt' : ''} ${slot === selected?.slot ? 'selected' : ''}`;
-        const d = `M${rounded(x)} ${measures.flag + radius}L${rounded(at)} ${top - 3}V${bottom}`;
-        return <path key={slot} class={classes} d={d} />;
+        return <path key={slot} class={classes} d={`${lead}M${rounded(at)} ${top}V${bottom}`} />;
       })}
     </g>
   );
@@ -197,22 +198,25 @@ function Marks({ flags, layout, measures, selected }: Geometry) {
 /** In a circle with a smaller radius the number is smaller, too. In pixels. */
 const LETTERS = 11;
 
-/** The numbers of the marks, each in a circle. That of the selected slot is lit. */
-function Numbers({ flags, layout, measures, selected }: Geometry) {
+/** The numbers of the marks, each in a circle where there is room. That of the selected slot is lit. */
+function Numbers({ flags, stages, layout, measures, selected }: Geometry) {
   const { dt } = messages.value.program;
   return (
     <>
-      {flags.map(({ slot, isDt, at, x, radius }) => {
+      {flags.map(({ slot, isDt, at, x, radius, labelled, roomy }) => {
         if (!layout.shows(at)) return null;
         const isChosen = slot === selected?.slot;
-        const classes = `flag ${isDt ? 'dt' : ''} ${isChosen ? 'chosen' : ''}`;
+        const classes = `flag ${isDt ? 'dt' : ''} ${stages[slot]?.passing ?? ''} ${isChosen ? 'chosen' : ''}`;
         const wide = radius + 2;
         return (
           <g key={slot} class={classes} transform={`translate(${rounded(x)} ${measures.flag})`}>
-            {isDt ? <rect x={-wide} y={-radius} width={2 * wide} height={2 * radius} rx="6" /> : <circle r={radius} />}
-            <text y="0.35em" font-size={radius < LETTERS ? radius * 1.2 : undefined}>
-              {isDt ? dt : slot}
-            </text>
+            {isDt && <rect x={-wide} y={-radius} width={2 * wide} height={2 * radius} rx="6" />}
+            {!isDt && roomy && <circle r={radius} />}
+            {labelled && (
+              <text y="0.35em" font-size={radius < LETTERS ? radius * 1.2 : undefined}>
+                {isDt ? dt : slot}
+              </text>
+            )}
           </g>
         );
       })}

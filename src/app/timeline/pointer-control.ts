@@ -44,6 +44,7 @@ export class PointerControl {
         ? new MoveHandle(this.#model, new DragEdit(now, field, onEdit), from, layout, isFinger(event) ? TREMBLE : 0)
         : null;
     this.#held = { id: event.pointerId, handle, from, pans: this.#model.zoomed, last: from, moved: false };
+    this.#model.pointAt(null);
     if (field) focusHandle(svg, field);
     else this.#look(this.#held, shown, from);
     svg.setPointerCapture?.(event.pointerId);
@@ -86,6 +87,7 @@ export class PointerControl {
   readonly leave = (event: PointerEvent): void => {
     if (isFinger(event) || this.#held) return;
     this.#model.ask(null);
+    this.#model.pointAt(null);
   };
 
   /** Releases everything and puts back what was being moved. */
@@ -109,6 +111,7 @@ export class PointerControl {
     const point = pointIn(shown.svg, event);
     const field = fieldFor(shown, event, point);
     shown.svg.setAttribute('data-over', field?.kind ?? '');
+    this.#model.pointAt(field);
     this.#model.ask(timeUnder(shown.geometry, point.x));
   }
 

@@ -21,8 +21,9 @@ interface MomentProps {
 export function Moment({ program, model, cursor, selected }: MomentProps) {
   const { timeline, times } = messages.value;
   const { identity } = program;
+  const { edit, finer = false } = model.moving.value ?? {};
   const time = model.asked.value ?? cursor?.value ?? null;
-  const field = model.moving.value?.edit.field ?? (time === null ? selected : null);
+  const field = edit?.field ?? (time === null ? selected : null);
   if (!field && time === null) return <p class="timeline-readout hint">{timeline.ask}</p>;
   const { text, unit } = field ? figureOf(identity, field, valueAt(program, field) ?? 0) : formatFigure(time ?? 0, 1);
   return (
@@ -31,6 +32,7 @@ export function Moment({ program, model, cursor, selected }: MomentProps) {
         {text} <small>{unit ? times.units[unit] : field?.kind === 'position' && timeline.stepsUnit}</small>
       </strong>{' '}
       <span>{field ? fieldName(identity, field) : reachedText(program, time ?? 0)}</span>
+      {finer && <em>{timeline.finer}</em>}
     </p>
   );
 }

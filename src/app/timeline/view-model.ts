@@ -1,4 +1,5 @@
 import { signal } from '@preact/signals';
+import type { ProgramField } from '../../program/index.js';
 import type { DragEdit } from './drag.js';
 import { type TimeView, WHOLE } from './layout.js';
 import type { Scale } from './scale.js';
@@ -11,6 +12,8 @@ export interface Moving {
   readonly edit: DragEdit;
   /** The axis when the handle was taken. It stands still until the handle is released. */
   readonly scale: Scale;
+  /** Whether it moves less than the pointer. */
+  readonly finer: boolean;
 }
 
 /** A time of the flight in hundredths of a second, or a servo. */
@@ -26,6 +29,8 @@ export class TimelineModel {
   /** The selected servo, whose lane is tall and has handles. */
   readonly front = signal(0);
   readonly moving = signal<Moving | null>(null);
+  /** The field under the mouse that it could take; null while a handle is held. */
+  readonly pointed = signal<ProgramField | null>(null);
   /** Whether the keyboard focus is on a handle. */
   readonly entered = signal(false);
   /** The part in view. */
@@ -38,6 +43,7 @@ export class TimelineModel {
   /** The picture goes away: nothing is asked about any more. The view stays for when it comes back. */
   leave(): void {
     this.tell(null);
+    this.pointAt(null);
     this.entered.value = false;
   }
 
@@ -57,11 +63,21 @@ export class TimelineModel {
     this.front.value = servo;
   }
 
+  pointAt(field: ProgramField | null): void {
+    this.pointed.value = field;
+  }
+
   /** Takes a handle. @param scale the present axis. */
   take(edit: DragEdit, scale: Scale): void {
     this.ask(null);
     if (edit.field.kind === 'position') this.bringToFront(edit.field.servo);
-    this.moving.value = { edit, scale };
+    this.moving.value = { edit, scale, finer: false };
+  }
+
+  /** Whether the held handle moves less than the pointer. */
+  refine(finer: boolean): void {
+    const moving = this.moving.peek();
+    if (moving && moving.finer !== finer) this.moving.value = { ...moving, finer };
   }
 
   /** Releases the handle. The view may have left the picture with it, and comes back. */

@@ -87,13 +87,21 @@ describe('the timeline', () => {
     await soon(() => screen.queryByRole('slider', { name: 'Function 4, S3' })).not.toBeNull();
   });
 
-  it('marks in the table the cell of the handle that has the focus', async () => {
+  it('marks in the table the cell of the handle that has the focus, or that the mouse is over', async () => {
     await connected();
     const marked = () =>
       [...document.querySelectorAll('td.marked input')].map((input) => input.getAttribute('aria-label'));
     expect(marked()).toEqual([]);
     act(() => (handle('Function 4, S1') as SVGElement).focus());
     expect(marked()).toEqual(['Function 4, S1']);
+    const picture = screen.getByRole('group', { name: /^Servo positions over time/ });
+    const [, x, y] = /translate\((\S+) (\S+)\)/.exec(handle('Function 6 time').getAttribute('transform') ?? '') ?? [];
+    const { left, top } = picture.getBoundingClientRect();
+    const place = { pointerType: 'mouse', clientX: left + Number(x), clientY: top + Number(y) };
+    fireEvent.pointerMove(picture, place);
+    await expect.poll(marked).toEqual(['Function 6 time']);
+    fireEvent.pointerLeave(picture, place);
+    await expect.poll(marked).toEqual(['Function 4, S1']);
   });
 
   it('draws only the old and the new cell of the table for that', async () => {
@@ -180,11 +188,11 @@ describe('the timeline', () => {
       const { editor, models } = await connected();
       const { player } = models.programPicture;
       const preview = within(screen.getByRole('region', { name: en.preview.title }));
-      const click = async (): Promise<number | null> => {
+      const click = async (): Promise<number> => {
         await late();
         act(() => void fireEvent.click(preview.getByRole('button', { name })));
         player.pause();
-        return player.cursor.value;
+        return player.time.value;
       };
       const to = (slot: number) => act(() => (handle(`Function ${slot}, S1`) as SVGElement).focus());
       to(4);

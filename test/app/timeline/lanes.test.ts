@@ -3,7 +3,9 @@ import { describe, expect, it } from 'vitest';
 import { leastHeightOf, measuresOf } from '../../../src/app/timeline/geometry.js';
 import { laneAt, lanesOf, leastHeight } from '../../../src/app/timeline/lanes.js';
 import { layoutOf } from '../../../src/app/timeline/layout.js';
+import { isFine, refined } from '../../../src/app/timeline/move-handle.js';
 import { Scale } from '../../../src/app/timeline/scale.js';
+import { TimelineModel } from '../../../src/app/timeline/view-model.js';
 import { programOf } from '../programs.js';
 
 const lanes = fc
@@ -44,6 +46,21 @@ describe('the lanes', () => {
     );
   });
 
+  it.each([
+    [1, 236],
+    [3, 180],
+    [4, 158],
+  ])('give the selected one of %i servos its height in a picture of 320 px', (servos, height) => {
+    const program = programOf(
+      'Q',
+      [1000, 200, 18000],
+      Array.from({ length: servos }, () => [15, 15, 15]),
+    );
+    const { top, bottom } = measuresOf(program, { width: 640, height: 320 });
+    const [first] = lanesOf(servos, 0, top, bottom);
+    expect((first?.until ?? 0) - (first?.from ?? 0)).toBeCloseTo(height, 9);
+  });
+
   it('draw equal positions alike, whichever servo is selected', () => {
     fc.assert(
       fc.property(lanes, fc.integer({ min: 0, max: 130 }), ({ servos, lanes, bottom }, position) => {
@@ -68,5 +85,45 @@ describe('the lanes', () => {
     );
     expect(leastHeightOf(program)).toBeGreaterThan(30 * 24);
     expect(measuresOf(program, { width: 640, height: 320 }).height).toBe(leastHeightOf(program));
+  });
+});
+
+describe('moving finely', () => {
+  const way = fc.double({ min: -200, max: 200, noNaN: true });
+  const plain = fc.double({ min: -60_000, max: 60_000, noNaN: true });
+
+  it('is for a pointer that is far away', () => {
+    expect([0, 20, -90, 91, -500].map(isFine)).toEqual([false, false, false, true, true]);
+  });
+
+  it('goes less far than the pointer, never the other way, and less than a step for ten pixels', () => {
+    fc.assert(
+      fc.property(plain, way, fc.constantFrom(1, 10, 100), (plain, way, step) => {
+        const went = refined(plain, way, step);
+        expect(Math.abs(went)).toBeLessThanOrEqual(Math.abs(plain) / 4 + 1e-6);
+        expect(went * plain).toBeGreaterThanOrEqual(0);
+        expect(Math.abs(went)).toBeLessThanOrEqual((Math.abs(way) * step) / 10 + 1e-6);
+      }),
+    );
+  });
+});
+
+describe('zooming', () => {
+  it('leaves a mark in view where it is, and brings one into view that is not', () => {
+    const place = fc.double({ min: 0, max: 1, noNaN: true });
+    fc.assert(
+      fc.property(fc.array(place, { minLength: 1, maxLength: 6 }), (anchors) => {
+        const model = new TimelineModel();
+        for (const anchor of anchors) {
+          const before = model.view.value;
+          const isInView = anchor >= before.start && anchor <= before.start + before.span;
+          model.zoom(2, anchor);
+          const { start, span } = model.view.value;
+          expect(anchor).toBeGreaterThanOrEqual(start - 1e-9);
+          expect(anchor).toBeLessThanOrEqual(start + span + 1e-9);
+          if (isInView) expect((anchor - start) / span).toBeCloseTo((anchor - before.start) / before.span, 6);
+        }
+      }),
+    );
   });
 });

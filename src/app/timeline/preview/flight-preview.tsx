@@ -1,10 +1,10 @@
 import { computed, useSignal } from '@preact/signals';
-import { useEffect, useId, useMemo } from 'preact/hooks';
+import { useEffect, useId, useLayoutEffect, useMemo } from 'preact/hooks';
 import type { ServoUse, TimerProgram } from '../../../program/index.js';
 import { messages, momentText, slotLabel } from '../../messages/index.js';
 import { moreMessages } from '../../messages/more.js';
 import { dutyName, servoName } from '../../messages/names.js';
-import { eventsBetween, motorStopOf, reachedAt } from '../flight.js';
+import { eventsBetween, flightEnd, motorStopOf, reachedAt } from '../flight.js';
 import { servoColour } from '../servo-colour.js';
 import { ModelSketch } from './model-sketch.js';
 import type { Player } from './player.js';
@@ -15,7 +15,6 @@ import './flight-preview.css';
 
 export interface FlightPreviewProps {
   readonly program: TimerProgram;
-  /** Its end is that of the program. */
   readonly player: Player;
   /** What each servo moves, as the pilot says; null when that has to be guessed. */
   readonly named: readonly ServoUse[] | null;
@@ -31,19 +30,17 @@ const MANY = 4;
  */
 export function FlightPreview({ program, player, named, onName }: FlightPreviewProps) {
   const { preview } = moreMessages.value;
-  const { findings } = messages.value;
   const { identity } = program;
   const id = useId();
   const naming = useSignal(false);
   const guess = useMemo(() => guessedUses(program), [program]);
+  useLayoutEffect(() => player.setEnd(flightEnd(program)), [player, program]);
   useEffect(() => () => player.pause(), [player]);
   const uses = named ?? guess;
   const stop = motorStopOf(program);
   const slot = useMemo(() => computed(() => reachedAt(program, player.shown.value).slot), [program, player]).value;
   const motor = useMemo(() => computed(() => player.shown.value < (stop ?? 0)), [player, stop]).value;
   const isDt = slot === identity.functions;
-  const flies = stop === null ? preview.flies : preview.motor[`${motor}`];
-  // A DT at which no servo moves brings no model down.
   const comesDown = isDt && movedAtDt(program).length > 0;
   return (
     <section class="preview" aria-labelledby={id}>
@@ -56,6 +53,7 @@ export function FlightPreview({ program, player, named, onName }: FlightPreviewP
             turned={turnsAt(program, slot, uses)}
             propeller={identity.timerClass !== 'E'}
             motorRuns={stop === null ? null : motor}
+            turning={player.playing.value}
             comesDown={comesDown}
           />
           <p class="hint">
@@ -68,9 +66,7 @@ export function FlightPreview({ program, player, named, onName }: FlightPreviewP
         <div class="preview-facts">
           <div>
             <Clock player={player} />
-            <p class={isDt && !comesDown ? 'bad-text' : undefined}>
-              {comesDown ? <strong>{preview.comesDown}</strong> : isDt ? findings['dt-moves-nothing'] : flies}
-            </p>
+            {isDt ? <AtDt comesDown={comesDown} /> : <p>{stop === null ? preview.flies : preview.motor[`${motor}`]}</p>}
             <Happening program={program} player={player} />
           </div>
           <ul class={uses.length > MANY ? 'many' : ''}>
@@ -94,6 +90,18 @@ export function FlightPreview({ program, player, named, onName }: FlightPreviewP
         onCancel={() => (naming.value = false)}
       />
     </section>
+  );
+}
+
+/** A DT at which no servo moves brings no model down. */
+function AtDt({ comesDown }: { readonly comesDown: boolean }) {
+  const { findings } = messages.value;
+  const { preview } = moreMessages.value;
+  if (!comesDown) return <p class="bad-text">{findings['dt-moves-nothing']}</p>;
+  return (
+    <p>
+      <strong>{preview.comesDown}</strong>
+    </p>
   );
 }
 

@@ -10,6 +10,8 @@ export interface ModelSketchProps {
   readonly propeller: boolean;
   /** Null when it is not known: the motor of an F1B is rubber. */
   readonly motorRuns: boolean | null;
+  /** Whether the propeller turns and surfaces move gently: while the flight is played. */
+  readonly turning: boolean;
   /** Whether the model comes down: DT was reached, and something moved. */
   readonly comesDown: boolean;
 }
@@ -20,15 +22,22 @@ export interface ModelSketchProps {
  */
 export function ModelSketch(props: ModelSketchProps) {
   return (
-    <svg class="sketch" viewBox="28 30 276 102" role="img" aria-label={moreMessages.value.preview.sketch}>
-      <FromTheSide {...props} />
-      {props.comesDown && <path class="fall" d="M72 80V97M66 91L72 97L78 91M196 80V97M190 91L196 97L202 91" />}
+    <svg
+      class={`sketch ${props.turning ? 'plays' : ''}`}
+      viewBox="28 30 276 102"
+      role="img"
+      aria-label={moreMessages.value.preview.sketch}
+    >
+      <g class={props.comesDown ? 'down' : ''}>
+        <FromTheSide {...props} />
+        {props.comesDown && <path class="fall" d="M72 80V97M66 91L72 97L78 91M196 80V97M190 91L196 97L202 91" />}
+      </g>
       <FromAbove {...props} />
     </svg>
   );
 }
 
-function FromTheSide({ turned: { rudder, tailplane, wing }, propeller, motorRuns }: ModelSketchProps) {
+function FromTheSide({ turned: { rudder, tailplane, wing }, propeller, motorRuns, turning }: ModelSketchProps) {
   return (
     <>
       <path class="body" d="M112 60L121 42H137L142 60Z" />
@@ -46,7 +55,7 @@ function FromTheSide({ turned: { rudder, tailplane, wing }, propeller, motorRuns
       <Hinged name="wing" turned={wing} x={121} y={40} reach={44}>
         <path d="M-16 1.5C-14 -3.8 2 -5 15 -3C23 -1.8 31 0.5 38 3C24 0.2 -2 -0.6 -16 1.5Z" />
       </Hinged>
-      {propeller && <Propeller motorRuns={motorRuns} />}
+      {propeller && <Propeller motorRuns={motorRuns} turning={turning} />}
     </>
   );
 }
@@ -95,14 +104,19 @@ function Hinged({ name, turned, x, y, reach, children }: HingedProps) {
   );
 }
 
+interface PropellerProps {
+  readonly motorRuns: boolean | null;
+  readonly turning: boolean;
+}
+
 /** Folded along the fuselage; while the motor runs, a disc seen from its edge. Only the hub when it is not known. */
-function Propeller({ motorRuns }: Pick<ModelSketchProps, 'motorRuns'>) {
+function Propeller({ motorRuns, turning }: PropellerProps) {
   return (
     <g transform="translate(42 66)" class="propeller">
       {motorRuns && (
         <>
           <ellipse class="disc" rx="5" ry="34" />
-          <path class="blade" d="M0 -34V34" />
+          <path class={turning ? 'blade turning' : 'blade'} d="M0 -34V34" />
         </>
       )}
       {motorRuns === false && <path class="blade" d="M2 -5C20 -12 36 -13 50 -11M2 5C20 12 36 13 50 11" />}

@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals';
 import { act, fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { FlightPreview, type FlightPreviewProps } from '../../../../src/app/timeline/preview/flight-preview.js';
@@ -21,20 +22,22 @@ const PROGRAM = programOf(
 /** A preview, and the frames that play it. */
 function shown(props: Partial<FlightPreviewProps> = {}) {
   const frames = new HandFrames();
-  const player = new Player();
-  player.setEnd(18300);
+  const asked = signal<number | null>(null);
+  const player = new Player(asked);
   const { unmount } = render(
     <FlightPreview program={PROGRAM} player={player} named={null} onName={() => {}} {...props} />,
   );
   /** So many frames of 100 ms. */
   const run = (count: number) => act(() => frames.run(count, 100));
-  return { player, run, unmount };
+  return { player, asked, run, unmount };
 }
 
 const press = (name: string | RegExp) => act(() => void fireEvent.click(screen.getByRole('button', { name })));
 const seek = (player: Player, time: number) => act(() => player.seek(time));
 const said = () => screen.getByRole('status').textContent;
 const clock = () => document.querySelector('.preview-clock')?.textContent;
+/** The line below the clock that says what has happened. */
+const happened = () => document.querySelector('.preview-facts p:last-of-type') as HTMLElement;
 const stands = () => [...document.querySelectorAll('.preview li')].map((item) => item.textContent);
 const turned = (surface: string) => document.querySelector<SVGElement>(`[data-surface=${surface}]`)?.style.transform;
 
@@ -55,10 +58,13 @@ describe('the flight preview', () => {
   });
 
   it('plays as fast as chosen', async () => {
-    const { player } = shown();
+    const { player, run } = shown();
     const speed = screen.getByRole<HTMLSelectElement>('combobox', { name: 'Speed' });
     await act(() => void fireEvent.change(speed, { target: { value: '20' } }));
     expect(player.speed.value).toBe(20);
+    await press('Play');
+    await run(11);
+    expect(clock()).toBe('20.00 s');
   });
 
   it('says what has happened, once when it happens', async () => {
@@ -111,10 +117,10 @@ describe('the flight preview', () => {
     const { player } = shown();
     const slider = screen.getByRole<HTMLInputElement>('slider', { name: en.preview.time });
     await act(() => void fireEvent.input(slider, { target: { value: slider.max } }));
-    expect(player.cursor.value).toBe(18300);
+    expect(player.time.value).toBe(18300);
     expect(slider.getAttribute('aria-valuetext')).toBe('3:03 min');
     await act(() => void fireEvent.input(slider, { target: { value: '0' } }));
-    expect(player.cursor.value).toBe(0);
+    expect(player.time.value).toBe(0);
   });
 
   it('turns each surface as its servo stands, and says its position', async () => {
@@ -131,16 +137,37 @@ describe('the flight preview', () => {
     expect(turned('rudder'), 'the rudder is turned to the left').toBe('rotate(28deg)');
   });
 
-  it('tips the tailplane up at DT, and says that the model comes down, also when a servo only releases it', async () => {
-    const named = guessedUses(PROGRAM).map((use, servo) =>
-      servo === 1 ? { ...use, duty: 'release' as const } : { ...use, duty: 'none' as const },
-    );
-    const { player } = shown({ named });
-    expect([turned('tailplane'), document.querySelector('.fall')]).toEqual(['rotate(0deg)', null]);
+  it('shows the selected cell, and moves without the pilot only when it is played', async () => {
+    const { player, asked } = shown();
+    await act(() => player.take(600));
+    expect([clock(), happened().textContent, happened().getAttribute('role')]).toEqual([
+      '6.00 s',
+      'Function 3 at 6.00 s',
+      null,
+    ]);
+    await act(() => {
+      asked.value = 200;
+    });
+    expect(clock()).toBe('2.00 s');
+  });
+
+  it('tips the tailplane up at DT, and says that the model comes down', async () => {
+    const { player } = shown();
+    expect(document.querySelector('.fall')).toBeNull();
     await seek(player, 18000);
     expect(turned('tailplane')).toBe('rotate(-42deg)');
     expect(document.querySelector('.fall')).toBeTruthy();
     expect(screen.getByText(en.preview.comesDown)).toBeTruthy();
+  });
+
+  it('tips it up also when a servo only releases it', async () => {
+    const named = guessedUses(PROGRAM).map((use, servo) =>
+      servo === 1 ? { ...use, duty: 'release' as const } : { ...use, duty: 'none' as const },
+    );
+    const { player } = shown({ named });
+    expect(turned('tailplane')).toBe('rotate(0deg)');
+    await seek(player, 18000);
+    expect(turned('tailplane')).toBe('rotate(-42deg)');
     expect(stands()[1]).toBe('S2 Disc or DT line 130');
   });
 
@@ -192,12 +219,15 @@ describe('the flight preview', () => {
     expect(said).toEqual([null]);
   });
 
-  it('runs the motor until its stop', async () => {
-    const { player } = shown();
-    const discs = () => document.querySelectorAll('.disc').length;
-    expect([screen.getByText(en.preview.motor.true).tagName, discs()]).toEqual(['P', 1]);
+  it('runs the motor until its stop, and turns the propeller only while it plays', async () => {
+    const { player, run } = shown();
+    const turning = () => document.querySelectorAll('.turning').length;
+    expect([screen.getByText(en.preview.motor.true).tagName, turning()]).toEqual(['P', 0]);
+    await press('Play');
+    await run(2);
+    expect(turning()).toBe(1);
     await seek(player, 1000);
-    expect([screen.getByText(en.preview.motor.false).tagName, discs()]).toEqual(['P', 0]);
+    expect([screen.getByText(en.preview.motor.false).tagName, turning()]).toEqual(['P', 0]);
   });
 
   it.each([
