@@ -214,17 +214,4 @@ describe('a recorded timer', () => {
     expect(await send(begun)).toEqual([]);
     expect(await ask({ name: 'GETMEMORY' })).toEqual([[10, MEMORY_3]]);
   });
-
-  it('sends nothing to a reader that has gone before the answer is complete', async () => {
-    const clock = new VirtualClock();
-    const { readable, writable } = new ReplayTimer(parseCapture(recording), { clock });
-    await writable.getWriter().write(encodeRequest({ name: 'GETSWVER' }));
-    await readable.cancel();
-    await clock.advance(1000);
-  });
-
-  it('is silent when nothing was recorded', async () => {
-    const { ask } = replay([]);
-    expect(await ask({ name: 'GETSWVER' })).toEqual([]);
-  });
 });

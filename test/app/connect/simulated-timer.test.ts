@@ -1,12 +1,15 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { plugSimulatedTimer } from '../../../src/app/connect/simulated-timer.js';
+import { plugRecording, plugSimulatedTimer } from '../../../src/app/connect/simulated-timer.js';
 import { TimerClient } from '../../../src/client/index.js';
 import { withValue } from '../../../src/program/index.js';
+import { parseCapture } from '../../../src/protocol/index.js';
+import { fromHex } from '../../tools/bytes.js';
 
 describe('a simulated timer', () => {
   afterEach(() => {
     vi.unstubAllGlobals();
     vi.restoreAllMocks();
+    vi.useRealTimers();
   });
 
   it('answers in the background, where timeouts are not called in time', async () => {
@@ -45,5 +48,23 @@ describe('a simulated timer', () => {
     const second = await connected('Q');
     expect(await second.timer.readProgram()).toEqual(goal);
     await second.end();
+  });
+
+  it('that was recorded answers again after its port was closed before an answer came', async () => {
+    vi.useFakeTimers();
+    const question = '00 00 00 00 00 03 6b 6b 45';
+    const answer = '00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45';
+    const port = plugRecording(parseCapture(`# Sidus capture 1\n0.000 > ${question}\n0.050 < ${answer}\n`));
+    const ask = async (): Promise<void> => {
+      await port.open({ baudRate: 9600 });
+      await port.writable?.getWriter().write(fromHex(question));
+    };
+    await ask();
+    await port.close();
+    await vi.advanceTimersByTimeAsync(200);
+    await ask();
+    const read = port.readable?.getReader().read();
+    await vi.advanceTimersByTimeAsync(200);
+    expect((await read)?.value).toEqual(fromHex(answer));
   });
 });
