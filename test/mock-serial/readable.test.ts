@@ -69,15 +69,6 @@ describe('readable attribute: errors', () => {
     expect(await failure(second.read())).toBe('BreakError');
   });
 
-  test('each of several errors ends its own stream', async () => {
-    const { port, device } = await openPort();
-    device.error('break');
-    device.error('framing');
-    expect(await failure(reading(port).read())).toBe('BreakError');
-    expect(await failure(reading(port).read())).toBe('FramingError');
-    expect(await isPending(reading(port).read())).toBe(true);
-  });
-
   test('lost: bytes first, then NetworkError, then null until the port is opened again', async () => {
     const { port, device } = await openPort({ bufferSize: 64 });
     const reader = reading(port);

@@ -43,16 +43,6 @@ describe('a saved line', () => {
     ]);
   });
 
-  it('is a capture that holds the same bytes', async () => {
-    const records = await recorded(
-      ...IDENTIFIED,
-      damage('silence', '00 00 00 00 00 19 62', 40),
-      lineError('other', 50),
-    );
-    const entries = parseCapture(captureText(records, ['a note']));
-    expect(entries.map(({ bytes }) => toHex(bytes))).toEqual(records.slice(0, 3).map(({ bytes }) => toHex(bytes)));
-  });
-
   it('is a capture also when there is nothing in it', () => {
     expect(parseCapture(captureText([], ['a note']))).toEqual([]);
   });
