@@ -1,6 +1,5 @@
 import { expect, test } from 'vitest';
 import { en } from '../tools/en.js';
-import { smallTargets } from '../tools/well-made.js';
 import { AppPage, edgesOf } from './app-page.js';
 import { SIZES } from './themes.js';
 
@@ -31,16 +30,4 @@ test('the model is shown under the timeline, both in one window, at the time of 
   await app.type('DT, S2', '56');
   await app.field('DT time').focus();
   await preview(app).getByText(en.findings['dt-moves-nothing']).waitFor();
-});
-
-test('on a phone the picture includes the preview, which works by finger', async () => {
-  const app = await AppPage.open({ viewport: SIZES.phone, hasTouch: true });
-  await app.trySimulated('F1B');
-  await app.button('Picture').click();
-  await preview(app).getByText('Launch').waitFor();
-  expect(await app.page.evaluate(smallTargets)).toEqual([]);
-  await app.expectNoSidewaysScrolling();
-  await app.button(en.preview.nameServos).tap();
-  expect(await app.page.evaluate(smallTargets)).toEqual([]);
-  await app.expectNoSidewaysScrolling();
 });

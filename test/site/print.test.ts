@@ -4,7 +4,6 @@ import { encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/ind
 import { programOf } from '../app/programs.js';
 import { en } from '../tools/en.js';
 import { AppPage } from './app-page.js';
-import { PHONE } from './page.js';
 import { type PdfPage, pagesOf } from './pdf.js';
 import { textOfCode } from './qr.js';
 
@@ -86,21 +85,17 @@ test('sheets of several programs: each page names its model, and every row is on
   }
 });
 
-test('the print view is well made, on a phone too, and prints what the browser offers', async () => {
-  for (const size of [{}, PHONE]) {
-    const app = await AppPage.open({
-      ...size,
-      before: () => {
-        window.print = () => document.body.setAttribute('data-printed', '');
-      },
-    });
-    await app.trySimulated('F1Q');
-    await app.page.evaluate(() => location.assign('#print'));
-    await app.page.locator('.leaf').getByRole('row', { name: /^DT/ }).waitFor();
-    await app.expectNoSidewaysScrolling();
-    await app.button(en.views.print).click();
-    await expect.poll(() => app.page.locator('body[data-printed]').count()).toBe(1);
-  }
+test('the print view prints what the browser offers', async () => {
+  const app = await AppPage.open({
+    before: () => {
+      window.print = () => document.body.setAttribute('data-printed', '');
+    },
+  });
+  await app.trySimulated('F1Q');
+  await app.page.evaluate(() => location.assign('#print'));
+  await app.page.locator('.leaf').getByRole('row', { name: /^DT/ }).waitFor();
+  await app.button(en.views.print).click();
+  await expect.poll(() => app.page.locator('body[data-printed]').count()).toBe(1);
 });
 
 test('a view is printed black on white, below what it shows, and without its commands', async () => {

@@ -33,7 +33,7 @@ async function violations(page, onlyColours) {
 }
 
 /** Buttons, fields and choices that a finger would miss, or a mouse where there is room and one. Runs in the page. */
-export function smallTargets() {
+function smallTargets() {
   const targets = [...document.querySelectorAll('button, input, select, summary')].map((element) =>
     element.matches('[type=checkbox], [type=radio]') ? (element.closest('label') ?? element) : element,
   );

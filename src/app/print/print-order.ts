@@ -14,21 +14,19 @@ export const PAPERS = { a5: 'A5', a4: 'A4', letter: 'Letter' } as const;
 export type Paper = keyof typeof PAPERS;
 export const PAPER_KEYS = Object.keys(PAPERS) as readonly Paper[];
 
-/** A view from which something is printed. */
-export type PrintHome = 'program' | 'memories' | 'library';
-
 /** Which settings to print. The other views need to know nothing else about printing. */
 export class PrintOrder {
   // Only this model writes them.
   /** The keys of the settings in their order, {@link ON_SCREEN} among them. */
   readonly keys = signal<readonly string[]>([ON_SCREEN]);
-  /** The view to which the print leads back. What is added to the print, or removed, does not change it. */
-  readonly home = signal<PrintHome>('program');
+  /** Where the first of what is printed is at home. What is added to the print, or removed, does not change it. */
+  readonly home = signal<'program' | 'memories' | 'library'>('program');
 
   /** Prints only these settings; without any, the program on the screen. */
   choose(keys: readonly string[] = [ON_SCREEN]): void {
     this.keys.value = [...new Set(keys)];
-    this.home.value = homeOf(keys[0]);
+    const [first = ON_SCREEN] = keys;
+    this.home.value = isOfLibrary(first) ? 'library' : first === ON_SCREEN ? 'program' : 'memories';
   }
 
   /** Removes all settings from the print. */
@@ -41,9 +39,4 @@ export class PrintOrder {
     const keys = this.keys.peek();
     this.keys.value = keys.includes(key) ? keys.filter((each) => each !== key) : [...keys, key];
   }
-}
-
-/** The view in which the first of what is printed is at home. */
-function homeOf(key: string = ON_SCREEN): PrintHome {
-  return isOfLibrary(key) ? 'library' : key === ON_SCREEN ? 'program' : 'memories';
 }

@@ -21,25 +21,42 @@ export function PrintView({ session, order }: PrintViewProps) {
   const print = useMemo(() => new Print(session, order, location.href), [session, order]);
   const { value: sheets } = print.sheets;
   const printed = useMemo(() => dateText(Date.now()), [sheets]);
-  const { names, print: command } = messages.value.views;
+  const { views, timeline } = messages.value;
+  const { print: words } = moreMessages.value;
+  const parts: Readonly<Record<SheetPart, string>> = { timeline: timeline.title, notes: words.notes, ...words.parts };
   const { value: home } = order.home;
   return (
     <>
       <div class="stack gap-3 print-tools">
-        <BackHead back={names[home]} to={`#${home}`}>
-          {names.print}
+        <BackHead back={views.names[home]} to={`#${home}`}>
+          {views.names.print}
         </BackHead>
-        <Choices print={print} />
+        <SegmentChoice
+          name="paper"
+          title={words.paper}
+          choices={PAPER_KEYS}
+          names={PAPERS}
+          chosen={print.paper.value}
+          onChoose={(paper) => print.setPaper(paper)}
+        />
+        <fieldset class="row gap-4">
+          <legend class="hint">{words.what}</legend>
+          {SHEET_PARTS.map((part) => (
+            <Check key={part} checked={print.parts.value.has(part)} onChange={() => print.togglePart(part)}>
+              {parts[part]}
+            </Check>
+          ))}
+        </fieldset>
         <div class="buttons">
           <button type="button" class="primary" disabled={sheets.length === 0} onClick={() => window.print()}>
-            {command}
+            {views.print}
           </button>
         </div>
         <PrintPicker session={session} print={print} />
       </div>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: keys scroll it on a phone */}
       <div class="stack gap-4 print-sheets" tabIndex={0}>
-        {sheets.length === 0 && <p>{moreMessages.value.print.nothing}</p>}
+        {sheets.length === 0 && <p>{words.nothing}</p>}
         {sheets.map((sheet) => (
           <SheetPaper
             key={sheet.key}
@@ -50,36 +67,6 @@ export function PrintView({ session, order }: PrintViewProps) {
           />
         ))}
       </div>
-    </>
-  );
-}
-
-/** Chooses the paper, and the parts of the sheet. */
-function Choices({ print }: { readonly print: Print }) {
-  const { print: words } = moreMessages.value;
-  const parts: Readonly<Record<SheetPart, string>> = {
-    timeline: messages.value.timeline.title,
-    notes: words.notes,
-    ...words.parts,
-  };
-  return (
-    <>
-      <SegmentChoice
-        name="paper"
-        title={words.paper}
-        choices={PAPER_KEYS}
-        names={PAPERS}
-        chosen={print.paper.value}
-        onChoose={(paper) => print.setPaper(paper)}
-      />
-      <fieldset class="row gap-4">
-        <legend class="hint">{words.what}</legend>
-        {SHEET_PARTS.map((part) => (
-          <Check key={part} checked={print.parts.value.has(part)} onChange={() => print.togglePart(part)}>
-            {parts[part]}
-          </Check>
-        ))}
-      </fieldset>
     </>
   );
 }

@@ -1,18 +1,18 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
-import { type SharedSetting, sameLayout, type TimerProgram } from '../../program/index.js';
+import { fieldKey, type SharedSetting, sameLayout, type TimerProgram } from '../../program/index.js';
 import { tried as attempted } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { changesSince } from '../editing/content.js';
 import { eitherOf } from '../messages/either.js';
-import { dateText, messages } from '../messages/index.js';
+import { dateText, messages, valueText } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
 import { memoryName, timerName } from '../messages/names.js';
 import type { Session } from '../work/session.js';
 import { qrLinkOf, sharedOf } from '../work/setting-link.js';
 import { hintText, madeAs, programName, standingText } from '../work/standing-text.js';
 import { isOfLibrary, memoryKey, ON_SCREEN, PAPER_KEYS, type Paper, type PrintOrder } from './print-order.js';
-import { type Marks, type Sheet, type SheetSource, sheetOf } from './sheet.js';
+import { type Sheet, type SheetSource, sheetOf } from './sheet.js';
 
 /** The parts of a sheet that the pilot can choose besides the table. */
 export const SHEET_PARTS = ['timeline', 'notes', 'lines', 'code'] as const;
@@ -85,7 +85,7 @@ export class Print {
   }
 
   #onScreen(): SheetSource | null {
-    const { editor, origin, servoUses } = this.#parts;
+    const { origin, servoUses } = this.#parts;
     const program = origin.program.value;
     if (!program) return null;
     const model = origin.model.value;
@@ -95,7 +95,7 @@ export class Print {
       ...this.#ofTimer(ON_SCREEN, program, model && { ...model, servos }, programName(this.#parts)),
       note: origin.setting.value?.note ?? '',
       origin: this.#standing(),
-      marks: this.#marks(editor.madeAt.value !== null),
+      was: this.#was(program),
     };
   }
 
@@ -167,17 +167,20 @@ export class Print {
       .join('. ');
   }
 
-  /** The values on the screen that are not in the timer, or not in the setting that is of no timer. */
-  #marks(isMade: boolean): Marks {
+  /** Marks values on the screen that are not in the timer, or not in the setting that is of no timer. */
+  #was({ identity }: TimerProgram): Sheet['was'] {
     const { editor, origin, standings } = this.#parts;
     const { marks } = messages.value.knowledge;
-    const isOpen = standings.screen.value.sure === 'not';
+    const isMade = editor.madeAt.value !== null;
     const working = editor.working.value;
     const saved = origin.setting.value?.program;
-    const now = (value: string): string => marks.now({ value });
-    const once = (value: string): string => marks.once({ value });
-    if (!isMade) return { changes: standings.sinceRead.value, text: isOpen ? once : now };
     const isSaved = saved && working && sameLayout(saved.identity, working.identity);
-    return { changes: isSaved ? changesSince(saved, working) : [], text: now };
+    const ofMade = isSaved ? changesSince(saved, working) : [];
+    const mark = !isMade && standings.screen.value.sure === 'not' ? marks.once : marks.now;
+    const texts = (isMade ? ofMade : standings.sinceRead.value).map(({ field, from }) => {
+      return [fieldKey(field), mark({ value: valueText(identity, field, from) })] as const;
+    });
+    const was = new Map(texts);
+    return (field) => was.get(fieldKey(field)) ?? '';
   }
 }

@@ -1,13 +1,6 @@
-import {
-  type Change,
-  checkProgram,
-  fieldKey,
-  type Model,
-  type ProgramField,
-  type TimerProgram,
-} from '../../program/index.js';
+import { checkProgram, type Model, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
-import { fieldLabel, fieldName, findingText, messages, secondsText, valueText } from '../messages/index.js';
+import { fieldLabel, fieldName, findingText, messages, secondsText } from '../messages/index.js';
 import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
 import { dutyName, timerText } from '../messages/names.js';
 import { memoryOf } from '../work/memory-names.js';
@@ -23,20 +16,15 @@ export interface SheetSource {
   readonly note: string;
   /** Where the values come from, and when: “Kept 12 Nov 2026, 14:32”. */
   readonly origin: string;
-  /** The values that are not as this says, and the text of a mark with the old one: “was 3:00”. Default: none. */
-  readonly marks?: Marks;
+  /** The mark of a value that is not as this says: “was 3:00”. Empty for others. Default: no marks. */
+  readonly was?: (field: ProgramField) => string;
   readonly simulated: boolean;
   /** Everything but the note as a link, for a QR code. Null when no code is wanted, or none is possible. */
   readonly link: string | null;
 }
 
-export interface Marks {
-  readonly changes: readonly Change[];
-  readonly text: (old: string) => string;
-}
-
 /** One program as it is printed, in words. */
-export interface Sheet extends Pick<SheetSource, 'key' | 'program' | 'name' | 'origin' | 'simulated' | 'link'> {
+export interface Sheet extends Required<Omit<SheetSource, 'model' | 'note'>> {
   /** Empty when the model is not known: there is room to write its name. */
   readonly model: string;
   /** “F1Q, firmware 536, 10 functions, 3 servos”. */
@@ -46,8 +34,6 @@ export interface Sheet extends Pick<SheetSource, 'key' | 'program' | 'name' | 'o
   readonly figures: readonly (KeyFigure & { readonly isShort: boolean; readonly was: string })[];
   /** Values beside the table: the idle throttle, if the timer has told it, and times without a meaning. */
   readonly others: readonly { readonly label: string; readonly text: string }[];
-  /** The mark of a value that has changed: what it was. Empty for others. */
-  readonly was: (field: ProgramField) => string;
   /** What each servo moves, as the pilot says; empty texts otherwise. */
   readonly servos: readonly string[];
   /** What may cost a model, in sentences. */
@@ -58,12 +44,11 @@ export interface Sheet extends Pick<SheetSource, 'key' | 'program' | 'name' | 'o
 
 /** @param shortDt a DT below this counts as short, in hundredths of a second. */
 export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
-  const { program, model } = source;
+  const { program, model, was = () => '' } = source;
   const { identity, memory } = program;
   const findings = checkProgram(program, { shortDt });
   const isShort = findings.some(({ code }) => code === 'dt-short');
   const { about } = messages.value;
-  const was = wasIn(identity, source.marks);
   return {
     ...source,
     model: model?.name ?? '',
@@ -91,16 +76,7 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
   };
 }
 
-/** Gives the mark of a field; an empty text where it has not changed. */
-function wasIn(identity: TimerProgram['identity'], marks: Marks | undefined): (field: ProgramField) => string {
-  const old = new Map(marks?.changes.map(({ field, from }) => [fieldKey(field), valueText(identity, field, from)]));
-  return (field) => {
-    const text = old.get(fieldKey(field));
-    return marks && text !== undefined ? marks.text(text) : '';
-  };
-}
-
-function othersOf(program: TimerProgram, was: (field: ProgramField) => string): Sheet['others'] {
+function othersOf(program: TimerProgram, was: Sheet['was']): Sheet['others'] {
   const { program: words } = messages.value;
   const { identity, idleThrottle } = program;
   const first = program.times[0] ?? 0;
