@@ -1,5 +1,4 @@
 import { useEffect } from 'preact/hooks';
-import { messages } from '../messages/index.js';
 import { moreMessages } from '../messages/more.js';
 import type { Session } from '../work/session.js';
 import { type FlownBy, NO_FILTER } from './flight-filter.js';
@@ -15,21 +14,18 @@ interface FlightsSectionProps {
   readonly onAll: () => void;
 }
 
-/** The flights of a model or a setting: their totals, and the way to them. */
+/** The flights of a model or a setting, where there are some: their totals, and the way to them. */
 export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps) {
   const words = moreMessages.value.flights;
   const { flights } = session.library;
   useEffect(() => void flights.load(), [flights]);
   const records = filtered(flights.list.value, { ...NO_FILTER, of });
-  // A setting stands beside its model, which says that there is none.
-  if (of.kind === 'setting' && records.length === 0 && !flights.failed.value) return null;
+  if (records.length === 0 && !flights.failed.value) return null;
   return (
     <section class="stack">
       <h2>{words.title}</h2>
       {records.length === 0 ? (
-        <p class="hint">
-          {flights.failed.value ? words.failed : flights.loaded.value ? words.empty.title : messages.value.parts.coming}
-        </p>
+        <p class="hint">{words.failed}</p>
       ) : (
         <>
           <TotalsLine records={records} />

@@ -382,12 +382,6 @@ describe('following ends', () => {
     expect(app.editor.baseline.value?.positions[1]?.[4]).toBe(70);
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
   });
-
-  it('without a message when the pilot has ended it', async () => {
-    const app = await following();
-    await run(app.follow.stop());
-    expect(app.follow.ended.value).toBeNull();
-  });
 });
 
 describe('nothing begins', () => {

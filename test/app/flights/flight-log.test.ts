@@ -151,17 +151,6 @@ describe('one tap', () => {
     expect([logged(app), kept(app)]).toEqual([[flight], [flight]]);
   });
 
-  it('is no longer called new once it was open in the form: the next one can be logged', async () => {
-    const app = await connectedBench();
-    app.flights.flying();
-    await idle(0);
-    const { id } = latest(app);
-    app.flights.fillIn(id);
-    expect(app.flights.logged.value).toBe(id);
-    app.flights.close();
-    expect([app.flights.logged.value, logged(app).length]).toEqual([null, 1]);
-  });
-
   it('does not call a flight before the write logged under the result of the write', async () => {
     const app = await connectedBench();
     await write(app, '4:00');
