@@ -126,14 +126,27 @@ function OpenSetting({ session, record, onProgram }: SettingPageProps & { readon
   const words = moreMessages.value.library;
   const { opened } = session;
   const isOpen = session.origin.setting.value?.id === record.key;
+  const obstacle = opened.obstacle(record.setting.program);
+  const unsaved = isOpen ? opened.unsaved.value : null;
+  const count = (unsaved?.changes ?? 0) + (unsaved?.unreadable ?? 0);
   if (isOpen) {
-    const { changes = 0, unreadable = 0 } = opened.unsaved.value ?? {};
-    const count = changes + unreadable;
     return (
       <>
         <button type="button" class="primary" onClick={onProgram}>
           {words.setting.isOpen}
         </button>
+        {count > 0 && Number.isFinite(count) && (
+          <button
+            type="button"
+            disabled={obstacle !== null}
+            onClick={() => {
+              opened.loadAgain();
+              onProgram();
+            }}
+          >
+            {words.setting.loadAgain({ count })}
+          </button>
+        )}
         {count > 0 && <p class="hint whole-line">{words.save.state({ name: record.setting.name, changes: count })}</p>}
       </>
     );
@@ -141,7 +154,7 @@ function OpenSetting({ session, record, onProgram }: SettingPageProps & { readon
   return (
     <OpenButton
       label={messages.value.open}
-      obstacle={opened.obstacle(record.setting.program)}
+      obstacle={obstacle}
       primary
       open={() => opened.show(record.setting)}
       onProgram={onProgram}

@@ -703,6 +703,12 @@ library_model_withSettings =
        *[other] Jeho { $count }{"\u00a0"}programů se smaže s ním. „Zpět“ vrátí vše.
     }
 library_setting_isOpen = Na obrazovce: podívat se
+library_setting_loadAgain =
+    { $count ->
+        [one] Otevřít znovu: vrátí se { $count } hodnota
+        [few] Otevřít znovu: vrátí se { $count } hodnoty
+       *[other] Otevřít znovu: vrátí se { $count } hodnot
+    }
 library_setting_tags = Štítky, oddělené čárkami
 library_setting_from_typed = napsáno
 library_setting_from_timer = přečteno z časovače

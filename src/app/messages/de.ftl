@@ -683,6 +683,11 @@ library_model_withSettings =
        *[other] Seine { $count }{"\u00a0"}Programme werden mit gelöscht. „Rückgängig“ bringt alles zurück.
     }
 library_setting_isOpen = Auf dem Bildschirm: ansehen
+library_setting_loadAgain =
+    { $count ->
+        [one] Neu öffnen: { $count } Wert geht zurück
+       *[other] Neu öffnen: { $count } Werte gehen zurück
+    }
 library_setting_tags = Stichwörter, durch Kommas getrennt
 library_setting_from_typed = eingegeben
 library_setting_from_timer = aus einem Timer gelesen

@@ -742,6 +742,12 @@ library_model_withSettings =
        *[other] Its { $count }{"\u00a0"}programs are deleted with it. Undo brings all back.
     }
 library_setting_isOpen = On the screen: look at it
+# $count: of the values on the screen that differ from the saved ones.
+library_setting_loadAgain =
+    { $count ->
+        [one] Open again: { $count } value goes back
+       *[other] Open again: { $count } values go back
+    }
 library_setting_tags = Tags, separated by commas
 library_setting_from_typed = typed
 library_setting_from_timer = read from a timer

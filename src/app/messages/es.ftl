@@ -683,6 +683,11 @@ library_model_withSettings =
        *[other] Se borran también sus { $count }{"\u00a0"}programas. Deshacer lo recupera todo.
     }
 library_setting_isOpen = En la pantalla: verlo
+library_setting_loadAgain =
+    { $count ->
+        [one] Volver a abrir: { $count } valor vuelve atrás
+       *[other] Volver a abrir: { $count } valores vuelven atrás
+    }
 library_setting_tags = Etiquetas, separadas por comas
 library_setting_from_typed = introducido
 library_setting_from_timer = leído de un temporizador

@@ -684,6 +684,11 @@ library_model_withSettings =
        *[other] Ses { $count }{"\u00a0"}programmes sont supprimés avec lui. «{"\u00a0"}{ undo }{"\u00a0"}» fait tout revenir.
     }
 library_setting_isOpen = À l’écran{"\u00a0"}: le regarder
+library_setting_loadAgain =
+    { $count ->
+        [one] Rouvrir{"\u00a0"}: { $count } valeur revient
+       *[other] Rouvrir{"\u00a0"}: { $count } valeurs reviennent
+    }
 library_setting_tags = Mots-clés, séparés par des virgules
 library_setting_from_typed = saisi
 library_setting_from_timer = lu dans une minuterie

@@ -608,6 +608,7 @@ library_model_withSettings =
        *[other] { $count }{"\u00a0"}programja vele együtt törlődik. A visszavonás mindet visszahozza.
     }
 library_setting_isOpen = A képernyőn van: megnézés
+library_setting_loadAgain = Megnyitás újra: { $count } érték visszaáll
 library_setting_tags = Címkék, vesszővel elválasztva
 library_setting_from_typed = begépelve
 library_setting_from_timer = időzítőből kiolvasva

@@ -684,6 +684,11 @@ library_model_withSettings =
        *[other] Insieme vengono eliminati { $count }{"\u00a0"}programmi. Annulla li riporta tutti.
     }
 library_setting_isOpen = Sullo schermo: mostralo
+library_setting_loadAgain =
+    { $count ->
+        [one] Riapri: { $count } valore torna indietro
+       *[other] Riapri: { $count } valori tornano indietro
+    }
 library_setting_tags = Etichette, separate da virgole
 library_setting_from_typed = inserito
 library_setting_from_timer = letto da un timer

@@ -683,6 +683,11 @@ library_model_withSettings =
        *[other] De { $count }{"\u00a0"}programma’s ervan worden mee gewist. “Ongedaan maken” brengt alles terug.
     }
 library_setting_isOpen = Op het scherm: bekijken
+library_setting_loadAgain =
+    { $count ->
+        [one] Opnieuw openen: { $count } waarde gaat terug
+       *[other] Opnieuw openen: { $count } waarden gaan terug
+    }
 library_setting_tags = Trefwoorden, met komma’s ertussen
 library_setting_from_typed = getypt
 library_setting_from_timer = gelezen uit een timer

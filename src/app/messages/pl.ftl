@@ -703,6 +703,12 @@ library_model_withSettings =
        *[many] Razem z nim zostanie usuniętych jego { $count }{"\u00a0"}programów. „Cofnij” przywraca wszystko.
     }
 library_setting_isOpen = Na ekranie: zobacz
+library_setting_loadAgain =
+    { $count ->
+        [one] Otwórz ponownie: wróci { $count } wartość
+        [few] Otwórz ponownie: wrócą { $count } wartości
+       *[many] Otwórz ponownie: wróci { $count } wartości
+    }
 library_setting_tags = Tagi, oddzielone przecinkami
 library_setting_from_typed = wpisany
 library_setting_from_timer = odczytany z timera

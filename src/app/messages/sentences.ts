@@ -1303,6 +1303,7 @@ export interface MoreSentences {
     };
     readonly setting: {
       readonly isOpen: string;
+      readonly loadAgain: (params: { readonly count: number }) => string;
       readonly tags: string;
       readonly from: {
         readonly typed: string;

@@ -708,6 +708,12 @@ library_model_withSettings =
        *[many] Разом із нею видаляються { $count }{"\u00a0"}програм. «Відмінити» поверне все.
     }
 library_setting_isOpen = На екрані: переглянути
+library_setting_loadAgain =
+    { $count ->
+        [one] Відкрити знову: { $count } значення повернеться
+        [few] Відкрити знову: { $count } значення повернуться
+       *[many] Відкрити знову: { $count } значень повернуться
+    }
 library_setting_tags = Мітки, через кому
 library_setting_from_typed = введено
 library_setting_from_timer = зчитано з таймера

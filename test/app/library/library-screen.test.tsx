@@ -112,6 +112,22 @@ it('the strip says which setting is open, and how many changes are not saved', a
   expect(screen.getByText('Lancer 01, fly-off 0: saved')).toBeTruthy();
 });
 
+it('a setting that is open can be loaded again after changes, as one step', async () => {
+  const app = await at('model-0/setting-0');
+  await press(messages.value.open);
+  const { editor } = app.session;
+  const saved = editor.working.value;
+  const again = en.library.setting.loadAgain({ count: 3 });
+  for (const slot of [1, 2, 3]) editor.type({ kind: 'position', servo: 0, slot }, '111');
+  app.models.views.show('library', 'model-0/setting-0');
+  await idle();
+  expect(again).toBe('Open again: 3 values go back');
+  await press(again);
+  expect([editor.working.value, app.models.views.shown.value]).toEqual([saved, 'program']);
+  editor.undo();
+  expect(editor.working.value?.positions[0]?.slice(1, 4)).toEqual([111, 111, 111]);
+});
+
 it('a program is saved under a model that is made with it', async () => {
   const app = await at('model-0/setting-0');
   await press(messages.value.open);
