@@ -361,6 +361,12 @@ edits_fixOf = Nastavit { $value }: { $field }
 files_export_all = Exportovat vše…
 files_export_one = Exportovat…
 files_export_downloaded = Soubor „{ $name }“ jde do stažených souborů: { $what }. Zkontrolujte, že tam je.
+files_export_without = chybí: { $kind }
+files_export_kinds_models = modely
+files_export_kinds_settings = programy
+files_export_kinds_flights = lety
+files_export_partly = Soubor „{ $name }“ není úplný. Obsahuje: { $what }. Prohlížeč teď nemůže přečíst: { $missing }. Zavřete ostatní karty této stránky a exportujte znovu.
+files_export_and = { $first } a { $next }
 files_export_tooLarge = Knihovna je na jeden soubor příliš velká. Exportujte její modely po jednom.
 files_export_failed = Soubor se nepodařilo vytvořit. Načtěte stránku znovu a zkuste to ještě jednou.
 files_import_button = Importovat…
@@ -374,16 +380,25 @@ files_import_ignored =
        *[other] { $count } záznamů je z novější verze této stránky a vynechá se.
     }
 files_import_nothing = Toto všechno už máte.
+files_import_differs = Co se liší
+files_import_ways_newer = Vzít novější
+files_import_ways_both = Ponechat obojí
+files_import_itself = samotný model
+files_import_flightOf = let ze dne { $day }
+files_import_wayText_newer = Co je tu novější nebo má stejné datum, zůstane.
+files_import_wayText_both = Zůstane obojí. To ze souboru dostane za název číslo.
 files_import_unknownModel = Model, který tu není
 files_import_group_fresh = Nové: { $what }
 files_import_group_same = Stejné: { $what }
 files_import_group_fileNewer = V souboru novější: { $what }
 files_import_group_deviceNewer = V souboru ne novější: { $what }
+files_import_group_fileName = { $file } (zde: { $here })
 files_import_take =
     { $count ->
         [0] Není co importovat
        *[other] Importovat { $count }
     }
+files_import_allStays = V souboru není nic novějšího. Chcete-li to přesto importovat, zvolte „{ files_import_ways_both }“.
 files_import_done = Importováno z „{ $name }“: { $what }.
 files_import_undo = Vzít import zpět
 files_import_undone = Import je vzat zpět. Pozdější změny zůstávají.
@@ -391,7 +406,21 @@ files_refused_title = Nelze importovat: { $name }
 files_refused_nothing = Nic nebylo importováno.
 files_refused_again = Exportujte soubor znovu, nebo požádejte odesílatele o nový.
 files_refused_fault = Řádek{"\u00a0"}{ $line }: nalezeno { $found }.
+files_refused_faultIn = Řádek{"\u00a0"}{ $line }, { $place }: nalezeno { $found }.
 files_refused_wanted = Očekáváno:
+files_refused_place_entry =
+    { $kind ->
+        [models] Model „{ $name }“
+        [settings] Program „{ $name }“
+       *[flights] Let „{ $name }“
+    }
+files_refused_place_unnamed =
+    { $kind ->
+        [models] Model { $number } v souboru
+        [settings] Program { $number } v souboru
+       *[flights] Let { $number } v souboru
+    }
+files_refused_place_function = funkce { $number }
 files_refused_damaged = Soubor je poškozený nebo neúplný.
 files_refused_files_too-large = Soubor je na knihovnu příliš velký.
 files_refused_files_gone = Soubor se nepodařilo přečíst. Vyberte ho znovu.

@@ -350,6 +350,12 @@ edits_fixOf = Auf { $value } setzen: { $field }
 files_export_all = Alles exportieren…
 files_export_one = Exportieren…
 files_export_downloaded = „{ $name }“ geht in Ihre Downloads: { $what }. Sehen Sie nach, ob die Datei dort ist.
+files_export_without = ohne { $kind }
+files_export_kinds_models = Modelle
+files_export_kinds_settings = Programme
+files_export_kinds_flights = Flüge
+files_export_partly = „{ $name }“ ist nicht vollständig. Die Datei enthält { $what }. Was der Browser gerade nicht lesen kann: { $missing }. Schließen Sie andere Tabs dieser Seite und exportieren Sie noch einmal.
+files_export_and = { $first } und { $next }
 files_export_tooLarge = Die Bibliothek ist zu groß für eine Datei. Exportieren Sie ihre Modelle einzeln.
 files_export_failed = Die Datei konnte nicht erstellt werden. Laden Sie die Seite neu und versuchen Sie es noch einmal.
 files_import_button = Importieren…
@@ -362,16 +368,25 @@ files_import_ignored =
        *[other] { $count } Einträge stammen von einer neueren Version dieser Seite und werden weggelassen.
     }
 files_import_nothing = Das alles haben Sie schon.
+files_import_differs = Was sich unterscheidet
+files_import_ways_newer = Das Neuere nehmen
+files_import_ways_both = Beides behalten
+files_import_itself = das Modell selbst
+files_import_flightOf = Flug: { $day }
+files_import_wayText_newer = Was hier neuer ist oder dasselbe Datum hat, bleibt.
+files_import_wayText_both = Beides bleibt. Was aus der Datei kommt, bekommt eine Nummer hinter den Namen.
 files_import_unknownModel = Ein Modell, das hier fehlt
 files_import_group_fresh = Neu: { $what }
 files_import_group_same = Gleich: { $what }
 files_import_group_fileNewer = In der Datei neuer: { $what }
 files_import_group_deviceNewer = In der Datei nicht neuer: { $what }
+files_import_group_fileName = { $file } (hier: { $here })
 files_import_take =
     { $count ->
         [0] Nichts zu importieren
        *[other] { $count } importieren
     }
+files_import_allStays = Nichts in der Datei ist neuer. Wählen Sie „{ files_import_ways_both }“, um es trotzdem zu importieren.
 files_import_done = Aus „{ $name }“ importiert: { $what }.
 files_import_undo = Import rückgängig
 files_import_undone = Der Import ist rückgängig gemacht. Spätere Änderungen bleiben.
@@ -379,7 +394,21 @@ files_refused_title = { $name } lässt sich nicht importieren
 files_refused_nothing = Nichts wurde importiert.
 files_refused_again = Exportieren Sie die Datei noch einmal oder bitten Sie den Absender um eine neue.
 files_refused_fault = Zeile{"\u00a0"}{ $line }: gefunden { $found }.
+files_refused_faultIn = Zeile{"\u00a0"}{ $line }, { $place }: gefunden { $found }.
 files_refused_wanted = Erwartet:
+files_refused_place_entry =
+    { $kind ->
+        [models] Modell „{ $name }“
+        [settings] Programm „{ $name }“
+       *[flights] Flug „{ $name }“
+    }
+files_refused_place_unnamed =
+    { $kind ->
+        [models] Modell { $number } in der Datei
+        [settings] Programm { $number } in der Datei
+       *[flights] Flug { $number } in der Datei
+    }
+files_refused_place_function = Funktion { $number }
 files_refused_damaged = Die Datei ist beschädigt oder nicht vollständig.
 files_refused_files_too-large = Die Datei ist zu groß für eine Bibliothek.
 files_refused_files_gone = Die Datei konnte nicht gelesen werden. Wählen Sie sie noch einmal.

@@ -394,6 +394,15 @@ files_export_all = Export all…
 files_export_one = Export…
 # Given to the browser as a download. It does not say whether it has saved the file.
 files_export_downloaded = “{ $name }” goes to your downloads: { $what }. Check that it is there.
+# Added to the name of the program that wrote a file.
+files_export_without = without { $kind }
+# Kinds of what the library has, inside a sentence.
+files_export_kinds_models = models
+files_export_kinds_settings = programs
+files_export_kinds_flights = flights
+files_export_partly = “{ $name }” is not complete. It holds { $what }. The browser cannot read the { $missing } now: close other tabs of this page, and export again.
+# Joins what is missing.
+files_export_and = { $first } and { $next }
 files_export_tooLarge = The library is too large for one file. Export its models one by one.
 files_export_failed = The file could not be made. Load the page again and try once more.
 files_import_button = Import…
@@ -406,16 +415,28 @@ files_import_ignored =
        *[other] { $count } entries are of a newer version of this page and are left out.
     }
 files_import_nothing = You have all of this already.
+files_import_differs = What differs
+files_import_ways_newer = Take the newer
+files_import_ways_both = Keep both
+# The facts of a model: its name, notes, servos.
+files_import_itself = the model itself
+files_import_flightOf = flight of { $day }
+files_import_wayText_newer = What is newer here, or has the same date, stays.
+files_import_wayText_both = Both stay. The one from the file gets a number after its name.
 files_import_unknownModel = A model that is not here
 files_import_group_fresh = New: { $what }
 files_import_group_same = The same: { $what }
 files_import_group_fileNewer = Newer in the file: { $what }
 files_import_group_deviceNewer = Not newer in the file: { $what }
+# An entry that has another name here than in the file.
+files_import_group_fileName = { $file } (here: { $here })
 files_import_take =
     { $count ->
         [0] Nothing to import
        *[other] Import { $count }
     }
+# Why there is nothing to import, and what to do.
+files_import_allStays = Nothing in the file is newer. Choose “{ files_import_ways_both }” to import it, too.
 files_import_done = Imported from “{ $name }”: { $what }.
 files_import_undo = Undo the import
 files_import_undone = The import was undone. Later changes stay.
@@ -424,8 +445,24 @@ files_refused_nothing = Nothing was imported.
 files_refused_again = Export the file again, or ask its sender for a new one.
 # $found: as it stands in the file.
 files_refused_fault = Line{"\u00a0"}{ $line }: found { $found }.
+# $place: the parts of a place that follow, with commas between them.
+files_refused_faultIn = Line{"\u00a0"}{ $line }, { $place }: found { $found }.
 # Before what the check of the file says, in English.
 files_refused_wanted = Expected:
+files_refused_place_entry =
+    { $kind ->
+        [models] Model “{ $name }”
+        [settings] Program “{ $name }”
+       *[flights] Flight “{ $name }”
+    }
+# An entry without a name, by its place among those of its kind.
+files_refused_place_unnamed =
+    { $kind ->
+        [models] Model { $number } in the file
+        [settings] Program { $number } in the file
+       *[flights] Flight { $number } in the file
+    }
+files_refused_place_function = function { $number }
 files_refused_damaged = The file is damaged or not complete.
 files_refused_files_too-large = The file is too large for a library.
 files_refused_files_gone = The file could not be read. Choose it again.

@@ -350,6 +350,12 @@ edits_fixOf = Poner { $value }: { $field }
 files_export_all = Exportar todo…
 files_export_one = Exportar…
 files_export_downloaded = «{ $name }» va a sus descargas: { $what }. Compruebe que está allí.
+files_export_without = sin { $kind }
+files_export_kinds_models = modelos
+files_export_kinds_settings = programas
+files_export_kinds_flights = vuelos
+files_export_partly = «{ $name }» no está completo. Contiene { $what }. El navegador no puede leer ahora: { $missing }. Cierre otras pestañas de esta página y exporte de nuevo.
+files_export_and = { $first } y { $next }
 files_export_tooLarge = La biblioteca es demasiado grande para un solo archivo. Exporte sus modelos uno a uno.
 files_export_failed = No se ha podido crear el archivo. Vuelva a cargar la página e inténtelo otra vez.
 files_import_button = Importar…
@@ -362,16 +368,25 @@ files_import_ignored =
        *[other] { $count } entradas son de una versión más nueva de esta página y se omiten.
     }
 files_import_nothing = Ya tiene todo esto.
+files_import_differs = Diferencias
+files_import_ways_newer = Tomar lo más nuevo
+files_import_ways_both = Quedarse con ambos
+files_import_itself = el propio modelo
+files_import_flightOf = vuelo: { $day }
+files_import_wayText_newer = Se queda lo que aquí es más nuevo o tiene la misma fecha.
+files_import_wayText_both = Se quedan ambos. El del archivo recibe un número tras su nombre.
 files_import_unknownModel = Un modelo que no está aquí
 files_import_group_fresh = Nuevo: { $what }
 files_import_group_same = Igual: { $what }
 files_import_group_fileNewer = Más nuevo en el archivo: { $what }
 files_import_group_deviceNewer = No más nuevo en el archivo: { $what }
+files_import_group_fileName = { $file } (aquí: { $here })
 files_import_take =
     { $count ->
         [0] Nada que importar
        *[other] Importar { $count }
     }
+files_import_allStays = Nada del archivo es más nuevo. Elija «{ files_import_ways_both }» para importarlo también.
 files_import_done = Importado de «{ $name }»: { $what }.
 files_import_undo = Deshacer la importación
 files_import_undone = Se ha deshecho la importación. Los cambios posteriores se quedan.
@@ -379,7 +394,21 @@ files_refused_title = No se puede importar { $name }
 files_refused_nothing = No se ha importado nada.
 files_refused_again = Exporte el archivo de nuevo, o pida otro a quien lo envió.
 files_refused_fault = Línea{"\u00a0"}{ $line }: hay { $found }.
+files_refused_faultIn = Línea{"\u00a0"}{ $line }, { $place }: hay { $found }.
 files_refused_wanted = Se esperaba:
+files_refused_place_entry =
+    { $kind ->
+        [models] Modelo «{ $name }»
+        [settings] Programa «{ $name }»
+       *[flights] Vuelo «{ $name }»
+    }
+files_refused_place_unnamed =
+    { $kind ->
+        [models] Modelo { $number } del archivo
+        [settings] Programa { $number } del archivo
+       *[flights] Vuelo { $number } del archivo
+    }
+files_refused_place_function = función { $number }
 files_refused_damaged = El archivo está dañado o incompleto.
 files_refused_files_too-large = El archivo es demasiado grande para una biblioteca.
 files_refused_files_gone = No se ha podido leer el archivo. Elíjalo de nuevo.

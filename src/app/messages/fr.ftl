@@ -351,6 +351,12 @@ edits_fixOf = Mettre à { $value }{"\u00a0"}: { $field }
 files_export_all = Tout exporter…
 files_export_one = Exporter…
 files_export_downloaded = «{"\u00a0"}{ $name }{"\u00a0"}» va dans vos téléchargements{"\u00a0"}: { $what }. Regardez s’il y est.
+files_export_without = sans { $kind }
+files_export_kinds_models = modèles
+files_export_kinds_settings = programmes
+files_export_kinds_flights = vols
+files_export_partly = «{"\u00a0"}{ $name }{"\u00a0"}» n’est pas complet. Il contient{"\u00a0"}: { $what }. Le navigateur ne peut pas lire en ce moment{"\u00a0"}: { $missing }. Fermez les autres onglets de cette page et exportez à nouveau.
+files_export_and = { $first } et { $next }
 files_export_tooLarge = La bibliothèque est trop grande pour un seul fichier. Exportez ses modèles un par un.
 files_export_failed = Le fichier n’a pas pu être créé. Rechargez la page et réessayez.
 files_import_button = Importer…
@@ -363,16 +369,25 @@ files_import_ignored =
        *[other] { $count } entrées viennent d’une version plus récente de cette page et sont laissées de côté.
     }
 files_import_nothing = Vous avez déjà tout cela.
+files_import_differs = Ce qui diffère
+files_import_ways_newer = Prendre le plus récent
+files_import_ways_both = Conserver les deux
+files_import_itself = le modèle lui-même
+files_import_flightOf = vol ({ $day })
+files_import_wayText_newer = Ce qui est plus récent ici, ou de la même date, reste.
+files_import_wayText_both = Les deux restent. Celui du fichier reçoit un numéro après son nom.
 files_import_unknownModel = Un modèle qui n’est pas ici
 files_import_group_fresh = Nouveau{"\u00a0"}: { $what }
 files_import_group_same = Identique{"\u00a0"}: { $what }
 files_import_group_fileNewer = Plus récent dans le fichier{"\u00a0"}: { $what }
 files_import_group_deviceNewer = Pas plus récent dans le fichier{"\u00a0"}: { $what }
+files_import_group_fileName = { $file } (ici{"\u00a0"}: { $here })
 files_import_take =
     { $count ->
         [0] Rien à importer
        *[other] Importer { $count }
     }
+files_import_allStays = Rien dans le fichier n’est plus récent. Choisissez «{"\u00a0"}{ files_import_ways_both }{"\u00a0"}» pour l’importer aussi.
 files_import_done = Importé de «{"\u00a0"}{ $name }{"\u00a0"}»{"\u00a0"}: { $what }.
 files_import_undo = Annuler l’import
 files_import_undone = L’import a été annulé. Les changements faits depuis restent.
@@ -380,7 +395,21 @@ files_refused_title = { $name } ne peut pas être importé
 files_refused_nothing = Rien n’a été importé.
 files_refused_again = Exportez à nouveau le fichier, ou demandez-en un nouveau à l’expéditeur.
 files_refused_fault = Ligne{"\u00a0"}{ $line }{"\u00a0"}: trouvé { $found }.
+files_refused_faultIn = Ligne{"\u00a0"}{ $line }, { $place }{"\u00a0"}: trouvé { $found }.
 files_refused_wanted = Attendu{"\u00a0"}:
+files_refused_place_entry =
+    { $kind ->
+        [models] Modèle «{"\u00a0"}{ $name }{"\u00a0"}»
+        [settings] Programme «{"\u00a0"}{ $name }{"\u00a0"}»
+       *[flights] Vol «{"\u00a0"}{ $name }{"\u00a0"}»
+    }
+files_refused_place_unnamed =
+    { $kind ->
+        [models] Modèle { $number } du fichier
+        [settings] Programme { $number } du fichier
+       *[flights] Vol { $number } du fichier
+    }
+files_refused_place_function = fonction { $number }
 files_refused_damaged = Le fichier est endommagé ou incomplet.
 files_refused_files_too-large = Le fichier est trop grand pour une bibliothèque.
 files_refused_files_gone = Le fichier n’a pas pu être lu. Choisissez-le à nouveau.

@@ -320,6 +320,12 @@ edits_fixOf = Legyen { $value }: { $field }
 files_export_all = Minden exportálása…
 files_export_one = Exportálás…
 files_export_downloaded = „{ $name }” a letöltések közé kerül: { $what }. Nézze meg, hogy ott van-e.
+files_export_without = ezek nélkül: { $kind }
+files_export_kinds_models = modellek
+files_export_kinds_settings = programok
+files_export_kinds_flights = repülések
+files_export_partly = „{ $name }” nem teljes. Ez van benne: { $what }. A böngésző most nem tudja olvasni ezt: { $missing }. Zárja be az oldal többi lapját, és exportáljon újra.
+files_export_and = { $first } és { $next }
 files_export_tooLarge = A könyvtár túl nagy egy fájlhoz. Exportálja a modelleket egyenként.
 files_export_failed = A fájl nem készült el. Töltse be újra az oldalt, és próbálja meg még egyszer.
 files_import_button = Importálás…
@@ -328,16 +334,25 @@ files_import_lead = Mentve: { $date }. Ez van benne: { $what }.
 files_import_leadNothing = Mentve: { $date }. Nincs benne semmi.
 files_import_ignored = { $count } bejegyzés az oldal újabb változatából való, és kimarad.
 files_import_nothing = Mindez már megvan.
+files_import_differs = Ami eltér
+files_import_ways_newer = Az újabb maradjon
+files_import_ways_both = Mindkettő maradjon
+files_import_itself = maga a modell
+files_import_flightOf = repülés: { $day }
+files_import_wayText_newer = Ami itt újabb vagy azonos dátumú, az marad.
+files_import_wayText_both = Mindkettő marad. A fájlból jövő neve után szám áll.
 files_import_unknownModel = Modell, amely itt nincs meg
 files_import_group_fresh = Új: { $what }
 files_import_group_same = Ugyanaz: { $what }
 files_import_group_fileNewer = A fájlban újabb: { $what }
 files_import_group_deviceNewer = A fájlban nem újabb: { $what }
+files_import_group_fileName = { $file } (itt: { $here })
 files_import_take =
     { $count ->
         [0] Nincs mit importálni
        *[other] Importálás: { $count }
     }
+files_import_allStays = A fájlban semmi nem újabb. Ha mégis importálni szeretné, válassza ezt: „{ files_import_ways_both }”.
 files_import_done = Importálva ebből: „{ $name }”: { $what }.
 files_import_undo = Importálás visszavonása
 files_import_undone = Az importálás vissza van vonva. A későbbi módosítások maradnak.
@@ -345,7 +360,21 @@ files_refused_title = Nem importálható: { $name }
 files_refused_nothing = Semmi nem lett importálva.
 files_refused_again = Exportálja újra a fájlt, vagy kérjen újat a küldőjétől.
 files_refused_fault = { $line }.{"\u00a0"}sor: talált: { $found }.
+files_refused_faultIn = { $line }.{"\u00a0"}sor, { $place }: talált: { $found }.
 files_refused_wanted = Várt:
+files_refused_place_entry =
+    { $kind ->
+        [models] „{ $name }” modell
+        [settings] „{ $name }” program
+       *[flights] „{ $name }” repülés
+    }
+files_refused_place_unnamed =
+    { $kind ->
+        [models] a fájl { $number }. modellje
+        [settings] a fájl { $number }. programja
+       *[flights] a fájl { $number }. repülése
+    }
+files_refused_place_function = { $number }. funkció
 files_refused_damaged = A fájl sérült vagy nem teljes.
 files_refused_files_too-large = A fájl túl nagy ahhoz, hogy könyvtár legyen.
 files_refused_files_gone = A fájlt nem sikerült beolvasni. Válassza ki újra.

@@ -351,6 +351,12 @@ edits_fixOf = Imposta { $value }: { $field }
 files_export_all = Esporta tutto…
 files_export_one = Esporta…
 files_export_downloaded = «{ $name }» va tra i download: { $what }. Controllare che ci sia.
+files_export_without = senza { $kind }
+files_export_kinds_models = modelli
+files_export_kinds_settings = programmi
+files_export_kinds_flights = voli
+files_export_partly = «{ $name }» non è completo. Contiene { $what }. Il browser ora non può leggere: { $missing }. Chiudere le altre schede di questa pagina ed esportare di nuovo.
+files_export_and = { $first } e { $next }
 files_export_tooLarge = La libreria è troppo grande per un solo file. Esportare i modelli uno per uno.
 files_export_failed = Non è stato possibile creare il file. Ricaricare la pagina e riprovare.
 files_import_button = Importa…
@@ -363,16 +369,25 @@ files_import_ignored =
        *[other] { $count } voci sono di una versione più nuova di questa pagina e vengono tralasciate.
     }
 files_import_nothing = Tutto questo c’è già.
+files_import_differs = Differenze
+files_import_ways_newer = Prendi il più nuovo
+files_import_ways_both = Tieni entrambi
+files_import_itself = il modello stesso
+files_import_flightOf = volo: { $day }
+files_import_wayText_newer = Resta ciò che qui è più nuovo o ha la stessa data.
+files_import_wayText_both = Restano entrambi. Quello del file riceve un numero dopo il nome.
 files_import_unknownModel = Un modello che qui non c’è
 files_import_group_fresh = Nuovi: { $what }
 files_import_group_same = Uguali: { $what }
 files_import_group_fileNewer = Più nuovi nel file: { $what }
 files_import_group_deviceNewer = Non più nuovi nel file: { $what }
+files_import_group_fileName = { $file } (qui: { $here })
 files_import_take =
     { $count ->
         [0] Nulla da importare
        *[other] Importa { $count }
     }
+files_import_allStays = Nel file non c’è nulla di più nuovo. Scegliere «{ files_import_ways_both }» per importarlo comunque.
 files_import_done = Importati da «{ $name }»: { $what }.
 files_import_undo = Annulla l’importazione
 files_import_undone = L’importazione è stata annullata. Le modifiche successive restano.
@@ -380,7 +395,21 @@ files_refused_title = { $name } non può essere importato
 files_refused_nothing = Nulla è stato importato.
 files_refused_again = Esportare di nuovo il file, o chiederne uno nuovo a chi lo ha inviato.
 files_refused_fault = Riga{"\u00a0"}{ $line }: trovato { $found }.
+files_refused_faultIn = Riga{"\u00a0"}{ $line }, { $place }: trovato { $found }.
 files_refused_wanted = Previsto:
+files_refused_place_entry =
+    { $kind ->
+        [models] Modello «{ $name }»
+        [settings] Programma «{ $name }»
+       *[flights] Volo «{ $name }»
+    }
+files_refused_place_unnamed =
+    { $kind ->
+        [models] Modello { $number } nel file
+        [settings] Programma { $number } nel file
+       *[flights] Volo { $number } nel file
+    }
+files_refused_place_function = funzione { $number }
 files_refused_damaged = Il file è danneggiato o incompleto.
 files_refused_files_too-large = Il file è troppo grande per una libreria.
 files_refused_files_gone = Non è stato possibile leggere il file. Sceglierlo di nuovo.

@@ -350,6 +350,12 @@ edits_fixOf = Op { $value } zetten: { $field }
 files_export_all = Alles exporteren…
 files_export_one = Exporteren…
 files_export_downloaded = “{ $name }” gaat naar je downloads: { $what }. Kijk of het daar staat.
+files_export_without = zonder { $kind }
+files_export_kinds_models = modellen
+files_export_kinds_settings = programma’s
+files_export_kinds_flights = vluchten
+files_export_partly = “{ $name }” is niet volledig. Het bevat { $what }. Wat de browser nu niet kan lezen: { $missing }. Sluit andere tabbladen van deze pagina en exporteer opnieuw.
+files_export_and = { $first } en { $next }
 files_export_tooLarge = De bibliotheek is te groot voor één bestand. Exporteer de modellen een voor een.
 files_export_failed = Het bestand kon niet gemaakt worden. Laad de pagina opnieuw en probeer het nog eens.
 files_import_button = Importeren…
@@ -362,16 +368,25 @@ files_import_ignored =
        *[other] { $count } items zijn van een nieuwere versie van deze pagina en worden weggelaten.
     }
 files_import_nothing = Dit alles heb je al.
+files_import_differs = Wat verschilt
+files_import_ways_newer = Het nieuwere nemen
+files_import_ways_both = Beide behouden
+files_import_itself = het model zelf
+files_import_flightOf = vlucht van { $day }
+files_import_wayText_newer = Wat hier nieuwer is, of dezelfde datum heeft, blijft.
+files_import_wayText_both = Beide blijven. Wat uit het bestand komt, krijgt een nummer achter de naam.
 files_import_unknownModel = Een model dat hier niet is
 files_import_group_fresh = Nieuw: { $what }
 files_import_group_same = Hetzelfde: { $what }
 files_import_group_fileNewer = Nieuwer in het bestand: { $what }
 files_import_group_deviceNewer = Niet nieuwer in het bestand: { $what }
+files_import_group_fileName = { $file } (hier: { $here })
 files_import_take =
     { $count ->
         [0] Niets te importeren
        *[other] { $count } importeren
     }
+files_import_allStays = Niets in het bestand is nieuwer. Kies “{ files_import_ways_both }” om het toch te importeren.
 files_import_done = Uit “{ $name }” geïmporteerd: { $what }.
 files_import_undo = Import ongedaan maken
 files_import_undone = De import is ongedaan gemaakt. Latere wijzigingen blijven.
@@ -379,7 +394,21 @@ files_refused_title = { $name } kan niet geïmporteerd worden
 files_refused_nothing = Er is niets geïmporteerd.
 files_refused_again = Exporteer het bestand opnieuw, of vraag de afzender om een nieuw.
 files_refused_fault = Regel{"\u00a0"}{ $line }: { $found } gevonden.
+files_refused_faultIn = Regel{"\u00a0"}{ $line }, { $place }: { $found } gevonden.
 files_refused_wanted = Verwacht:
+files_refused_place_entry =
+    { $kind ->
+        [models] Model “{ $name }”
+        [settings] Programma “{ $name }”
+       *[flights] Vlucht “{ $name }”
+    }
+files_refused_place_unnamed =
+    { $kind ->
+        [models] Model { $number } in het bestand
+        [settings] Programma { $number } in het bestand
+       *[flights] Vlucht { $number } in het bestand
+    }
+files_refused_place_function = functie { $number }
 files_refused_damaged = Het bestand is beschadigd of niet volledig.
 files_refused_files_too-large = Het bestand is te groot voor een bibliotheek.
 files_refused_files_gone = Het bestand kon niet gelezen worden. Kies het opnieuw.

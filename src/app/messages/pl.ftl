@@ -361,6 +361,12 @@ edits_fixOf = Ustaw { $value }: { $field }
 files_export_all = Eksportuj wszystko…
 files_export_one = Eksportuj…
 files_export_downloaded = Plik „{ $name }” trafia do pobranych: { $what }. Sprawdź, czy tam jest.
+files_export_without = brak: { $kind }
+files_export_kinds_models = modele
+files_export_kinds_settings = programy
+files_export_kinds_flights = loty
+files_export_partly = Plik „{ $name }” nie jest kompletny. Zawiera: { $what }. Przeglądarka nie może teraz odczytać: { $missing }. Zamknij inne karty tej strony i eksportuj ponownie.
+files_export_and = { $first } i { $next }
 files_export_tooLarge = Biblioteka jest za duża na jeden plik. Eksportuj jej modele pojedynczo.
 files_export_failed = Nie udało się utworzyć pliku. Wczytaj stronę ponownie i spróbuj jeszcze raz.
 files_import_button = Importuj…
@@ -374,16 +380,25 @@ files_import_ignored =
        *[many] { $count } wpisów pochodzi z nowszej wersji tej strony i zostanie pominiętych.
     }
 files_import_nothing = Masz już to wszystko.
+files_import_differs = Co się różni
+files_import_ways_newer = Weź nowsze
+files_import_ways_both = Zachowaj oba
+files_import_itself = sam model
+files_import_flightOf = lot z dnia { $day }
+files_import_wayText_newer = To, co tutaj jest nowsze lub ma tę samą datę, zostaje.
+files_import_wayText_both = Zostają oba. Ten z pliku dostaje numer po nazwie.
 files_import_unknownModel = Model, którego tu nie ma
 files_import_group_fresh = Nowe: { $what }
 files_import_group_same = Takie same: { $what }
 files_import_group_fileNewer = Nowsze w pliku: { $what }
 files_import_group_deviceNewer = Nie nowsze w pliku: { $what }
+files_import_group_fileName = { $file } (tutaj: { $here })
 files_import_take =
     { $count ->
         [0] Nie ma czego importować
        *[other] Importuj { $count }
     }
+files_import_allStays = Nic w pliku nie jest nowsze. Wybierz „{ files_import_ways_both }”, aby mimo to importować.
 files_import_done = Zaimportowano z „{ $name }”: { $what }.
 files_import_undo = Cofnij import
 files_import_undone = Import cofnięto. Późniejsze zmiany zostają.
@@ -391,7 +406,21 @@ files_refused_title = Nie można importować: { $name }
 files_refused_nothing = Niczego nie zaimportowano.
 files_refused_again = Wyeksportuj plik ponownie albo poproś nadawcę o nowy.
 files_refused_fault = Wiersz{"\u00a0"}{ $line }: jest { $found }.
+files_refused_faultIn = Wiersz{"\u00a0"}{ $line }, { $place }: jest { $found }.
 files_refused_wanted = Oczekiwano:
+files_refused_place_entry =
+    { $kind ->
+        [models] Model „{ $name }”
+        [settings] Program „{ $name }”
+       *[flights] Lot „{ $name }”
+    }
+files_refused_place_unnamed =
+    { $kind ->
+        [models] Model { $number } w pliku
+        [settings] Program { $number } w pliku
+       *[flights] Lot { $number } w pliku
+    }
+files_refused_place_function = funkcja { $number }
 files_refused_damaged = Plik jest uszkodzony albo niekompletny.
 files_refused_files_too-large = Plik jest za duży jak na bibliotekę.
 files_refused_files_gone = Nie udało się odczytać pliku. Wybierz go ponownie.

@@ -1078,6 +1078,14 @@ export interface MoreSentences {
       readonly all: string;
       readonly one: string;
       readonly downloaded: (params: { readonly name: Text; readonly what: Text }) => string;
+      readonly without: (params: { readonly kind: Text }) => string;
+      readonly kinds: {
+        readonly models: string;
+        readonly settings: string;
+        readonly flights: string;
+      };
+      readonly partly: (params: { readonly name: Text; readonly what: Text; readonly missing: Text }) => string;
+      readonly and: (params: { readonly first: Text; readonly next: Text }) => string;
       readonly tooLarge: string;
       readonly failed: string;
     };
@@ -1088,14 +1096,27 @@ export interface MoreSentences {
       readonly leadNothing: (params: { readonly date: Text }) => string;
       readonly ignored: (params: { readonly count: number }) => string;
       readonly nothing: string;
+      readonly differs: string;
+      readonly ways: {
+        readonly newer: string;
+        readonly both: string;
+      };
+      readonly itself: string;
+      readonly flightOf: (params: { readonly day: Text }) => string;
+      readonly wayText: {
+        readonly newer: string;
+        readonly both: string;
+      };
       readonly unknownModel: string;
       readonly group: {
         readonly fresh: (params: { readonly what: Text }) => string;
         readonly same: (params: { readonly what: Text }) => string;
         readonly fileNewer: (params: { readonly what: Text }) => string;
         readonly deviceNewer: (params: { readonly what: Text }) => string;
+        readonly fileName: (params: { readonly file: Text; readonly here: Text }) => string;
       };
       readonly take: (params: { readonly count: number }) => string;
+      readonly allStays: string;
       readonly done: (params: { readonly name: Text; readonly what: Text }) => string;
       readonly undo: string;
       readonly undone: string;
@@ -1105,7 +1126,13 @@ export interface MoreSentences {
       readonly nothing: string;
       readonly again: string;
       readonly fault: (params: { readonly line: Text; readonly found: Text }) => string;
+      readonly faultIn: (params: { readonly line: Text; readonly place: Text; readonly found: Text }) => string;
       readonly wanted: string;
+      readonly place: {
+        readonly entry: (params: { readonly kind: 'flights' | 'models' | 'settings'; readonly name: Text }) => string;
+        readonly unnamed: (params: { readonly kind: 'flights' | 'models' | 'settings'; readonly number: Text }) => string;
+        readonly function: (params: { readonly number: Text }) => string;
+      };
       readonly damaged: string;
       readonly files: {
         readonly 'too-large': string;

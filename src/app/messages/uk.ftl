@@ -361,6 +361,12 @@ edits_fixOf = Задати { $value }: { $field }
 files_export_all = Експорт усього…
 files_export_one = Експорт…
 files_export_downloaded = «{ $name }» іде до завантажень: { $what }. Переконайтеся, що файл там є.
+files_export_without = без такого: { $kind }
+files_export_kinds_models = моделі
+files_export_kinds_settings = програми
+files_export_kinds_flights = польоти
+files_export_partly = «{ $name }» неповний. Він містить: { $what }. Браузер зараз не може прочитати: { $missing }. Закрийте інші вкладки цієї сторінки й зробіть експорт ще раз.
+files_export_and = { $first } і { $next }
 files_export_tooLarge = Бібліотека завелика для одного файлу. Зробіть експорт моделей по одній.
 files_export_failed = Файл не вдалося створити. Завантажте сторінку знову й спробуйте ще раз.
 files_import_button = Імпорт…
@@ -374,16 +380,25 @@ files_import_ignored =
        *[many] { $count } елементів належать до новішої версії цієї сторінки, їх пропущено.
     }
 files_import_nothing = Усе це у вас уже є.
+files_import_differs = Що відрізняється
+files_import_ways_newer = Узяти новіше
+files_import_ways_both = Лишити обидва
+files_import_itself = сама модель
+files_import_flightOf = політ { $day }
+files_import_wayText_newer = Те, що тут новіше або має ту саму дату, лишається.
+files_import_wayText_both = Лишаються обидва. До назви того, що з файлу, додається число.
 files_import_unknownModel = Модель, якої тут немає
 files_import_group_fresh = Нове: { $what }
 files_import_group_same = Те саме: { $what }
 files_import_group_fileNewer = Новіше у файлі: { $what }
 files_import_group_deviceNewer = Не новіше у файлі: { $what }
+files_import_group_fileName = { $file } (тут: { $here })
 files_import_take =
     { $count ->
         [0] Немає що імпортувати
        *[other] Імпортувати { $count }
     }
+files_import_allStays = У файлі немає нічого новішого. Щоб усе-таки імпортувати, виберіть «{ files_import_ways_both }».
 files_import_done = Імпортовано з «{ $name }»: { $what }.
 files_import_undo = Відмінити імпорт
 files_import_undone = Імпорт відмінено. Пізніші зміни лишаються.
@@ -391,7 +406,21 @@ files_refused_title = { $name } не можна імпортувати
 files_refused_nothing = Нічого не імпортовано.
 files_refused_again = Зробіть експорт файлу ще раз або попросіть новий у того, хто його надіслав.
 files_refused_fault = Рядок{"\u00a0"}{ $line }: є { $found }.
+files_refused_faultIn = Рядок{"\u00a0"}{ $line }, { $place }: є { $found }.
 files_refused_wanted = Очікувалося:
+files_refused_place_entry =
+    { $kind ->
+        [models] Модель «{ $name }»
+        [settings] Програма «{ $name }»
+       *[flights] Політ «{ $name }»
+    }
+files_refused_place_unnamed =
+    { $kind ->
+        [models] Модель { $number } у файлі
+        [settings] Програма { $number } у файлі
+       *[flights] Політ { $number } у файлі
+    }
+files_refused_place_function = функція { $number }
 files_refused_damaged = Файл пошкоджений або неповний.
 files_refused_files_too-large = Файл завеликий для бібліотеки.
 files_refused_files_gone = Файл не вдалося прочитати. Виберіть його ще раз.

@@ -5,7 +5,7 @@ import { formatLibraryFile, type Model, type Setting } from '../../../src/progra
 import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 import { type AppBench, appBench, idle, run } from '../bench/bench.js';
 import { FAULTS, type FaultName, FaultyStore } from '../faults.js';
-import { importText } from './many.js';
+import { importNewer } from './many.js';
 
 beforeEach(() => localStorage.clear());
 
@@ -36,7 +36,7 @@ const ACTIONS: Readonly<Record<string, (app: AppBench) => Promise<unknown>>> = {
   'a flight is logged': ({ session }) => session.library.keepFlight({ ...FLIGHT, id: 'now' }),
   'a file is imported': async ({ session, keeping }) => {
     const files = new LibraryFiles({ library: session.library, kept: keeping.kept });
-    await importText(files, TEXT);
+    await importNewer(files, TEXT);
   },
 };
 

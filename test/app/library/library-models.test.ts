@@ -10,7 +10,7 @@ import type { ModelRecord } from '../../../src/app/storage/index.js';
 import { formatLibraryFile, LIMITS, type Model } from '../../../src/program/index.js';
 import { LAST_DATE } from '../../../src/program/require.js';
 import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
-import { importText, manyRecords } from './many.js';
+import { importNewer, manyRecords } from './many.js';
 import { stored } from './stored.js';
 
 async function opened(counts: EntryCounts = { models: 3, settings: 6, flights: 0 }) {
@@ -116,7 +116,7 @@ it.each([LAST_DATE, Date.now() + 1e9])(
     );
     await run(library.keepModel({ ...model, note: 'typed here' }));
     const files = new LibraryFiles({ library, kept: signal(true) });
-    await run(importText(files, text));
+    await run(importNewer(files, text));
     const next = new Library(store);
     await run(next.load());
     expect(next.models.list.value.map((record) => record.model.note)).toEqual(['typed here']);
@@ -137,7 +137,7 @@ it('a model that was just deleted, and comes back from a file, stays', async () 
   const text = formatLibraryFile(held, { writtenAt: 1, writtenBy: '' });
   library.removeModel('model-0');
   const files = new LibraryFiles({ library, kept: signal(true) });
-  await run(importText(files, text));
+  await run(importNewer(files, text));
   await idle(20_000);
   expect([keys(models.list.value), keys(settings.list.value)]).toEqual([['model-0'], ['setting-0']]);
   expect([store.models.records.size, store.settings.records.size]).toEqual([1, 1]);

@@ -74,14 +74,14 @@ function programAt(at: number, timerClass: string): TimerProgram {
   };
 }
 
-/** Imports a file. */
-export async function importText(files: LibraryFiles, text: string): Promise<void> {
+/** Imports a file, as a pilot who keeps what is newer. */
+export async function importNewer(files: LibraryFiles, text: string): Promise<void> {
   const importing = files.import([new File([text], 'a.sidus')]);
-  const answer = await new Promise<(isTaken: boolean) => void>((resolve) => {
+  const answer = await new Promise<(way: 'newer') => void>((resolve) => {
     effect(() => {
       if (files.asked.value && files.asked.value.shown !== 'reading') resolve(files.asked.value.answer);
     });
   });
-  answer(true);
+  answer('newer');
   await importing;
 }

@@ -1,5 +1,12 @@
-import type { EntryFacts, Flight, LibraryFile, Model, Setting } from '../../../program/index.js';
-import { withPlainNames } from '../../records/plain-names.js';
+import {
+  type EntryFacts,
+  type Flight,
+  LIMITS,
+  type LibraryFile,
+  type Model,
+  type Setting,
+} from '../../../program/index.js';
+import { beginningOf, withPlainNames } from '../../records/plain-names.js';
 import { versionsWith } from '../../records/versions.js';
 import { type Change, type FlightRecord, isSame, type ModelRecord, type SettingRecord } from '../../storage/index.js';
 import { programKey } from '../../timer/record-keys.js';
@@ -31,14 +38,22 @@ export function countsOf({ models, settings, flights }: Readonly<Record<Kind, re
   return { models: models.length, settings: settings.length, flights: flights.length };
 }
 
-/** One entry of a file. */
+/**
+ * What to do with entries that differ: keep the newer one, or that of the device if both have the same date; or keep
+ * both.
+ */
+export const WAYS = ['newer', 'both'] as const;
+export type Way = (typeof WAYS)[number];
+
+/** One entry of a file, with the device's entry of the same id. */
 export interface Entry {
   readonly kind: Kind;
   readonly entry: Model | Setting | Flight;
   readonly facts: EntryFacts;
   /** When it was last changed, if the file says so; else when the file was written. */
   readonly changedAt: number;
-  /** Beside the device's entry of the same id. */
+  /** The device's entry of the same id; null for none. */
+  readonly here: Model | Setting | Flight | null;
   readonly standing: 'new' | 'same' | 'file-newer' | 'not-newer';
 }
 
@@ -50,6 +65,9 @@ export interface Group {
   readonly name: string;
   readonly entries: readonly Entry[];
 }
+
+/** Whether it differs from the device's entry of the same id. */
+export const differs = ({ standing }: Entry): boolean => standing !== 'new' && standing !== 'same';
 
 /** What a file would bring, with names made plain, grouped by model, in the order of the file. */
 export function groupsOf({ library, facts, writtenAt }: LibraryFile, held: Records): Group[] {
@@ -67,38 +85,77 @@ export function groupsOf({ library, facts, writtenAt }: LibraryFile, held: Recor
       const known = facts.get(given) ?? {};
       const changedAt = known.changedAt ?? ('at' in entry ? entry.at : writtenAt);
       const record = present.get(given.id);
-      group.entries.push({ kind, entry, facts: known, changedAt, standing: standingOf(entry, changedAt, record) });
+      const here = record ? contentOf(record) : null;
+      const standing = standingOf(entry, here, changedAt > (record?.changedAt ?? 0));
+      group.entries.push({ kind, entry, facts: known, changedAt, here, standing });
     }
   }
   return [...groups].map(([id, group]) => ({ id, ...group }));
 }
 
-function standingOf(entry: Entry['entry'], changedAt: number, here?: Records[Kind][number]): Entry['standing'] {
+function standingOf(entry: Entry['entry'], here: Entry['here'], isNewer: boolean): Entry['standing'] {
   if (!here) return 'new';
-  if (isSame(entry, contentOf(here))) return 'same';
-  return changedAt > here.changedAt ? 'file-newer' : 'not-newer';
+  // An old record may hold what names may not hold today.
+  if (isSame(entry, withPlainNames(here))) return 'same';
+  return isNewer ? 'file-newer' : 'not-newer';
 }
 
-/** The entries to import. Of two that differ the newer one stays, or that of the device if both have the same date. */
-export function takenOf({ entries }: Group): readonly Entry[] {
-  return entries.filter(({ standing }) => standing === 'new' || standing === 'file-newer');
+/** Whether a copy beside it says anything: one that is only in the archive, or only not, does not. */
+function isOther(entry: Entry): boolean {
+  const { entry: content, here } = entry;
+  return differs(entry) && !(here && 'archived' in here && isSame({ ...content, archived: here.archived }, here));
 }
 
-/** The records after an import. */
-export function recordsOf(groups: readonly Group[], held: Records): Records {
+/** Whether its model is kept twice: then the second one has the programs of the file, and is not empty. */
+function isSplit({ entries }: Group, way: Way): boolean {
+  return way === 'both' && entries.some((entry) => entry.kind === 'models' && isOther(entry));
+}
+
+/** The entries to import in this way. */
+export function takenOf(group: Group, way: Way): readonly Entry[] {
+  const isWhole = isSplit(group, way);
+  return group.entries.filter((entry) => {
+    if (isWhole && entry.kind === 'settings') return true;
+    if (!differs(entry)) return !entry.here;
+    return way === 'both' ? isOther(entry) : entry.standing === 'file-newer';
+  });
+}
+
+/**
+ * The records after an import. An entry that is kept beside another one gets a new id and a new name; the programs of a
+ * second model keep their names.
+ * @param newId makes an id that is not in use.
+ */
+export function recordsOf(groups: readonly Group[], way: Way, held: Records, newId: () => string): Records {
   const records = { models: [] as ModelRecord[], settings: [] as SettingRecord[], flights: [] as FlightRecord[] };
   const heldModels = byKey(held.models);
   const heldSettings = byKey(held.settings);
-  for (const { entry, changedAt, facts } of groups.flatMap(takenOf)) {
-    const key = entry.id;
-    if ('memoryNames' in entry) {
+  const all = groups.flatMap((group) => {
+    const second = isSplit(group, way) ? newId() : null;
+    return takenOf(group, way).map((entry) => ({ entry, second }));
+  });
+  for (const { entry, second } of all) {
+    const { kind, changedAt, facts } = entry;
+    const isOfSecond = second !== null && kind === 'settings';
+    const isCopy = way === 'both' && isOther(entry);
+    const fresh = kind === 'models' ? (second ?? newId()) : newId();
+    const key = isCopy || isOfSecond ? fresh : entry.entry.id;
+    const content = { ...entry.entry, id: key };
+    if (isOfSecond && 'tags' in content) content.model = second;
+    else if (isCopy && 'name' in content) {
+      const beside = [...held[kind], ...records[kind]]
+        .map(contentOf)
+        .filter((each) => modelOf(each) === modelOf(content));
+      content.name = freeName(content.name, beside);
+    }
+    if ('memoryNames' in content) {
       const verified = latest([...(heldModels.get(key)?.verified ?? []), ...(facts.verified ?? [])]);
-      records.models.push({ key, model: entry, changedAt, verified });
-    } else if ('tags' in entry) {
-      const versions = versionsWith(facts.versions, heldSettings.get(key), entry.program);
-      records.settings.push({ key, setting: entry, changedAt, ...(versions && { versions }) });
+      records.models.push({ key, model: content, changedAt, verified });
+    } else if ('tags' in content) {
+      const versions = versionsWith(facts.versions, heldSettings.get(key), content.program);
+      records.settings.push({ key, setting: content, changedAt, ...(versions && { versions }) });
     } else {
-      records.flights.push({ key, flight: entry, changedAt });
+      records.flights.push({ key, flight: content, changedAt });
     }
   }
   return records;
@@ -140,4 +197,13 @@ function latest(verified: ModelRecord['verified']): ModelRecord['verified'] {
     if (each.at >= (found.get(key)?.at ?? 0)) found.set(key, each);
   }
   return [...found.values()];
+}
+
+/** `calm (2)`, or the next free number. */
+function freeName(name: string, beside: readonly object[]): string {
+  for (let number = 2; ; number++) {
+    const end = ` (${number})`;
+    const free = beginningOf(name, LIMITS.name - end.length) + end;
+    if (!beside.some((each) => 'name' in each && each.name === free)) return free;
+  }
 }

@@ -4,10 +4,11 @@ import { CodecError } from '../../../protocol/index.js';
 import { askForFiles } from '../../browser/ask-for-file.js';
 import { textOfFile, type UnreadableFile } from '../../browser/read-file.js';
 import { saveFile } from '../../browser/save-file.js';
+import { version } from '../../browser/version.js';
 import { messages } from '../../messages/index.js';
 import { moreMessages } from '../../messages/more.js';
 import { countedText } from '../../messages/names.js';
-import type { Library } from '../../records/library.js';
+import { type Library, newId } from '../../records/library.js';
 import { plainName } from '../../records/plain-names.js';
 import { ExportMarks } from './export-marks.js';
 import {
@@ -16,15 +17,20 @@ import {
   type Group,
   groupsOf,
   KINDS,
+  type Kind,
   type Records,
   recordsOf,
   undoOf,
+  type Way,
 } from './import-plan.js';
 import { type FilePart, type Made, partOf, textOf } from './library-text.js';
+import { type PlaceInFile, placeInFile } from './place-in-file.js';
 
 /** Why a file cannot be imported. */
 export interface Refusal {
   readonly why: UnreadableFile | 'several' | CodecError;
+  /** Where in it the fault stands; null outside of all entries. */
+  readonly place: PlaceInFile | null;
 }
 
 /** What a file holds. */
@@ -40,8 +46,8 @@ export interface Plan {
 export interface AskedFile {
   readonly name: string;
   readonly shown: 'reading' | Refusal | Plan;
-  /** Imports it, or leaves everything as it is. */
-  readonly answer: (isTaken: boolean) => void;
+  /** Imports it in this way; null leaves everything as it is. */
+  readonly answer: (way: Way | null) => void;
 }
 
 /** What was done last. */
@@ -94,12 +100,12 @@ export class LibraryFiles {
    * and might overwrite it with something older.
    */
   get shut(): boolean {
-    return this.#isUnread || this.#parts.kept.value === null;
+    return this.#unread.length > 0 || this.#parts.kept.value === null;
   }
 
-  /** Whether the browser keeps something, perhaps, that it does not give. */
-  get #isUnread(): boolean {
-    return KINDS.some((kind) => this.#parts.library[kind].failed.value);
+  /** What the browser keeps, perhaps, and does not give. */
+  get #unread(): Kind[] {
+    return KINDS.filter((kind) => this.#parts.library[kind].failed.value);
   }
 
   /**
@@ -110,24 +116,27 @@ export class LibraryFiles {
     const words = () => moreMessages.value.files.export;
     this.dismissWord();
     const now = Date.now();
-    const unread = () => moreMessages.value.library.unread;
+    let missing: readonly Kind[];
     let made: Made;
     try {
       await this.#load();
-      made = textOf(partOf(this.#records(), part), part.kind === 'all', now);
+      // The file of a setting holds no flights.
+      missing = this.#unread.filter((kind) => part.kind !== 'setting' || kind === 'models');
+      made = textOf(partOf(this.#records(), part), part.kind === 'all', version, now, missing);
     } catch {
       return this.#say({ text: () => words().failed, isBad: true });
     }
-    if (made === 'nothing') return this.#isUnread ? this.#say({ text: unread, isBad: true }) : undefined;
+    if (made === 'nothing')
+      return missing.length > 0 ? this.#say({ text: () => moreMessages.value.library.unread, isBad: true }) : undefined;
     if (made === 'too-large') return this.#say({ text: () => words().tooLarge, isBad: true });
     const name = `${safeName(title)} ${dayName(now)}${ENDING}`;
     saveFile(name, made.text, 'application/json');
     const { holds } = made;
-    const done = () => words().downloaded({ name: unbroken(name), what: countedText(holds) });
-    // What could not be read is missing in it.
-    if (this.#isUnread) return this.#say({ text: () => `${done()} ${unread()}`, isBad: true });
+    const file = () => ({ name: unbroken(name), what: countedText(holds) });
+    if (missing.length > 0)
+      return this.#say({ text: () => words().partly({ ...file(), missing: kindsText(missing) }), isBad: true });
     if (part.kind === 'all') this.marks.exported(now);
-    this.#say({ text: done });
+    this.#say({ text: () => words().downloaded(file()) });
   }
 
   /** Asks for a file to import. */
@@ -138,15 +147,15 @@ export class LibraryFiles {
   /** Shows what a file would bring, and imports it once the pilot agrees. */
   async import([file, more]: readonly File[]): Promise<void> {
     if (!file) return;
-    this.#asked.peek()?.answer(false);
+    this.#asked.peek()?.answer(null);
     const name = plainName(file.name);
     const left = this.#ask(name, 'reading');
-    const found = more ? ({ why: 'several' } as const) : await Promise.race([left, this.#lookInto(file)]);
-    if (typeof found === 'boolean') return;
-    const isTaken = await this.#ask(name, found);
-    if (!isTaken || 'why' in found || this.shut) return;
+    const found = more ? ({ why: 'several', place: null } as const) : await Promise.race([left, this.#lookInto(file)]);
+    if (found === null || typeof found === 'string') return;
+    const way = await this.#ask(name, found);
+    if (way === null || 'why' in found || this.shut) return;
     const before = this.#records();
-    const put = recordsOf(found.groups.peek(), before);
+    const put = recordsOf(found.groups.peek(), way, before, newId);
     // On an empty device, the file equals an export of everything.
     if (KINDS.every((kind) => before[kind].length === 0)) this.marks.exported(found.writtenAt);
     this.#say({ text: () => messages.value.parts.coming, isBusy: true });
@@ -173,11 +182,11 @@ export class LibraryFiles {
     this.#said.value = word;
   }
 
-  #ask(name: string, shown: AskedFile['shown']): Promise<boolean> {
+  #ask(name: string, shown: AskedFile['shown']): Promise<Way | null> {
     return new Promise((resolve) => {
-      const answer = (isTaken: boolean): void => {
+      const answer = (way: Way | null): void => {
         this.#asked.value = null;
-        resolve(isTaken);
+        resolve(way);
       };
       this.#asked.value = { name, shown, answer };
     });
@@ -186,7 +195,7 @@ export class LibraryFiles {
   /** Reads a file and compares it with the library. */
   async #lookInto(file: File): Promise<Refusal | Plan> {
     const read = await textOfFile(file);
-    if ('unreadable' in read) return { why: read.unreadable };
+    if ('unreadable' in read) return { why: read.unreadable, place: null };
     try {
       await this.#load();
       const parsed = parseLibraryFile(read.text);
@@ -195,8 +204,9 @@ export class LibraryFiles {
       const { writtenAt, ignored, library } = parsed;
       return { writtenAt, ignored: ignored.length, holds: countsOf(library), groups };
     } catch (why) {
-      // Anything else is our own fault, but the pilot must not be left with a dialog that goes on reading.
-      return { why: why instanceof CodecError ? why : 'gone' };
+      if (why instanceof CodecError) return { why, place: placeInFile(read.text, why.field) };
+      // This is our own fault, but the pilot must not be left with a dialog that goes on reading.
+      return { why: 'gone', place: null };
     }
   }
 
@@ -221,6 +231,13 @@ export class LibraryFiles {
     const { models, settings, flights } = this.#parts.library;
     return { models: models.list.value, settings: settings.list.value, flights: flights.list.value };
   }
+}
+
+/** “The flights and the backups” */
+function kindsText(kinds: readonly Kind[]): string {
+  const { export: words } = moreMessages.value.files;
+  const [first = '', ...others] = kinds.map((kind) => words.kinds[kind]);
+  return others.reduce((before, next) => words.and({ first: before, next }), first);
 }
 
 /** “Sidus library 2026-11-25.sidus.json”, whose date does not break. A long name must be able to. */

@@ -1,7 +1,7 @@
 import { formatLibraryFile } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
-import { version } from '../../browser/version.js';
-import { contentOf, countsOf, type EntryCounts, type Records } from './import-plan.js';
+import { moreMessages } from '../../messages/more.js';
+import { contentOf, countsOf, type EntryCounts, type Kind, type Records } from './import-plan.js';
 
 /** What a file contains: everything, one model with all that belongs to it, or one setting with its model. */
 export type FilePart = { readonly kind: 'all' } | { readonly kind: 'model' | 'setting'; readonly id: string };
@@ -30,8 +30,15 @@ export type Made = { readonly text: string; readonly holds: EntryCounts } | 'too
 /**
  * Makes a library file.
  * @param isAll also writes what the pilot's timers last held: only his own devices need that.
+ * @param missing what could not be read. The file says so beside the program that wrote it, which an import shows.
  */
-export function textOf(records: Records, isAll: boolean, now: number): Made {
+export function textOf(
+  records: Records,
+  isAll: boolean,
+  version: string,
+  now: number,
+  missing: readonly Kind[] = [],
+): Made {
   const { models, settings, flights } = records;
   const all = [...models, ...settings, ...flights];
   if (all.length === 0) return 'nothing';
@@ -49,8 +56,9 @@ export function textOf(records: Records, isAll: boolean, now: number): Made {
     settings: settings.map(({ setting }) => setting),
     flights: flights.map(({ flight }) => flight),
   };
+  const { without, kinds } = moreMessages.value.files.export;
   try {
-    const writtenBy = `Sidus Timer ${version}`;
+    const writtenBy = [`Sidus Timer ${version}`, ...missing.map((kind) => without({ kind: kinds[kind] }))].join(', ');
     const text = formatLibraryFile(library, { writtenAt: now, writtenBy, facts: new Map(facts) });
     return { text, holds: countsOf(library) };
   } catch (error) {

@@ -1,6 +1,7 @@
-import { act, fireEvent, screen, within } from '@testing-library/preact';
+import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { holdDroppedFiles } from '../../../../src/app/browser/dropped-files.js';
+import { faultText } from '../../../../src/app/library/files/place-in-file.js';
 import { filesOf } from '../../../../src/app/library-files.js';
 import { messages } from '../../../../src/app/messages/index.js';
 import { countedText } from '../../../../src/app/messages/names.js';
@@ -49,37 +50,13 @@ async function drop(...files: File[]): Promise<boolean> {
   return event.defaultPrevented;
 }
 
-const LONG_AGO = Date.now() - 40 * DAY;
-const SIX = Array.from({ length: 6 }, (_, at) => ({ ...SETTING, id: `s${at}`, name: `s${at}` }));
-
-/** A storage with settings that were changed at a time. */
-function seasonAt(changedAt: number, settings = SIX): MemoryStore {
-  const store = new MemoryStore();
-  for (const setting of settings) store.settings.records.set(setting.id, { key: setting.id, changedAt, setting });
-  return store;
-}
-
-const reminder = () => document.querySelector('.export-reminder')?.textContent ?? null;
 const dialog = () => within(screen.getByRole('dialog'));
-const notice = (words: RegExp | string) => screen.getByText(words).closest('.notice') as HTMLElement;
-/** The changes of the storage wait from now on. @returns what lets the next one go. */
-function heldChanges({ store }: AppBench): () => Promise<void> {
-  const change = store.change.bind(store);
-  const held: (() => void)[] = [];
-  store.change = async (given) => {
-    await new Promise<void>((resolve) => held.push(resolve));
-    return change(given);
-  };
-  return () => {
-    held.shift()?.();
-    return idle(0);
-  };
-}
-/** Clicks, and waits for no storage. */
-async function click(name: string): Promise<void> {
-  fireEvent.click(button(name));
+/** Chooses what to do with what differs. */
+async function choose(way: keyof typeof words.ways): Promise<void> {
+  act(() => void fireEvent.click(dialog().getByRole('radio', { name: words.ways[way] })));
   await idle(0);
 }
+const notice = (words: RegExp | string) => screen.getByText(words).closest('.notice') as HTMLElement;
 const kept = ({ store }: AppBench) => ({
   models: [...store.models.records.values()].map(({ model }) => model),
   settings: [...store.settings.records.values()].map(({ setting }) => setting),
@@ -110,7 +87,7 @@ describe('an import', () => {
     expect(kept(app)).toEqual(ALL);
     expect(screen.queryByRole('dialog')).toBeNull();
     expect(notice(/^Imported from “lancer/).textContent).toContain(countedText(ONE_OF_EACH));
-    await press(words.undo);
+    await press(en.files.import.undo);
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
     notice(words.undone);
     expect(screen.queryByRole('button', { name: words.undo })).toBeNull();
@@ -127,25 +104,79 @@ describe('an import', () => {
   it('of entries that are there already has nothing to do', async () => {
     await library();
     await drop(file());
-    dialog().getByText(words.nothing);
+    dialog().getByText(en.files.import.nothing);
     expect(dialog().queryByRole('button', { name: /^Import/ })).toBeNull();
-    act(() => void fireEvent(screen.getByRole('dialog'), new Event('cancel', { cancelable: true })));
-    await idle();
+    await press('Close');
     expect(screen.queryByRole('dialog')).toBeNull();
   });
 
   const windy: Setting = { ...SETTING, name: 'windy', at: Date.now() + DAY };
+  it.each([
+    ['newer', ['windy']],
+    ['both', ['calm morning', 'windy (2)']],
+  ] as const)('with “%s” brings %j', async (way, names) => {
+    const app = await library();
+    await drop(file(text({ ...ALL, settings: [windy] })));
+    dialog().getByText(words.group.fileNewer({ what: 'windy (here: calm morning)' }));
+    dialog().getByText(words.group.same({ what: '1 model, 1 flight' }));
+    await choose(way);
+    dialog().getByText(words.wayText[way]);
+    await press(words.take({ count: 1 }));
+    expect(
+      kept(app)
+        .settings.map(({ name }) => name)
+        .sort(),
+    ).toEqual(names);
+    expect(kept(app).models).toEqual([MODEL]);
+  });
 
   it.each([0, 1])('of a setting that is not newer brings nothing, and says so (%i)', async (isSameDate) => {
     const app = await library();
     const at = isSameDate ? (app.session.library.settings.list.value[0]?.changedAt ?? 0) : 1;
     await drop(file(text({ ...ALL, settings: [{ ...windy, at }] })));
-    dialog().getByText(words.group.deviceNewer({ what: '1 program' }));
-    dialog().getByText(words.group.same({ what: '1 model, 1 flight' }));
-    dialog().getByText(words.take({ count: 0 }));
-    expect(dialog().queryByText(words.nothing)).toBeNull();
-    await press('Close');
-    expect(kept(app)).toEqual(ALL);
+    dialog().getByText(words.group.deviceNewer({ what: 'windy (here: calm morning)' }));
+    expect(button(words.take({ count: 0 })).disabled).toBe(true);
+    dialog().getByText(words.allStays);
+    await choose('both');
+    await press(words.take({ count: 1 }));
+    expect(
+      kept(app)
+        .settings.map(({ name }) => name)
+        .sort(),
+    ).toEqual(['calm morning', 'windy (2)']);
+  });
+
+  it('asks once, also when several models differ', async () => {
+    const other = { ...MODEL, id: 'b', name: 'Vega' };
+    const app = await library({ ...ALL, models: [MODEL, other] });
+    const vega: Kept['models'][number] = { ...other, note: 'new' };
+    await drop(file(text({ ...ALL, models: [MODEL, vega], settings: [windy] }, Date.now() + DAY)));
+    dialog().getByText(words.differs);
+    await press(words.take({ count: 2 }));
+    expect(kept(app).models.map(({ note }) => note)).toEqual([MODEL.note, 'new']);
+    expect(kept(app).settings).toEqual([windy]);
+  });
+
+  it('asks nothing where nothing differs', async () => {
+    await library({});
+    await drop(file());
+    expect(dialog().queryByRole('radio')).toBeNull();
+  });
+
+  it('names three of the entries that differ, and counts the others', async () => {
+    const at = Date.now() + DAY;
+    const settings = ['a', 'b', 'c'].map((id) => ({ ...SETTING, id, name: id }));
+    const newer: Kept = {
+      models: [{ ...MODEL, note: 'new' }],
+      settings: settings.map((each) => ({ ...each, note: 'new', at })),
+      flights: [{ ...FLIGHT, note: 'new', at }],
+    };
+    await library({ ...ALL, settings });
+    await drop(file(text(newer, at)));
+    dialog().getByText(words.group.fileNewer({ what: 'the model itself, a, b. And 2 more.' }));
+    await press('Cancel');
+    await drop(file(text({ ...newer, models: [MODEL], settings: [] }, at)));
+    dialog().getByText(/^Newer in the file: flight of \S/);
   });
 
   it('names the models that have no name here', async () => {
@@ -160,7 +191,7 @@ describe('an import', () => {
     await library({});
     await drop(file(text({ models: [], settings: [], flights: [] })));
     dialog().getByText(/It holds nothing\.$/);
-    expect(dialog().queryByText(words.nothing)).toBeNull();
+    expect(dialog().queryByText(en.files.import.nothing)).toBeNull();
     button('Close');
   });
 
@@ -168,6 +199,18 @@ describe('an import', () => {
     await library({});
     await drop(file(text().replace('"name": "Lancer 07"', '"name": "Lancer 07", "colour": "red"')));
     dialog().getByText(words.ignored({ count: 1 }));
+  });
+
+  it('begins anew with each file, and Escape leaves it', async () => {
+    await library();
+    const newer = file(text({ ...ALL, settings: [windy] }));
+    await drop(newer);
+    await choose('both');
+    act(() => void fireEvent(screen.getByRole('dialog'), new Event('cancel', { cancelable: true })));
+    await idle();
+    expect(screen.queryByRole('dialog')).toBeNull();
+    await drop(newer);
+    expect(dialog().getByRole<HTMLInputElement>('radio', { name: words.ways.newer }).checked).toBe(true);
   });
 
   it('shows the library with what has come', async () => {
@@ -181,17 +224,23 @@ describe('an import', () => {
     expect(app.views.shown.value).toBe('library');
   });
 
-  it('compares with the library at the click on Import, and later changes stay after its undo', async () => {
+  it('compares with the library at the click on Import, not at the opening of the file', async () => {
     const app = await library({});
     await drop(file());
     await app.session.library.keepModel(MODEL);
     await idle(0);
     await press('Import 2');
     expect(kept(app)).toEqual(ALL);
+  });
+
+  it('can be undone, and later changes stay', async () => {
+    const app = await library({});
+    await drop(file());
+    await press('Import 3');
     await app.session.library.keepSetting({ ...SETTING, note: 'flew well' });
     await idle();
-    await press(words.undo);
-    expect(kept(app)).toEqual({ models: [MODEL], settings: [{ ...SETTING, note: 'flew well' }], flights: [] });
+    await press(en.files.import.undo);
+    expect(kept(app)).toEqual({ models: [], settings: [{ ...SETTING, note: 'flew well' }], flights: [] });
     notice(words.undone);
   });
 
@@ -204,10 +253,9 @@ describe('an import', () => {
       flights: [{ ...FLIGHT, note: 'new', at }],
     };
     await drop(file(text(newer, at)));
-    dialog().getByText(words.group.fileNewer({ what: '1 model, 1 program, 1 flight' }));
     await press('Import 3');
     expect(kept(app)).toEqual(newer);
-    await press(words.undo);
+    await press(en.files.import.undo);
     expect(kept(app)).toEqual(ALL);
     await press('Dismiss');
     expect(screen.queryByText(/^The import was undone/)).toBeNull();
@@ -230,7 +278,7 @@ describe('an import', () => {
     await drop(file());
     await press('Import 3');
     app.store.broken = true;
-    await press(words.undo);
+    await press(en.files.import.undo);
     notice(messages.value.notKept);
     expect(screen.queryByText(words.undone)).toBeNull();
     expect(app.session.library.models.list.value).toEqual([]);
@@ -240,11 +288,18 @@ describe('an import', () => {
     const app = await library({});
     await drop(file());
     await press('Import 3');
-    const go = heldChanges(app);
-    await click(words.undo);
+    const change = app.store.change.bind(app.store);
+    let go = (): void => {};
+    app.store.change = async (given) => {
+      await new Promise<void>((resolve) => (go = resolve));
+      await change(given);
+    };
+    fireEvent.click(button(en.files.import.undo));
+    await idle(0);
     notice(messages.value.parts.coming);
     expect([screen.queryByText(words.undone), kept(app)]).toEqual([null, ALL]);
-    await go();
+    go();
+    await idle(0);
     notice(words.undone);
     expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
   });
@@ -255,7 +310,8 @@ describe('an import', () => {
     await press('Import 1');
     const { settings } = app.session.library;
     settings.remove(SETTING.id);
-    await click(words.undo);
+    fireEvent.click(button(en.files.import.undo));
+    await idle(0);
     settings.undoRemove();
     expect(settings.list.value.map(({ key }) => key)).toEqual([SETTING.id]);
     await idle(20_000);
@@ -264,12 +320,23 @@ describe('an import', () => {
 
   it('that ends after another one, and after an export, undoes itself and nothing else', async () => {
     const app = await library({});
-    const go = heldChanges(app);
+    const { store } = app;
+    const change = store.change.bind(store);
+    const held: (() => void)[] = [];
+    store.change = async (given) => {
+      await new Promise<void>((resolve) => held.push(resolve));
+      return change(given);
+    };
     const part = (name: string) => ({
       models: [],
       settings: [{ ...SETTING, id: name, name, model: null }],
       flights: [],
     });
+    /** Waits for no storage. */
+    const click = async (name: string): Promise<void> => {
+      fireEvent.click(button(name));
+      await idle(0);
+    };
     const imports = async (name: string): Promise<void> => {
       act(() => void filesOf(app.models).import([file(text(part(name)), name)]));
       await idle(0);
@@ -279,13 +346,15 @@ describe('an import', () => {
     await imports('first');
     await imports('second');
     await click('Export all…');
-    await go();
+    held[0]?.();
+    await idle(0);
     notice(/^Imported from “first/);
-    await click(words.undo);
-    await go();
+    await click(en.files.import.undo);
+    held[1]?.();
+    await idle(0);
     notice(/^Imported from “second/);
     expect(app.session.library.settings.list.value.map(({ key }) => key)).toEqual(['second']);
-    await click(words.undo);
+    await click(en.files.import.undo);
     expect(app.session.library.settings.list.value).toEqual([]);
   });
 
@@ -306,13 +375,32 @@ describe('an import', () => {
 
 describe('what cannot be imported', () => {
   const { refused } = en.files;
+  const calm = { kind: 'settings', number: 1, name: 'calm morning' } as const;
+  const lancer = { kind: 'models', number: 1, name: '', slot: '', field: 'name' } as const;
   it.each([
     ['{ "format": "sidus-timer library", "version": 2 }', refused.newer, false],
     ['{ "format": "else" }', refused.format, false],
     [text().slice(0, -30), refused.damaged, true],
     [text().replace('"memory"', 'memory'), refused.damaged, true],
-    [text().replace('"0.30"', '"700.00"'), refused.fault({ line: 35, found: '700' }), true, '0.00 to 655.35'],
-    [text().replace('"name": "Lancer 07",', ''), refused.fault({ line: 7, found: '–' }), true, 'a text'],
+    [
+      text().replace('"0.30"', '"700.00"'),
+      faultText({ line: 35, found: '700' }, { ...calm, slot: '1', field: 'time' }),
+      true,
+      '0.00 to 655.35',
+    ],
+    [
+      text().replace('"positions": [115, 115]', '"positions": [115, 1150]'),
+      faultText({ line: 38, found: '1150' }, { ...calm, slot: 'DT', field: 'positions[1]' }),
+      true,
+      '0 to 255',
+    ],
+    [
+      text().replace('"name": "Lancer 07"', '"name": ""'),
+      faultText({ line: 9, found: '0' }, lancer),
+      true,
+      '1 to 60 characters',
+    ],
+    [text().replace('"name": "Lancer 07",', ''), faultText({ line: 7, found: '–' }, lancer), true, 'a text'],
     [`ÿþ{`, refused.damaged, true],
     [Uint8Array.of(0x7b, 0xff, 0x00), refused.damaged, true],
   ])('is refused with place and reason, %#', async (content, reason, isDamaged, wanted?: string) => {
@@ -410,21 +498,28 @@ describe('an export', () => {
     expect(read).toEqual({ models: [slash], settings: [SETTING], flights: [] });
   });
 
-  it('of a library that cannot be read in full says so, and is no export', async () => {
-    const store = seasonAt(LONG_AGO);
+  it('of a library that cannot be read in full says what is missing, and is no export', async () => {
+    const store = new MemoryStore();
     const all = store.flights.all.bind(store.flights);
     store.flights.all = () => Promise.reject(new Error('not now'));
+    const six = Array.from({ length: 6 }, (_, at) => ({ ...SETTING, id: `s${at}`, name: `s${at}` }));
+    for (const setting of six)
+      store.settings.records.set(setting.id, { key: setting.id, changedAt: Date.now() - 40 * DAY, setting });
     await library({}, store);
     const saved = downloads();
     await press('Export all…');
-    const what = countedText({ models: 0, settings: 6, flights: 0 });
-    const said = en.files.export.downloaded({ name: shown(saved[0]), what });
-    expect(document.querySelector('.notices')?.textContent).toContain(`${said} ${en.library.unread}`);
-    expect(parseLibraryFile(await (saved[0]?.text() ?? '')).library.settings).toHaveLength(6);
+    const { partly, without } = en.files.export;
+    const holds = countedText({ models: 0, settings: 6, flights: 0 });
+    expect(document.querySelector('.notices')?.textContent).toContain(
+      partly({ name: shown(saved[0]), what: holds, missing: 'flights' }),
+    );
+    const read = parseLibraryFile(await (saved[0]?.text() ?? ''));
+    expect([read.library.settings.length, read.writtenBy.endsWith(without({ kind: 'flights' }))]).toEqual([6, true]);
+    const reminder = () => document.querySelector('.export-reminder');
     expect(reminder(), 'it is still due').not.toBeNull();
     store.flights.all = all;
     await press('Export all…');
-    expect(document.querySelector('.notices')?.textContent).not.toContain(en.library.unread);
+    expect(parseLibraryFile(await (saved[1]?.text() ?? '')).writtenBy).not.toContain(without({ kind: 'flights' }));
     expect(reminder()).toBeNull();
   });
 
@@ -450,34 +545,62 @@ describe('an export', () => {
 });
 
 describe('the reminder to export', () => {
-  const season = (changedAt: number, settings = SIX): Promise<AppBench> => library({}, seasonAt(changedAt, settings));
-  const mark = (at: number): void => localStorage.setItem('sidus-timer/library-exported', String(at));
+  const old = Date.now() - 40 * DAY;
+  const six = Array.from({ length: 6 }, (_, at) => ({ ...SETTING, id: `s${at}`, name: `s${at}` }));
+  const reminder = () => document.querySelector('.export-reminder')?.textContent ?? null;
 
-  it.each<[when: string, due: number | null, changedAt: number, count: number, exportedAt: number]>([
-    ['when much was changed long ago and never exported', 6, LONG_AGO, 6, 0],
-    ['not for recent changes', null, Date.now() - 20 * DAY, 6, 0],
-    ['for five entries', 5, LONG_AGO, 5, 0],
-    ['not for fewer', null, LONG_AGO, 4, 0],
-    ['for what has changed since the last export', 6, LONG_AGO, 6, LONG_AGO - 5 * DAY],
-    ['not for what was exported', null, LONG_AGO, 6, LONG_AGO + 1],
-    ['where the last export was marked while the clock was years ahead', 6, LONG_AGO, 6, Date.now() + 3000 * DAY],
-  ])('comes %s', async (_, due, changedAt, count, exportedAt) => {
-    mark(exportedAt);
-    await season(changedAt, SIX.slice(0, count));
-    if (due === null) expect(reminder()).toBeNull();
-    else expect(reminder()).toContain(en.files.reminder({ changes: due }));
+  async function season(changedAt: number, settings = six): Promise<AppBench> {
+    const store = new MemoryStore();
+    for (const setting of settings) {
+      store.settings.records.set(setting.id, { key: setting.id, changedAt, setting });
+    }
+    return library({}, store);
+  }
+
+  it('comes when much was changed long ago and never exported, and an export removes it', async () => {
+    await season(old);
+    expect(reminder()).toContain(en.files.reminder({ changes: 6 }));
+    downloads();
+    await press('Export all…');
+    expect(reminder()).toBeNull();
+  });
+
+  it('does not come for recent changes', async () => {
+    await season(Date.now() - 20 * DAY);
+    expect(reminder()).toBeNull();
+  });
+
+  it('comes for five entries, and not for fewer', async () => {
+    await season(old, six.slice(0, 4));
+    expect(reminder()).toBeNull();
+    cleanup();
+    await season(old, six.slice(0, 5));
+    expect(reminder()).toContain(en.files.reminder({ changes: 5 }));
+  });
+
+  it('counts what has changed since the last export', async () => {
+    localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: old - 5 * DAY, putOffAt: null }));
+    await season(old);
+    expect(reminder()).toContain(en.files.reminder({ changes: 6 }));
+  });
+
+  it('comes also where the last export was marked while the clock of the device was years ahead', async () => {
+    const ahead = Date.now() + 3000 * DAY;
+    localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: ahead, putOffAt: ahead }));
+    await season(old);
+    expect(reminder()).toContain(en.files.reminder({ changes: 6 }));
   });
 
   it('does not come for entries that a file has brought to an empty device', async () => {
     await library({});
-    const settings = SIX.map((each) => ({ ...each, at: LONG_AGO }));
+    const settings = six.map((each) => ({ ...each, at: old }));
     await drop(file(text({ ...ALL, settings, flights: [] }, Date.now() - DAY)));
     await press('Import 7');
     expect(reminder()).toBeNull();
   });
 
   it('stays after an import among other entries, and after the export of one model', async () => {
-    const app = await season(LONG_AGO, [...SIX, SETTING]);
+    const app = await season(old, [...six, SETTING]);
     await app.session.library.keepModel(MODEL);
     await drop(file(text({ ...ALL, models: [], settings: [] }, Date.now())));
     await press('Import 1');
@@ -488,7 +611,7 @@ describe('the reminder to export', () => {
   });
 
   it('is put off for long by one click, also after a reload', async () => {
-    const { store } = await season(LONG_AGO);
+    const { store } = await season(old);
     await press('Not now');
     expect(reminder()).toBeNull();
     await library({}, store);

@@ -1,11 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import {
+  countOf,
   type Group,
   groupsOf,
   type Records,
   recordsOf,
+  takenOf,
   undoOf,
+  type Way,
 } from '../../../../src/app/library/files/import-plan.js';
 import { partOf, textOf } from '../../../../src/app/library/files/library-text.js';
 import { withPlainNames } from '../../../../src/app/records/plain-names.js';
@@ -21,7 +24,7 @@ const HELD: Records = {
 const NOTHING: Records = { models: [], settings: [], flights: [] };
 
 function fileOf(records: Records, isAll = true): LibraryFile {
-  const made = textOf(records, isAll, 5000);
+  const made = textOf(records, isAll, '1.2.3', 5000);
   if (typeof made === 'string') throw new Error(made);
   return parseLibraryFile(made.text);
 }
@@ -37,7 +40,9 @@ const standings = (groups: readonly Group[]) =>
     ({ name, entries }) => `${name}: ${entries.map(({ kind, standing }) => `${kind} ${standing}`).join(', ')}`,
   );
 
-const imported = (file: LibraryFile, held: Records) => recordsOf(groupsOf(file, held), held);
+let made = 0;
+const newId = () => `made-${++made}`;
+const imported = (file: LibraryFile, held: Records, way: Way) => recordsOf(groupsOf(file, held), way, held, newId);
 
 describe('what a file would bring', () => {
   it('is new, or the same, model by model', () => {
@@ -47,6 +52,16 @@ describe('what a file would bring', () => {
     const turned = Object.fromEntries(Object.entries(fields).reverse()) as unknown as typeof MODEL;
     const again = { ...HELD, models: HELD.models.map((record) => ({ ...record, model: turned })) };
     expect(standings(groupsOf(fileOf(HELD), again))[0]).toContain('models same');
+  });
+
+  it('differs, and the one of the file is newer or not', () => {
+    for (const [at, standing] of [
+      [1001, 'file-newer'],
+      [1000, 'not-newer'],
+      [999, 'not-newer'],
+    ] as const) {
+      expect(standings(groupsOf(fileOf(changed('windy', at)), HELD))[0]).toContain(`settings ${standing}`);
+    }
   });
 
   it('has a name when anything knows one', () => {
@@ -75,7 +90,7 @@ describe('the versions of a setting', () => {
 
   it('go into every file, and come to a device that has nothing', () => {
     const records = held(60, 1000, at(1000, 70), at(900, 80));
-    for (const isAll of [true, false]) expect(imported(fileOf(records, isAll), NOTHING)).toEqual(records);
+    for (const isAll of [true, false]) expect(imported(fileOf(records, isAll), NOTHING, 'newer')).toEqual(records);
   });
 
   it.each([
@@ -86,21 +101,22 @@ describe('the versions of a setting', () => {
     const before = { ...here, settings: here.settings.map((each) => ({ ...each })) };
     const file = fileOf(held(60, 1001, at(1000, 70), at(850, 80)));
     for (const each of file.library.settings) Object.assign(each, { note: 'new' });
-    const put = imported(file, before);
+    const put = imported(file, before, 'newer');
     expect(dts(put)).toEqual(expected);
     expect(undoOf(put.settings, before.settings, put.settings)).toEqual({ put: before.settings, gone: [] });
+    expect(dts(imported(file, before, 'both')), 'a copy has those of the file alone').toEqual([70, 80]);
   });
 
   it('stay with an import from a page that knows none, which replaces what is here', () => {
     const file = fileOf({ ...NOTHING, settings: [{ key: SETTING.id, setting: SETTING, changedAt: 1001 }] });
-    expect(dts(imported(file, held(60, 1000, at(1000, 70))))).toEqual([60, 70]);
+    expect(dts(imported(file, held(60, 1000, at(1000, 70)), 'newer'))).toEqual([60, 70]);
   });
 });
 
 describe('an import', () => {
   it('brings everything back to a device that has nothing, with what is known of its timers', () => {
     const two = { ...HELD.models[0], key: 'b', model: { ...MODEL, id: 'b' } } as Records['models'][number];
-    const records = imported(fileOf({ ...HELD, models: [two, ...HELD.models] }), NOTHING);
+    const records = imported(fileOf({ ...HELD, models: [two, ...HELD.models] }), NOTHING, 'newer');
     expect(records.models.map(({ key, changedAt, verified }) => [key, changedAt, verified.length])).toEqual([
       ['b', 1000, 1],
       ['lancer-07', 1000, 1],
@@ -110,15 +126,109 @@ describe('an import', () => {
   });
 
   it.each([
-    [1001, 'file-newer', ['calm-morning windy']],
-    [1000, 'not-newer', []],
-    [999, 'not-newer', []],
-  ])('of a setting that was changed at %i is of one that is %s', (at, standing, taken) => {
-    const file = fileOf(changed('windy', at));
-    expect(standings(groupsOf(file, HELD))[0]).toContain(`settings ${standing}`);
-    const { models, settings, flights } = imported(file, HELD);
-    expect(settings.map(({ key, setting }) => `${key} ${setting.name}`)).toEqual(taken);
-    expect([...models, ...flights]).toEqual([]);
+    ['newer', 1001, ['calm-morning windy']],
+    ['newer', 1000, []],
+    ['newer', 999, []],
+    ['both', 1001, ['made calm (2)']],
+    ['both', 1000, ['made calm (2)']],
+    ['both', 999, ['made calm (2)']],
+  ] as const)('with “%s” at %i takes %j', (way, at, taken) => {
+    const file = fileOf(changed(way === 'both' ? 'calm' : 'windy', at));
+    const records = imported(file, HELD, way);
+    expect(records.settings.map(({ key, setting }) => [key.replace(/-\d+$/, ''), setting.name].join(' '))).toEqual(
+      taken,
+    );
+    expect([...records.models, ...records.flights]).toEqual([]);
+    for (const { key, setting } of records.settings) expect(setting.id).toBe(key);
+  });
+
+  it('finds a name that is free, however long the old one is', () => {
+    const long = '🛩️'.repeat(30);
+    const held = { ...HELD, settings: HELD.settings.map((each) => ({ ...each, setting: { ...SETTING, name: long } })) };
+    const file = fileOf({
+      ...held,
+      settings: held.settings.map((each) => ({ ...each, setting: { ...each.setting, note: 'x' } })),
+    });
+    const first = imported(file, held, 'both').settings[0];
+    expect([...(first?.setting.name ?? '')]).toHaveLength(60);
+    expect(first?.setting.name.endsWith(' (2)')).toBe(true);
+    const again = imported(file, { ...held, settings: [...held.settings, ...(first ? [first] : [])] }, 'both');
+    expect(again.settings[0]?.setting.name.endsWith(' (3)')).toBe(true);
+  });
+
+  it('gives each copy a name of its own, and looks only at the settings beside it', () => {
+    const twice = (name: string) => ['a', 'b'].map((id) => ({ ...SETTING, id, name }));
+    const elsewhere = { ...SETTING, id: 'c', model: null, name: 'calm morning (2)' };
+    const recordsFor = (settings: readonly (typeof SETTING)[]) =>
+      settings.map((setting) => ({ key: setting.id, setting, changedAt: 1000 }));
+    const held = { ...HELD, settings: recordsFor([...twice('calm morning'), elsewhere]) };
+    const theirs = { ...held, settings: recordsFor(twice('calm morning').map((each) => ({ ...each, note: 'x' }))) };
+    const names = imported(fileOf(theirs), held, 'both').settings.map(({ setting }) => setting.name);
+    expect(names).toEqual(['calm morning (2)', 'calm morning (3)']);
+  });
+
+  it('keeps both of a model under two names', () => {
+    const theirs = { ...HELD, models: HELD.models.map((record) => ({ ...record, model: { ...MODEL, note: 'x' } })) };
+    const [copy] = imported(fileOf(theirs), HELD, 'both').models;
+    expect(copy).toMatchObject({ model: { name: 'Lancer 07 (2)', note: 'x' } });
+    expect(copy?.key).toBe(copy?.model.id);
+    expect(copy?.key).not.toBe(MODEL.id);
+  });
+
+  it('gives the second model all programs of the file, and leaves the flights with the first', () => {
+    const windy = { ...SETTING, id: 'windy', name: 'windy' };
+    const theirs: Records = {
+      models: HELD.models.map((record) => ({ ...record, model: { ...MODEL, note: 'x' } })),
+      settings: [
+        ...changed('calm', 2000).settings,
+        { key: 'windy', setting: windy, changedAt: 2000 },
+        { key: 'fresh', setting: { ...SETTING, id: 'fresh', name: 'fresh' }, changedAt: 2000 },
+      ],
+      flights: [...HELD.flights, { key: 'f2', flight: { ...FLIGHT, id: 'f2' }, changedAt: 2000 }],
+    };
+    const held = { ...HELD, settings: [...HELD.settings, { key: 'windy', setting: windy, changedAt: 2000 }] };
+    const { models, settings, flights } = imported(fileOf(theirs), held, 'both');
+    const [copy] = models;
+    expect(settings.map(({ setting }) => [setting.model, setting.name])).toEqual(
+      ['calm', 'windy', 'fresh'].map((name) => [copy?.key, name]),
+    );
+    expect(new Set([...settings.map(({ key }) => key), SETTING.id, 'windy']).size).toBe(5);
+    expect(flights.map(({ key, flight }) => [key, flight.model])).toEqual([['f2', MODEL.id]]);
+    const [group] = groupsOf(fileOf(theirs), held);
+    expect(countOf(group ? takenOf(group, 'both') : [])).toEqual({ models: 1, settings: 3, flights: 1 });
+  });
+
+  it('makes no second model and no second program of one that is only in the archive', () => {
+    const theirs: Records = {
+      models: HELD.models.map((record) => ({ ...record, model: { ...MODEL, archived: true }, changedAt: 2000 })),
+      settings: HELD.settings.map((record) => ({
+        ...record,
+        setting: { ...SETTING, archived: true },
+        changedAt: 2000,
+      })),
+      flights: HELD.flights,
+    };
+    expect(imported(fileOf(theirs), HELD, 'both')).toEqual(NOTHING);
+    expect(imported(fileOf(theirs), HELD, 'newer').models[0]?.model.archived).toBe(true);
+  });
+
+  it('recognises an entry whose name has signs that reverse the text of the file', () => {
+    const turned: Records = {
+      models: HELD.models.map((record) => ({
+        ...record,
+        model: { ...MODEL, name: '\u202eLancer 07', memoryNames: ['\u202a'] },
+      })),
+      settings: HELD.settings.map((record) => ({ ...record, setting: { ...SETTING, name: 'calm\u2066' } })),
+      flights: HELD.flights.map((record) => ({ ...record, flight: { ...FLIGHT, place: '\u202dTurda' } })),
+    };
+    const groups = groupsOf(fileOf(turned), NOTHING);
+    expect(groups.map(({ name }) => name)).toEqual(['Lancer 07']);
+    const there = imported(fileOf(turned), NOTHING, 'newer');
+    expect(there.models[0]?.model).toMatchObject({ name: 'Lancer 07', memoryNames: [''] });
+    for (const held of [there, turned]) {
+      expect(standings(groupsOf(fileOf(turned), held))[0]).toMatch(/: models same, settings same, flights same$/);
+      for (const way of ['newer', 'both'] as const) expect(imported(fileOf(turned), held, way)).toEqual(NOTHING);
+    }
   });
 
   it('keeps what is known of a timer, the latest of each memory', () => {
@@ -133,7 +243,12 @@ describe('an import', () => {
         verified: [newer, theirs],
       })),
     });
-    expect(imported(file, HELD).models[0]?.verified).toEqual([newer, theirs]);
+    expect(imported(file, HELD, 'newer').models[0]?.verified).toEqual([newer, theirs]);
+  });
+
+  it('counts what it takes', () => {
+    const [group] = groupsOf(fileOf(HELD), NOTHING);
+    expect(countOf(group ? takenOf(group, 'newer') : [])).toEqual({ models: 1, settings: 1, flights: 1 });
   });
 });
 
@@ -166,23 +281,25 @@ describe('whatever a library holds', () => {
       fc.property(records, (all) => {
         fc.pre(all.models.length + all.settings.length + all.flights.length > 0);
         const file = fileOf(all);
-        const there = put(imported(file, NOTHING), NOTHING);
+        const there = put(imported(file, NOTHING, 'newer'), NOTHING);
         const sorted = (of: readonly { key: string }[]) => [...of].sort((a, b) => (a.key < b.key ? -1 : 1));
         expect(there.models.map(({ model }) => model)).toEqual(all.models.map(({ model }) => withPlainNames(model)));
         const flights = all.flights.map((record) => ({ ...record, flight: withPlainNames(record.flight) }));
         expect(sorted(there.flights)).toEqual(sorted(flights));
-        expect(imported(file, there)).toEqual(NOTHING);
+        expect(imported(file, there, 'newer')).toEqual(NOTHING);
+        expect(imported(file, there, 'both')).toEqual(NOTHING);
       }),
       { numRuns: 40 },
     );
   });
 
-  it('comes back by undo', () => {
+  it('loses nothing by “keep both”, and comes back by undo', () => {
     fc.assert(
-      fc.property(records, records, (held, theirs) => {
+      fc.property(records, records, fc.constantFrom<Way>('newer', 'both'), (held, theirs, way) => {
         fc.pre(theirs.models.length + theirs.settings.length + theirs.flights.length > 0);
-        const fresh = imported(fileOf(theirs), held);
+        const fresh = imported(fileOf(theirs), held, way);
         const now = put(fresh, held);
+        if (way === 'both') expect(now.settings.slice(0, held.settings.length)).toEqual(held.settings);
         const { put: back = [], gone = [] } = undoOf(fresh.settings, held.settings, now.settings);
         const left = now.settings.filter(({ key }) => !gone.includes(key));
         expect(put({ ...NOTHING, settings: back }, { ...NOTHING, settings: left }).settings).toEqual(held.settings);
@@ -211,7 +328,7 @@ describe('a part of the library', () => {
     expect(partOf(all, { kind: 'model', id: MODEL.id })).toEqual(HELD);
     expect(partOf(all, { kind: 'setting', id: SETTING.id })).toEqual({ ...HELD, flights: [] });
     expect(partOf(all, { kind: 'setting', id: 'other' }).models).toEqual([]);
-    expect(textOf(partOf(all, { kind: 'setting', id: 'gone' }), false, 1)).toBe('nothing');
+    expect(textOf(partOf(all, { kind: 'setting', id: 'gone' }), false, '1', 1)).toBe('nothing');
   });
 
   it('does not contain what the pilot’s timers hold', () => {
