@@ -1,5 +1,5 @@
 import { ByteLine, type ByteLineOptions, type Clock, realClock } from '../line/index.js';
-import { type Bytes, COMMANDS, type Frame, FrameDecoder, type Identity, requireIdentity } from '../protocol/index.js';
+import { type Bytes, COMMANDS, FrameDecoder, type Identity, requireIdentity } from '../protocol/index.js';
 import { FarEnd } from './far-end.js';
 import type { MemoryContent } from './memory.js';
 import type { TimerQuirks } from './quirks.js';
@@ -70,8 +70,6 @@ export class VirtualTimer {
   readonly #fromTimer: ByteLine;
   readonly #end: FarEnd;
   readonly #reader: RequestReader;
-  /** Frames that came with a bare checksum. */
-  readonly #bare = new WeakSet<Frame>();
   readonly #echo: boolean;
 
   /** @throws CodecError `bad-identity`, and as {@link TimerCore}; RangeError as `ByteLine`. */
@@ -85,9 +83,12 @@ export class VirtualTimer {
     this.core = new TimerCore({ identity, quirks, clock, sleepAfter, memories });
     const decoder = new FrameDecoder({
       quirks: { bareChecksum: quirks.bareChecksumRequests ? BARE_REQUESTS : false },
-      onFrame: (frame, _, bare) => void (bare && this.#bare.add(frame)),
+      onFrame: (frame, _, bare) => {
+        const reply = this.core.answer(frame, bare);
+        if (reply) this.#fromTimer.send(reply);
+      },
     });
-    this.#reader = new RequestReader(decoder, clock, (frames) => this.#answer(frames));
+    this.#reader = new RequestReader(decoder, clock);
     this.#toTimer = new ByteLine((bytes) => this.#receive(bytes), { ...options.toTimer, clock, baudRate });
     this.#fromTimer = new ByteLine((bytes) => this.#end.send(bytes), {
       ...options.fromTimer,
@@ -110,12 +111,5 @@ export class VirtualTimer {
   #receive(bytes: Uint8Array): void {
     if (this.#echo) this.#fromTimer.send(bytes);
     this.#reader.push(bytes);
-  }
-
-  #answer(frames: readonly Frame[]): void {
-    for (const frame of frames) {
-      const reply = this.core.answer(frame, this.#bare.has(frame));
-      if (reply) this.#fromTimer.send(reply);
-    }
   }
 }
