@@ -1,4 +1,4 @@
-import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
+import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { unsaved } from '../ui/unsaved.js';
 import type { Session } from '../work/session.js';
 
@@ -6,23 +6,27 @@ type OfferParts = Pick<Session, 'drafts' | 'library' | 'link' | 'runner'>;
 
 /** A new version of the page. It waits until the pilot accepts it, no port is open, and a reload would lose nothing. */
 export class UpdateOffer {
-  readonly #take = signal<(() => void) | null>(null, { name: 'update' });
+  readonly #offered = signal<(() => void) | null>(null, { name: 'update' });
   readonly #taken = signal(false, { name: 'updateTaken' });
-  /** Accepts the new version; null when there is none, or it was accepted already. */
-  readonly take: ReadonlySignal<(() => void) | null> = this.#take;
+  /** Accepts the new version; null when there is none, or one was accepted already: then this one follows it. */
+  readonly take: ReadonlySignal<(() => void) | null> = computed(() => {
+    const { value: offered } = this.#offered;
+    if (!offered || this.#taken.value) return null;
+    return () => {
+      this.#taken.value = true;
+      offered();
+    };
+  });
   /** Whether the pilot has accepted it and it waits. */
   readonly taken: ReadonlySignal<boolean> = this.#taken;
   readonly #parts: OfferParts;
-  #offered: (() => void) | null = null;
 
   constructor(parts: OfferParts) {
     this.#parts = parts;
   }
 
   readonly offer = (take: () => void): void => {
-    this.#offered = take;
-    // If one version was accepted already, that also holds for the version that replaces it.
-    this.#take.value = this.#taken.peek() ? null : () => this.#begin();
+    this.#offered.value = take;
   };
 
   /** Whether it can start: no port is open or being looked for, and a reload would lose nothing. */
@@ -46,13 +50,4 @@ export class UpdateOffer {
       });
     });
   };
-
-  #begin(): void {
-    const take = this.#offered;
-    batch(() => {
-      this.#take.value = null;
-      this.#taken.value = true;
-    });
-    take?.();
-  }
 }

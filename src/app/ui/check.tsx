@@ -4,20 +4,17 @@ interface CheckProps {
   readonly checked: boolean;
   readonly onChange: (checked: boolean) => void;
   readonly disabled?: boolean;
-  /** The id of a text about it. */
-  readonly describedBy?: string;
   readonly children: ComponentChildren;
 }
 
 /** A box to tick, with its label. */
-export function Check({ checked, onChange, disabled, describedBy, children }: CheckProps) {
+export function Check({ checked, onChange, disabled, children }: CheckProps) {
   return (
     <label class="check">
       <input
         type="checkbox"
         checked={checked}
         disabled={disabled}
-        aria-describedby={describedBy}
         onChange={(event) => onChange(event.currentTarget.checked)}
       />
       {children}
