@@ -1,4 +1,4 @@
-import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { batch, computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
 import type { EditedValue } from '../work/edited-value.js';
 
 /** The field in which a value is edited. */
@@ -13,26 +13,25 @@ export interface HeldField {
  * Keyboard and mouse need none.
  */
 export class Hand {
-  readonly #held = signal<HeldField | null>(null);
-  readonly #isTouch = signal(false);
+  // Only this hand writes them.
+  /** The field with the focus. */
+  readonly held = signal<HeldField | null>(null);
+  /** Whether a finger or a pen was used last. */
+  readonly isTouch: Signal<boolean>;
   /**
    * Whether a finger has come down after keys or a mouse, and its tap has not ended. A sheet that opened now for the
    * field of the keys would lie under the finger, and take the tap that was meant for something else.
    */
   readonly #isArriving = signal(false);
 
-  /** The field with the focus. */
-  readonly held: ReadonlySignal<HeldField | null> = this.#held;
-  /** Whether a finger or a pen was used last. */
-  readonly isTouch: ReadonlySignal<boolean> = this.#isTouch;
   /** The field of the sheet; null while there is no sheet. */
   readonly field: ReadonlySignal<HeldField | null> = computed(() =>
-    this.isTouch.value && !this.#isArriving.value ? this.#held.value : null,
+    this.isTouch.value && !this.#isArriving.value ? this.held.value : null,
   );
 
   /** @param isTouch what is likely before the pilot has done anything. */
   constructor(isTouch: boolean) {
-    this.#isTouch.value = isTouch;
+    this.isTouch = signal(isTouch);
   }
 
   /** Follows what the pilot works with. @returns a function that ends this. */
@@ -40,12 +39,12 @@ export class Hand {
     const point = ({ pointerType }: PointerEvent): void => {
       const isTouch = pointerType !== 'mouse';
       batch(() => {
-        if (isTouch && !this.#isTouch.value) this.#isArriving.value = this.#held.value !== null;
-        this.#isTouch.value = isTouch;
+        if (isTouch && !this.isTouch.value) this.#isArriving.value = this.held.value !== null;
+        this.isTouch.value = isTouch;
       });
     };
     const press = (): void => {
-      this.#isTouch.value = false;
+      this.isTouch.value = false;
     };
     const arrive = (): void => {
       this.#isArriving.value = false;
@@ -62,13 +61,13 @@ export class Hand {
   /** A field has got the focus. */
   hold(field: HeldField): void {
     batch(() => {
-      this.#held.value = field;
+      this.held.value = field;
       this.#isArriving.value = false;
     });
   }
 
   /** A field has lost the focus. */
   release(input: HTMLInputElement): void {
-    if (this.#held.value?.input === input) this.#held.value = null;
+    if (this.held.value?.input === input) this.held.value = null;
   }
 }

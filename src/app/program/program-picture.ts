@@ -1,4 +1,4 @@
-import { type ReadonlySignal, signal } from '@preact/signals';
+import { signal } from '@preact/signals';
 import type { ProgramField } from '../../program/index.js';
 import { Player } from '../timeline/preview/player.js';
 import { TimelineModel } from '../timeline/view-model.js';
@@ -10,24 +10,23 @@ export class ProgramPicture {
   readonly timeline = new TimelineModel();
   /** It shows the time about which the pilot asks on the timeline. */
   readonly player = new Player(this.timeline.asked);
-  readonly #open = signal(false);
+  // Only this class writes them.
   /** Whether it stands in place of the table, on a phone. */
-  readonly isOpen: ReadonlySignal<boolean> = this.#open;
-  readonly #sought = signal<ProgramField | null>(null);
+  readonly isOpen = signal(false);
   /** The field to which the pilot goes from elsewhere. The table gives it the focus. */
-  readonly sought: ReadonlySignal<ProgramField | null> = this.#sought;
+  readonly sought = signal<ProgramField | null>(null);
 
   toggle(): void {
-    this.#open.value = !this.#open.value;
+    this.isOpen.value = !this.isOpen.value;
   }
 
   seek(field: ProgramField): void {
-    this.#open.value = false;
-    this.#sought.value = field;
+    this.isOpen.value = false;
+    this.sought.value = field;
   }
 
   /** The sought field has the focus. */
   found(): void {
-    this.#sought.value = null;
+    this.sought.value = null;
   }
 }

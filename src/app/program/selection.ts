@@ -3,12 +3,12 @@ import { type GridCell, type GridRange, rangeBetween } from '../editing/grid.js'
 
 /** The selected cells of the table: from the one that is being edited to another corner. */
 export class Selection {
-  readonly #active = signal<GridCell | null>(null);
-  readonly #corner = signal<GridCell | null>(null);
-  readonly #picking = signal(false);
-
+  // Only this selection writes them.
   /** The focused cell; null before the first focus. */
-  readonly active: ReadonlySignal<GridCell | null> = this.#active;
+  readonly active = signal<GridCell | null>(null);
+  /** Whether the next tapped cell becomes the other corner, for pilots without a Shift key. */
+  readonly picking = signal(false);
+  readonly #corner = signal<GridCell | null>(null);
 
   readonly range: ReadonlySignal<GridRange | null> = computed(() => {
     const active = this.active.value;
@@ -19,8 +19,6 @@ export class Selection {
     const range = this.range.value;
     return range !== null && (range.top !== range.bottom || range.left !== range.right);
   });
-  /** Whether the next tapped cell becomes the other corner, for pilots without a Shift key. */
-  readonly picking: ReadonlySignal<boolean> = this.#picking;
   /** The range to show; null while it is only the focused cell. */
   readonly shown: ReadonlySignal<GridRange | null> = computed(() =>
     this.isWide.value || this.picking.value ? this.range.value : null,
@@ -31,14 +29,14 @@ export class Selection {
   /** Selects only this cell. */
   enter(cell: GridCell): void {
     batch(() => {
-      this.#active.value = cell;
+      this.active.value = cell;
       this.#corner.value = null;
     });
   }
 
   /** The next tapped cell becomes the other corner. */
   pick(): void {
-    this.#picking.value = true;
+    this.picking.value = true;
   }
 
   /** Selects from the active cell to this one. */
@@ -50,7 +48,7 @@ export class Selection {
   collapse(): void {
     batch(() => {
       this.#corner.value = null;
-      this.#picking.value = false;
+      this.picking.value = false;
     });
   }
 }

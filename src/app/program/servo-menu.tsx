@@ -2,13 +2,13 @@ import { useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import type { Identity } from '../../protocol/index.js';
 import { positionsOf, stepServo, stopsOf } from '../editing/edits.js';
-import { parseSteps } from '../editing/units.js';
-import { messages, obstacleText, signed, slotInSentence, slotsText } from '../messages/index.js';
+import { type Parsed, parseSteps } from '../editing/units.js';
+import { messages, signed, slotInSentence, slotsText } from '../messages/index.js';
 import { Problem } from '../ui/problem.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import type { RowTools } from './row-tools.js';
 import type { TableModel } from './table-model.js';
-import { type OpenMenu, PanelFoot, ToolsMenu, ToolsPanel } from './tools-menu.js';
+import { type OpenMenu, PanelFoot, ToolsMenu, ToolsPanel, useEdit } from './tools-menu.js';
 
 export interface ServoMenuProps {
   readonly table: TableModel;
@@ -31,7 +31,7 @@ export function ServoMenu(props: ServoMenuProps) {
 function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { readonly menu: OpenMenu }) {
   const { stepServo: words } = messages.value.edits;
   const typed = useSignal('');
-  const problem = useSignal<(() => string) | null>(null);
+  const { problem, forget, edit } = useEdit(table.editor);
   const scope = useSignal<'all' | 'from'>('all');
   // As it was when the tools were opened: a digit that is typed here ends the range.
   const selected = useMemo(() => {
@@ -46,25 +46,15 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
   const wanted = 'value' in parsed ? parsed.value : 0;
   const positions = positionsOf(working, { servo, from }).map(({ value }) => value);
   const [lowest, highest] = [Math.min(...positions), Math.max(...positions)];
-  const step = (by: number): void => {
-    const obstacle = table.editor.apply(stepServo(working, { servo, by, from }));
-    problem.value = obstacle && (() => `${messages.value.edits.nothingDone} ${obstacleText(identity, obstacle)}`);
-  };
+  const step = (by: Parsed): void => edit(by, (steps, now) => stepServo(now, { servo, by: steps, from }));
   return (
-    <ToolsPanel
-      menu={menu}
-      title={words.title({ servo: name })}
-      onSubmit={() => {
-        if ('value' in parsed) step(parsed.value);
-        else problem.value = () => messages.value.unreadable[parsed.unreadable];
-      }}
-    >
+    <ToolsPanel menu={menu} title={words.title({ servo: name })} onSubmit={() => step(parsed)}>
       <p class="hint sentence row-panel-moved" role="status">
         {lowest === highest ? words.now({ position: lowest }) : words.nowRange({ lowest, highest })}
       </p>
       <div class="shift-fields step-fields">
         {[-1, 1].map((by) => (
-          <button type="button" key={by} onClick={() => step(by)}>
+          <button type="button" key={by} onClick={() => step({ value: by })}>
             {signed(by)}
           </button>
         ))}
@@ -76,16 +66,26 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
             value={typed.value}
             onInput={({ currentTarget }) => {
               typed.value = currentTarget.value;
-              problem.value = null;
+              forget();
             }}
           />
         </label>
         <button type="submit">{words.step}</button>
       </div>
-      <Problem text={problem.value?.() ?? null} />
-      {[...new Set([-1, 1, wanted])].map((by) => (
-        <Stops key={by} {...{ identity, by }} stops={stopsOf(working, { servo, by, from })} />
-      ))}
+      <Problem text={problem} />
+      {/* What would not go as far, said before it is done. */}
+      {[...new Set([-1, 1, wanted])].flatMap((by) =>
+        [...stopsOf(working, { servo, by, from })].map(([at, slots]) => (
+          <p class="stops" key={`${by} ${at}`}>
+            {words.stops({
+              steps: signed(by),
+              what: slotsText(identity, slots, slotInSentence(identity, 0)),
+              count: slots.length,
+              at,
+            })}
+          </p>
+        )),
+      )}
       {selected > 0 && (
         <SegmentChoice
           name="step-servo"
@@ -100,31 +100,5 @@ function ServoPanel({ table, identity, servo, name, menu }: ServoMenuProps & { r
       )}
       <PanelFoot menu={menu} />
     </ToolsPanel>
-  );
-}
-
-interface StopsProps {
-  readonly identity: Identity;
-  readonly by: number;
-  /** The slots that stop, by where. */
-  readonly stops: ReadonlyMap<number, readonly number[]>;
-}
-
-/** What would not go as far, said before it is done. */
-function Stops({ identity, by, stops }: StopsProps) {
-  const { stepServo: words } = messages.value.edits;
-  return (
-    <>
-      {[...stops].map(([at, slots]) => (
-        <p class="stops" key={at}>
-          {words.stops({
-            steps: signed(by),
-            what: slotsText(identity, slots, slotInSentence(identity, 0)),
-            count: slots.length,
-            at,
-          })}
-        </p>
-      ))}
-    </>
   );
 }

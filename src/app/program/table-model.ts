@@ -39,19 +39,16 @@ export class TableModel {
     return due === null ? null : (this.#motorHeld.value ?? due);
   });
 
-  readonly #rested = signal<unknown>(null);
+  // Only this model writes them.
   /** Changes when nothing has been edited for a while: the pilot's hands rest. */
-  readonly rested: ReadonlySignal<unknown> = this.#rested;
-  readonly #pasting = signal<Pasting | null>(null);
+  readonly rested = signal<unknown>(null);
   /** What to paste, once the pilot has looked at it. */
-  readonly pasting: ReadonlySignal<Pasting | null> = this.#pasting;
+  readonly pasting = signal<Pasting | null>(null);
+  /** Whether intervals are shown in place of times, where there is no room for both. */
+  readonly byIntervals = signal(false);
   readonly #obstacle = signal<(() => string) | null>(null);
   /** Why the selected cells were not changed. */
   readonly obstacle: ReadonlySignal<string | null> = computed(() => this.#obstacle.value?.() ?? null);
-
-  readonly #byIntervals = signal(false);
-  /** Whether intervals are shown in place of times, where there is no room for both. */
-  readonly byIntervals: ReadonlySignal<boolean> = this.#byIntervals;
 
   constructor(editor: Editor, marked: ReadonlySignal<ProgramField | null>) {
     this.editor = editor;
@@ -65,7 +62,7 @@ export class TableModel {
     const endRest = effect(() => {
       const edited = [working.value, unreadable.value, asked.value, findings.value];
       const rest = setTimeout(() => {
-        this.#rested.value = edited;
+        this.rested.value = edited;
       }, REST);
       return () => clearTimeout(rest);
     });
@@ -83,7 +80,7 @@ export class TableModel {
 
   /** Shows intervals in place of times, or the times again. */
   switchColumn(): void {
-    this.#byIntervals.value = !this.#byIntervals.value;
+    this.byIntervals.value = !this.byIntervals.value;
   }
 
   /** The focus has left the table. */
@@ -180,12 +177,12 @@ export class TableModel {
   #offer(range: GridRange | null, text: string): void {
     const isSome = range !== null && text.trim() !== '';
     this.#obstacle.value = isSome ? null : () => messages.value.edits.table.range.clipboardClosed;
-    if (isSome) this.#pasting.value = { range, text };
+    if (isSome) this.pasting.value = { range, text };
   }
 
   /** The text was pasted, or is not wanted. */
   pasted(): void {
-    this.#pasting.value = null;
+    this.pasting.value = null;
   }
 }
 

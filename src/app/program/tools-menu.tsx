@@ -1,9 +1,13 @@
-import { useComputed } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
+import type { TimerProgram } from '../../program/index.js';
 import { onBackKey } from '../browser/back-key.js';
 import { media } from '../browser/doors.js';
-import { messages } from '../messages/index.js';
+import type { Edit } from '../editing/edit.js';
+import type { Editor } from '../editing/editor.js';
+import type { Parsed } from '../editing/units.js';
+import { messages, obstacleText } from '../messages/index.js';
 import type { RowTools, ToolsPlace } from './row-tools.js';
 import { raise } from './sheet-place.js';
 import './tools-menu.css';
@@ -121,6 +125,26 @@ export function ToolsPanel({ menu: { tools, opener }, title, onSubmit, children 
       {children}
     </form>
   );
+}
+
+/** Edits by a typed amount, and why the last one was not done. */
+export function useEdit(editor: Editor) {
+  const problem = useSignal<(() => string) | null>(null);
+  return {
+    problem: problem.value?.() ?? null,
+    forget: (): void => {
+      problem.value = null;
+    },
+    edit: (typed: Parsed, make: (by: number, working: TimerProgram) => Edit): void => {
+      const { value: working } = editor.working;
+      if (!working) return;
+      const obstacle = 'value' in typed ? editor.apply(make(typed.value, working)) : null;
+      problem.value =
+        'unreadable' in typed
+          ? () => messages.value.unreadable[typed.unreadable]
+          : obstacle && (() => `${messages.value.edits.nothingDone} ${obstacleText(working.identity, obstacle)}`);
+    },
+  };
 }
 
 interface PanelFootProps {

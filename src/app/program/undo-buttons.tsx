@@ -31,26 +31,24 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
   // The last step disables its own button, which would lose the focus. So it only says that it is off.
   return (
     <div class="buttons undo-buttons">
-      <button
-        type="button"
-        class="quiet"
-        aria-label={undo ?? undoButton}
-        title={undo ?? undoButton}
-        aria-disabled={isOff || undo === null}
-        onClick={() => void (!off.peek() && editor.undo())}
-      >
-        {undoButton}
-      </button>
-      <button
-        type="button"
-        class="quiet"
-        aria-label={redo ?? edits.redoButton}
-        title={redo ?? edits.redoButton}
-        aria-disabled={isOff || redo === null}
-        onClick={() => void (!off.peek() && editor.redo())}
-      >
-        {edits.redoButton}
-      </button>
+      {(
+        [
+          ['undo', undo, undoButton],
+          ['redo', redo, edits.redoButton],
+        ] as const
+      ).map(([way, step, label]) => (
+        <button
+          type="button"
+          key={way}
+          class="quiet"
+          aria-label={step ?? label}
+          title={step ?? label}
+          aria-disabled={isOff || step === null}
+          onClick={() => void (!off.peek() && editor[way]())}
+        >
+          {label}
+        </button>
+      ))}
     </div>
   );
 }
