@@ -105,7 +105,7 @@ function separatorOf(text: string): string {
   if (text.includes(';')) return ';';
   if (!text.includes(',')) return '';
   if (hasHeadings(text)) return ',';
-  // As the cells are read: with all that nobody sees, and with the digits of any keyboard.
+  // As the cells are read: with all that nobody sees, and with wide digits.
   return text.split(/[\r\n]/).some((line) => DECIMAL_COMMA.test(plainDigits(line))) ? '' : ',';
 }
 

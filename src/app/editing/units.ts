@@ -23,38 +23,20 @@ const MINUS = /[\u2010-\u2013\u2212]/g;
 /** The characters of ASCII as wide as a Chinese or Japanese one, and how far they are from the usual ones. */
 const WIDE = /[\uff01-\uff5e]/g;
 const FROM_WIDE = 0xfee0;
-/** The digits of other keyboards: Arabic, Persian and Urdu, Hindi. */
-const OTHER_DIGITS = [
-  { zero: 0x660, digits: /[\u0660-\u0669]/g },
-  { zero: 0x6f0, digits: /[\u06f0-\u06f9]/g },
-  { zero: 0x966, digits: /[\u0966-\u096f]/g },
-];
-const OTHER_POINT = /\u066b/g;
-const OTHER_COMMA = /\u060c/g;
 
 /**
  * A typed or copied number without spaces around it, with plain spaces inside, and with the plain minus sign, digits
- * and marks. A number with two kinds of digits stays as it is, because some look alike: the Arabic 5 is like a 0.
+ * and marks.
  */
 export function plainDigits(text: string): string {
   // Nearly every text.
   if (!/[^ -~]/.test(text)) return text.trim();
-  const plain = text
+  return text
     .replaceAll(UNSEEN, '')
     .replaceAll(/\p{Zs}/gu, ' ')
     .replaceAll(MINUS, '-')
     .replaceAll(WIDE, (wide) => String.fromCharCode(wide.charCodeAt(0) - FROM_WIDE))
     .trim();
-  return /\d/.test(plain) ? plain : withoutOtherDigits(plain);
-}
-
-function withoutOtherDigits(text: string): string {
-  const [kind, ...more] = OTHER_DIGITS.filter(({ digits }) => text.search(digits) >= 0);
-  if (!kind || more.length > 0) return text;
-  return text
-    .replaceAll(kind.digits, (digit) => String(digit.charCodeAt(0) - kind.zero))
-    .replaceAll(OTHER_POINT, '.')
-    .replaceAll(OTHER_COMMA, ',');
 }
 
 /** The possible meanings of a text, in hundredths of a second. All different. */

@@ -51,7 +51,7 @@ export function ProgramTable({ session, bench, follow, marked, tools }: ProgramT
             {...listeners}
             onKeyDown={(event) => onTableKey(event, table)}
             onCopy={(event) => table.copy(event)}
-            onCut={(event) => table.cut(event)}
+            onCut={(event) => table.copy(event)}
             onPaste={(event) => table.paste(event)}
           >
             <caption class="visually-hidden">{program.tableCaption}</caption>

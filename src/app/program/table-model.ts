@@ -132,26 +132,11 @@ export class TableModel {
     return range && working.value ? formatTable(working.value, range) : '';
   }
 
+  /** Also for Cut: no cell of a program can be empty. In the text of one field the browser copies and cuts. */
   copy(event: ClipboardEvent): void {
     if (isElsewhere(event) || !this.selection.isWide.value || !event.clipboardData) return;
     event.preventDefault();
     event.clipboardData.setData('text/plain', this.selectedText());
-  }
-
-  /** No cell of a program can be empty, so Cut only copies, except for a part of a text. */
-  cut(event: ClipboardEvent): void {
-    this.copy(event);
-    const { target, clipboardData } = event;
-    if (
-      (isElsewhere(event) && !this.valueIn(target)) ||
-      event.defaultPrevented ||
-      !(target instanceof HTMLInputElement) ||
-      !clipboardData
-    )
-      return;
-    if (target.selectionStart !== 0 || target.selectionEnd !== target.value.length) return;
-    event.preventDefault();
-    clipboardData.setData('text/plain', target.value);
   }
 
   paste(event: ClipboardEvent): void {

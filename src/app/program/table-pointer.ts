@@ -2,9 +2,6 @@ import type { TargetedFocusEvent, TargetedPointerEvent } from 'preact';
 import { cellOf, cellUnder, isSameCell } from './table-cells.js';
 import type { TableModel } from './table-model.js';
 
-/** How far a wheel turns for one step, in pixels: half a notch of most mice. */
-const NOTCH = 50;
-
 /**
  * The listeners of a table for mouse, finger and focus. Cells are selected as in a spreadsheet: from the pressed cell
  * to the one under the mouse, or to the next one with Shift or after “Select range”. A finger scrolls, so it selects
@@ -15,7 +12,6 @@ export function pointerListeners(table: TableModel) {
   let dragging = new AbortController();
   /** Whether the pressed field was selected as a whole. */
   let wasWhole = false;
-  let turned = 0;
 
   /**
    * The range follows the position of the mouse, not the events of cells: a browser that drags the selected text of a
@@ -93,19 +89,6 @@ export function pointerListeners(table: TableModel) {
       if (defaultPrevented || pointerType !== 'mouse' || button !== 0 || selection.picking.value) return;
       if (!cellOf(target) || (target instanceof Element && target.closest('button'))) return;
       follow(event.currentTarget, pointerId);
-    },
-    /**
-     * The wheel with Alt steps the focused field, with Shift ten steps at once. Without Alt, and over any other field,
-     * it scrolls the page, so that scrolling never changes a value.
-     */
-    onWheel: (event: WheelEvent): void => {
-      if (!event.altKey || event.ctrlKey || !table.valueIn(event.target)) return;
-      event.preventDefault();
-      // With Shift, browsers report the wheel as sideways.
-      turned += event.deltaY || event.deltaX;
-      if (Math.abs(turned) < NOTCH) return;
-      table.step((turned < 0 ? 1 : -1) * (event.shiftKey ? 10 : 1));
-      turned = 0;
     },
     // A text that is dragged would change a value without a key press; from field to field, two.
     onDragStart: (event: DragEvent): void => event.preventDefault(),
