@@ -19,19 +19,13 @@ export interface FieldValue {
   readonly value: number;
 }
 
-/**
- * Why nothing was changed.
- *
- * - `time-not-whole`, `time-out-of-range`, `position-not-whole`, `position-out-of-range`: the wire cannot carry the
- *   value. The check has the same codes.
- * - `start`: the start has no slot before it, and on a class other than Q its time can be edited only on its own.
- */
-export type RefusalCode =
-  | Extract<FindingCode, 'time-not-whole' | 'time-out-of-range' | 'position-not-whole' | 'position-out-of-range'>
-  | 'start';
-
+/** The wire cannot carry a value: nothing was changed. */
 export interface Refusal {
-  readonly code: RefusalCode;
+  /** As in the check. */
+  readonly code: Extract<
+    FindingCode,
+    'time-not-whole' | 'time-out-of-range' | 'position-not-whole' | 'position-out-of-range'
+  >;
   /** The field that refused its value. */
   readonly field: CellField;
   /** The refused value and the range of the field, as in a finding of the check. */
@@ -108,12 +102,10 @@ export function stepSize(identity: Identity, field: ProgramField): number {
 
 /** Why the wire cannot carry a value in this field; null when it can. */
 export function refusalOf(field: CellField, value: number): Refusal | null {
-  if (!Number.isInteger(value)) return refusal(`${field.kind}-not-whole`, field, value);
-  return value >= 0 && value <= MAX_VALUE[field.kind] ? null : refusal(`${field.kind}-out-of-range`, field, value);
-}
-
-export function refusal(code: RefusalCode, field: CellField, value: number): Refusal {
-  return { code, field, params: { value, min: 0, max: MAX_VALUE[field.kind] } };
+  const max = MAX_VALUE[field.kind];
+  const isWhole = Number.isInteger(value);
+  if (isWhole && value >= 0 && value <= max) return null;
+  return { code: `${field.kind}-${isWhole ? 'out-of-range' : 'not-whole'}`, field, params: { value, min: 0, max } };
 }
 
 /** A copy of the program with these values. */

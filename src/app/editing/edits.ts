@@ -6,7 +6,6 @@ import {
   type EditOutcome,
   type FieldValue,
   type Refusal,
-  refusal,
   refusalOf,
   stepSize,
   type TextOption,
@@ -37,14 +36,11 @@ interface DtOption {
 /**
  * Sets an interval: the slot gets this distance from the one before, and later functions keep their own intervals. DT
  * stays, unless it is this slot.
+ * @param slot not the start, which has no interval.
  * @param interval hundredths of a second. A negative one makes times fall.
  */
 export function setInterval(program: TimerProgram, slot: number, interval: number, options: TextOption = {}): Edit {
-  const outcome =
-    slot === 0
-      ? { refused: refusal('start', { kind: 'time', slot }, interval) }
-      : retime(program, new Map(), new Map([[slot, interval]]), options);
-  return ofInterval('type', slot, outcome);
+  return ofInterval('type', slot, retime(program, new Map(), new Map([[slot, interval]]), options));
 }
 
 function ofInterval(how: 'type' | 'step', slot: number, outcome: EditOutcome): Edit {
@@ -55,6 +51,7 @@ function ofInterval(how: 'type' | 'step', slot: number, outcome: EditOutcome): E
 /**
  * Moves this and all later functions. From DT on, only DT moves; otherwise DT stays unless `moveDt` is set. From the
  * motor stop of a Q timer, the functions at its time or later move with it, because they follow it in flight.
+ * @param slot the start only on a Q: on other classes its time is reserved.
  * @param by hundredths of a second; negative to earlier.
  */
 export function shiftFrom(program: TimerProgram, slot: number, by: number, options: DtOption = {}): Edit {
@@ -76,12 +73,8 @@ export function slotsThatShift(
 }
 
 function shifted(program: TimerProgram, slot: number, by: number, options: DtOption): EditOutcome {
-  const { identity, times } = program;
-  const from = times[slot];
-  if (from === undefined || by === 0) return { values: [] };
-  if (slot === 0 && identity.timerClass !== 'Q') {
-    return { refused: refusal('start', { kind: 'time', slot }, from + by) };
-  }
+  const { times } = program;
+  if (by === 0) return { values: [] };
   const moved = slotsThatShift(program, slot, options).map(
     (at): CellValue => ({ field: { kind: 'time', slot: at }, value: (times[at] as number) + by }),
   );

@@ -131,14 +131,11 @@ function turned<T>(history: History<T>, now: T, from: 'past' | 'future', to: 'pa
 }
 
 /**
- * Takes back the step that is still growing, as if it had never been: Escape in a field or in a drag.
- * @returns null when no step is growing.
+ * Takes back the last step, which is still growing, as if it had never been: Escape in a field or in a drag.
  */
-export function abandon<T>({ past, future, open }: History<T>): Turned<T> | null {
+export function abandon<T>({ past, future }: History<T>): Turned<T> | null {
   const step = past.at(-1);
-  return open === null || !step
-    ? null
-    : { history: { past: past.slice(0, -1), future, open: null }, state: step.state };
+  return step ? { history: { past: past.slice(0, -1), future, open: null }, state: step.state } : null;
 }
 
 /**

@@ -3,9 +3,9 @@ import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 import { formatValue, parseValue } from '../../../src/app/editing/content.js';
 import { setValues } from '../../../src/app/editing/edit.js';
-import { Editor } from '../../../src/app/editing/editor.js';
+import { Editor, type EditorContent } from '../../../src/app/editing/editor.js';
 import { stepValue } from '../../../src/app/editing/edits.js';
-import { MAX_STEPS } from '../../../src/app/editing/history.js';
+import { EMPTY_HISTORY, MAX_STEPS } from '../../../src/app/editing/history.js';
 import { draftSchema } from '../../../src/app/storage/records.js';
 import {
   differences,
@@ -94,6 +94,14 @@ describe('undo and redo', () => {
     editor.undo();
     expect(editor.textOf(S1)).toBe('30');
   });
+});
+
+it('undo forgets the oldest steps past its limit', () => {
+  const editor = editorOf();
+  for (let at = 0; at < MAX_STEPS + 5; at++) editor.apply(setValues(preset, [{ field: S1, value: at % 2 }]));
+  let undone = 0;
+  for (; editor.undoStep.value; undone++) editor.undo();
+  expect([undone, editor.textOf(S1)]).toEqual([MAX_STEPS, '0']);
 });
 
 describe('Escape', () => {
@@ -221,6 +229,7 @@ const action = fc.oneof(
   { weight: 2, arbitrary: fc.record({ act: fc.constant('apply' as const), field: aField, value: fc.nat(140) }) },
   { weight: 1, arbitrary: fc.record({ act: fc.constantFrom('revert' as const), field: aField }) },
   { weight: 2, arbitrary: fc.record({ act: fc.constant('escape' as const), field: aField, text: aText }) },
+  { weight: 1, arbitrary: fc.record({ act: fc.constant('read' as const), field: aField, value: fc.nat(130) }) },
   { weight: 4, arbitrary: fc.record({ act: fc.constantFrom('undo' as const, 'redo' as const) }) },
   { weight: 1, arbitrary: fc.record({ act: fc.constantFrom('revertAll' as const, 'reload' as const) }) },
 );
@@ -263,6 +272,11 @@ it('screen, working copy and difference agree after any edits, undos and redos',
           editor = new Editor();
           expect(content && editor.restore(content)).toBe(true);
           expect(shown()).toEqual(before);
+        } else if (action.act === 'read') {
+          editor.rebase(withValue(held, action.field, action.value));
+          // What undo brings back follows the timer: see above.
+          editor.restore({ ...(editor.snapshot() as EditorContent), history: EMPTY_HISTORY });
+          past.length = future.length = 0;
         } else {
           if (action.act === 'type') type(editor, action.field, action.text);
           else if (action.act === 'escape') typeAndEscape(editor, action.field, action.text);
@@ -276,7 +290,7 @@ it('screen, working copy and difference agree after any edits, undos and redos',
           if (past.length > MAX_STEPS) past.shift();
         }
         const working = editor.working.value as TimerProgram;
-        expect(editor.changes.value).toEqual(differences(held, working));
+        expect(editor.changes.value).toEqual(differences(editor.baseline.value as TimerProgram, working));
         for (const field of fields) {
           const text = editor.textOf(field);
           const parsed = parseValue(working.identity, field, text);
