@@ -31,6 +31,15 @@ const before: TimerProgram = {
 const at = (row: number, column: number): GridRange => ({ top: row, left: column, bottom: row, right: column });
 const ANYWHERE = [at(0, 0), at(1, 0), at(10, 0), at(1, 1), at(4, 3), at(10, 4)];
 
+/** What the browser copies of a program as it is printed. */
+function printed(program: TimerProgram): string {
+  const page = document.createElement('div');
+  const columns = Array.from({ length: gridColumns(program.identity) }, (_, column) => column);
+  render(h(ProgramGrid, { program, caption: '', columns }), page);
+  const rows = [...page.querySelectorAll('tr')].map((row) => [...row.children].map((cell) => cell.textContent.trim()));
+  return rows.map((cells) => cells.join('\t')).join('\n');
+}
+
 const answersOf = (answers: Readonly<Record<string, PasteAnswer>>) => new Map(Object.entries(answers));
 const preview = (text: string, range = at(0, 0), answers: Readonly<Record<string, PasteAnswer>> = {}, on = before) =>
   previewPaste(on, range, text, { answers: answersOf(answers) });
@@ -46,40 +55,52 @@ const asked = (text: string, answers: Readonly<Record<string, PasteAnswer>> = {}
   preview(text, at(0, 0), answers).questions.map(({ key, answer }) => `${key} ${answer}`);
 
 describe('a table with names', () => {
-  it.each(ANYWHERE)('with the row of the motor stop goes where it says, from %j', (range) => {
-    const { times, positions } = result(sheets.withMotorRow, range);
-    expect(times).toEqual([1000, 30, 120, 400, 980, 1010, 1060, 1120, 1250, 12000, 18000]);
-    expect(positions).toEqual([
-      [100, 62, 64, 64, 66, 70, 70, 67, 65, 63, 63],
-      [110, 44, 46, 50, 52, 30, 24, 40, 54, 56, 95],
-      [120, 70, 72, 76, 78, 78, 82, 86, 88, 88, 88],
-    ]);
-  });
-
-  it.each(ANYWHERE)('with the row of the start goes where it says, from %j', (range) => {
-    const { times, positions } = result(sheets.withStartRow, range);
-    expect(times).toEqual([500, 30, 120, 1060, ...before.times.slice(4)]);
-    expect(positions.map((row) => row.slice(0, 5))).toEqual([
-      [60, 61, 62, 70, 104],
-      [15, 16, 20, 40, 114],
-      [40, 41, 42, 55, 124],
-    ]);
-  });
-
-  it.each(ANYWHERE)('and its slots side by side is turned, from %j', (range) => {
-    const { times, positions } = result(sheets.transposed, range);
-    expect(times).toEqual([500, 30, 120, 1000, 1200, ...before.times.slice(5)]);
-    expect(positions.map((row) => row.slice(0, 6))).toEqual([
-      [60, 61, 62, 70, 71, 105],
-      [15, 16, 20, 40, 41, 115],
-      [40, 41, 42, 55, 56, 125],
-    ]);
-  });
-
-  it.each(ANYWHERE)('as the page prints it goes where it says, with all that stands around it, from %j', (range) => {
-    const { times, positions } = result(sheets.printed, range);
-    expect(times).toEqual([1000, 1050, 1100, 1150, 1200, 1250, 1300, 1350, 1400, 1450, 18000]);
-    expect(positions).toEqual([1, 2, 3].map(() => [15, 25, 35, 45, 55, 65, 75, 85, 95, 105, 115]));
+  it.each<[what: string, sheet: keyof typeof sheets, times: number[], positions: number[][]]>([
+    [
+      'with the row of the motor stop',
+      'withMotorRow',
+      [1000, 30, 120, 400, 980, 1010, 1060, 1120, 1250, 12000, 18000],
+      [
+        [100, 62, 64, 64, 66, 70, 70, 67, 65, 63, 63],
+        [110, 44, 46, 50, 52, 30, 24, 40, 54, 56, 95],
+        [120, 70, 72, 76, 78, 78, 82, 86, 88, 88, 88],
+      ],
+    ],
+    [
+      'with the row of the start',
+      'withStartRow',
+      [500, 30, 120, 1060],
+      [
+        [60, 61, 62, 70, 104],
+        [15, 16, 20, 40, 114],
+        [40, 41, 42, 55, 124],
+      ],
+    ],
+    [
+      'with its slots side by side',
+      'transposed',
+      [500, 30, 120, 1000, 1200],
+      [
+        [60, 61, 62, 70, 71, 105],
+        [15, 16, 20, 40, 41, 115],
+        [40, 41, 42, 55, 56, 125],
+      ],
+    ],
+    [
+      'as the page prints it, with all that stands around it',
+      'printed',
+      [1000, 1050, 1100, 1150, 1200, 1250, 1300, 1350, 1400, 1450, 18000],
+      [1, 2, 3].map(() => [15, 25, 35, 45, 55, 65, 75, 85, 95, 105, 115]),
+    ],
+  ])('%s goes where it says, and nothing else changes', (_, sheet, times, positions) => {
+    const filled = (row: readonly number[], given: readonly number[]) => [...given, ...row.slice(given.length)];
+    for (const range of ANYWHERE) {
+      expect(result(sheets[sheet], range)).toEqual({
+        ...before,
+        times: filled(before.times, times),
+        positions: before.positions.map((row, servo) => filled(row, positions[servo] ?? [])),
+      });
+    }
   });
 
   it('of columns alone, with commas between them, begins at the row of the cell', () => {
@@ -228,14 +249,8 @@ describe.each(LANGUAGES)("the page's own words in %s", (language) => {
   });
 
   it('bring a table that was printed back to where it was', () => {
-    const page = document.createElement('div');
-    const columns = Array.from({ length: gridColumns(Q10) }, (_, column) => column);
     const program: TimerProgram = { ...before, times: before.times.map((time, slot) => time + 1250 * slot) };
-    render(h(ProgramGrid, { program, caption: '', columns }), page);
-    const rows = [...page.querySelectorAll('tr')].map((row) =>
-      [...row.children].map((cell) => cell.textContent.trim()),
-    );
-    const text = rows.map((cells) => cells.join('\t')).join('\n');
+    const text = printed(program);
     for (const range of ANYWHERE) expect(result(text, range)).toEqual({ ...program, idleThrottle: 30 });
   });
 });
@@ -336,14 +351,7 @@ describe('any program', () => {
   it('as it is printed pastes back to exactly that program', () => {
     fc.assert(
       fc.property(settable, (program) => {
-        const columns = Array.from({ length: gridColumns(program.identity) }, (_, column) => column);
-        const page = document.createElement('div');
-        render(h(ProgramGrid, { program, caption: '', columns }), page);
-        const lines = [...page.querySelectorAll('tr')].map((row) =>
-          [...row.children].map((cell) => cell.textContent.trim()),
-        );
-        const text = lines.map((cells) => cells.join('\t')).join('\n');
-        const shown = previewPaste(program, at(1, 0), text);
+        const shown = previewPaste(program, at(1, 0), printed(program));
         expect([shown.problems, shown.questions, shown.changes]).toEqual([[], [], []]);
       }),
     );

@@ -86,16 +86,6 @@ describe('a pasted table', () => {
 });
 
 describe('headings and names', () => {
-  it('are skipped', () => {
-    const preview = paste('Function\tTime\tS1\nStart\t0\t1\nFunction 1\t0.6\t2');
-    expect(preview).toMatchObject({ questions: [], problems: [] });
-    expect(changesIn(preview)).toEqual({
-      'time:1': '50 -> 60',
-      'position:0:0': '10 -> 1',
-      'position:0:1': '20 -> 2',
-    });
-  });
-
   it.each([
     ['a text alone', 'Time', '0:0 Time not-a-time'],
     ['what stands for a number', 'NaN\n11', '0:0 NaN not-a-time'],

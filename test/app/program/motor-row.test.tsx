@@ -18,33 +18,22 @@ function put(name: string, text: string): void {
 }
 
 describe('the motor stop of a Q', () => {
-  it.each([
-    ['0', 'Start'],
-    ['10.49', 'Start'],
-    ['10.5', 'Start'],
-    ['10.51', 'Function 1'],
-    ['12.25', 'Function 4'],
-    ['14.5', 'Function 8'],
-    ['14.51', 'Function 9'],
-    ['2:59', 'Function 9'],
-    ['3:00.01', 'DT'],
-  ])('of %s stands after the row of %s: a function at the same time comes after it', async (time, row) => {
+  it('stands after the last row with an earlier time, and the interval below it says from what it counts', async () => {
     await connected();
-    await type(en.program.motorStopTime, time);
-    expect(motorAfter()).toBe(row);
-    expect(rows().filter((name) => name === 'Motor stop')).toHaveLength(1);
-  });
-
-  it.each([
-    ['10.49', 'Function 1', 'Start'],
-    ['10.51', 'Function 2', '1'],
-    ['14.51', 'DT', '9'],
-  ])('of %s stands above an interval of %s that says from what it counts: %s', async (time, below, from) => {
-    await connected();
-    await type(en.program.motorStopTime, time);
-    const said = [...document.querySelectorAll('td.interval .cell-name')];
-    expect(said.map((each) => each.textContent)).toEqual([en.edits.table.countedFrom({ row: from })]);
-    expect(said[0]?.closest('td')?.querySelector('input')).toBe(field(`${below} interval`));
+    for (const [time, row, below, from] of [
+      ['0', 'Start', 'Function 1', 'Start'],
+      ['10.5', 'Start', 'Function 1', 'Start'],
+      ['10.51', 'Function 1', 'Function 2', '1'],
+      ['12.25', 'Function 4', 'Function 5', '4'],
+      ['14.51', 'Function 9', 'DT', '9'],
+      ['3:00.01', 'DT', null, null],
+    ] as const) {
+      await type(en.program.motorStopTime, time);
+      expect([motorAfter(), rows().filter((name) => name === 'Motor stop').length], time).toEqual([row, 1]);
+      const said = [...document.querySelectorAll('td.interval .cell-name')];
+      expect(said.map((each) => each.textContent)).toEqual(from ? [en.edits.table.countedFrom({ row: from })] : []);
+      if (below) expect(said[0]?.closest('td')?.querySelector('input')).toBe(field(`${below} interval`));
+    }
   });
 
   it('is not the time of the start, which is 0', async () => {
@@ -52,12 +41,6 @@ describe('the motor stop of a Q', () => {
     const start = within(table().getByRole('row', { name: /^Start/ }));
     expect(start.getByText('0').closest('td')?.className).toContain('time');
     expect(start.queryByRole('textbox', { name: /time/ })).toBeNull();
-  });
-
-  it.each(['B', 'E', 'X'])('has no row on %s, where the time of the start is reserved', async (timerClass) => {
-    await connected({ identity: { timerClass } });
-    expect(rows()).not.toContain('Motor stop');
-    expect(screen.queryByRole('textbox', { name: 'Start time' })).toBeNull();
   });
 
   it('stays at its place while a time is typed, and moves when the field is left', async () => {
@@ -115,37 +98,16 @@ describe('the tools of a row', () => {
     expect(panel.getByRole('status').textContent).toBe('Moved 0.60 s later');
     expect(times('Function 4', 'Motor stop', 'Function 5', 'DT')).toEqual(['12.00', '12.85', '13.10', '3:00']);
     await press('Earlier');
-    await press('Earlier');
+    await press(/^Undo shift from/);
+    expect(panel.getByRole('status').textContent).toBe('Moved 0.60 s later');
+    for (let step = 0; step < 2; step++) await press('Earlier');
     expect(times('Motor stop', 'Function 5')).toEqual(['12.25', '12.50']);
     expect(panel.getByRole('status').textContent).toBe('Motor stop, functions 5 to 9');
-  });
-
-  it('say how far after an undo', async () => {
-    const { editor } = await connected();
-    await press('Tools for Motor stop');
-    put(en.edits.shift.by, '0.3');
-    await press('Later');
-    put(en.edits.shift.by, '1');
-    await press('Earlier');
-    const status = within(screen.getByRole('form', { name: 'Motor stop and all after' })).getByRole('status');
-    expect([...times('Motor stop', 'Function 9', 'DT'), status.textContent]).toEqual([
-      '9.3',
-      '13.80',
-      '3:00',
-      'Moved 0.70 s earlier',
-    ]);
-    await press(/^Undo shift from/);
-    expect([...times('Motor stop', 'Function 9'), status.textContent]).toEqual(['10.3', '14.80', 'Moved 0.30 s later']);
-    await press(/^Undo shift from/);
-    expect([...times('Motor stop', 'Function 9'), status.textContent]).toEqual([
-      '10.0',
-      '14.50',
-      'Motor stop, functions 1 to 9',
-    ]);
     fireEvent.click(screen.getByRole('checkbox', { name: 'Move DT too' }));
     await idle();
-    expect(status.textContent).toBe('Motor stop, functions 1 to 9, DT');
-    expect(editor.dirty.value).toBe(false);
+    expect(panel.getByRole('status').textContent).toBe('Motor stop, functions 5 to 9, DT');
+    await press('Earlier');
+    expect(panel.getByRole('status').textContent).toBe('Moved 0.30 s earlier');
   });
 
   it('stay open and keep the focus when the motor stop passes a function', async () => {

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { setValues } from '../../../src/app/editing/edit.js';
 import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
 import { en } from '../../tools/en.js';
-import { type AppBench, appBench, idle, MemoryStore } from '../bench/bench.js';
-import { button, connected, field, goTo, opened, press, table, type } from '../screen.js';
+import { appBench, idle, MemoryStore } from '../bench/bench.js';
+import { button, connected, field, goTo, opened, press, startWrite, table, type } from '../screen.js';
 
 /** What is said about a field to someone who cannot see it. */
 function described(name: string): string {
@@ -42,30 +42,6 @@ describe('the start', () => {
     expect(screen.queryByText(en.connection['nothing-chosen'].title)).toBeNull();
     serial.choose(port);
     await press('Connect');
-    expect(field('DT time').value).toBe('3:00');
-  });
-
-  it('says that it waits for a timer that does not answer, and shows the timer once its switch is pressed', async () => {
-    const { timer } = await opened({ plug: { granted: true } });
-    timer.core.sleep();
-    await press('Connect');
-    expect(screen.getByText(/^No answer for \d+ s\./)).toBeTruthy();
-    expect(screen.queryByText(en.timer['no-answer'].title)).toBeNull();
-    timer.core.press();
-    await idle();
-    expect(screen.queryByText(/^No answer for \d+ s\./)).toBeNull();
-    expect(field('DT time').value).toBe('3:00');
-  });
-
-  it('stops waiting when asked to, and offers another adapter', async () => {
-    const { timer, port } = await opened({ plug: { granted: true } });
-    timer.core.sleep();
-    await press('Connect');
-    await press('Stop');
-    expect(screen.queryByText(/^No answer for \d+ s\./)).toBeNull();
-    expect(port.device.opened).toBeNull();
-    timer.core.press();
-    await press(en.header.choosePort);
     expect(field('DT time').value).toBe('3:00');
   });
 
@@ -153,6 +129,7 @@ describe('the table', () => {
     ['DT time', 'soon', 'Not a time: type seconds like 12.5, or minutes like 2:05.'],
     ['DT time', '1.234', 'Finer than a hundredth of a second.'],
     ['DT time', '', 'Empty: type a value.'],
+    [en.program.idleThrottle, '256', en.findings['throttle-out-of-range']({ min: '0', max: '255' })],
   ])('refuses %s = %j at the field with a reason, and nothing can be written', async (name, text, reason) => {
     const { write, timer } = await connected();
     timer.core.answered.length = 0;
@@ -197,13 +174,6 @@ describe('the table', () => {
     expect(reasons().map(({ textContent }) => textContent)).toEqual(['Function 2, S1:', 'Function 2, S3:']);
   });
 
-  it('says under the idle throttle why it is refused', async () => {
-    await connected();
-    await type(en.program.idleThrottle, '256');
-    const note = table().getByText('Idle throttle:').parentElement;
-    expect(note?.textContent).toBe(`Idle throttle: ${en.findings['throttle-out-of-range']({ min: '0', max: '255' })}`);
-  });
-
   it('puts everything back with Undo all, which is shown only when there is something to undo', async () => {
     await connected();
     expect(screen.queryByRole('button', { name: 'Undo all' })).toBeNull();
@@ -229,31 +199,6 @@ describe('the table', () => {
       expect(document.activeElement).toBe(step);
       expect([step.disabled, step.getAttribute('aria-disabled')]).toEqual([false, 'true']);
     }
-  });
-});
-
-describe('moving through the table', () => {
-  it.each([
-    [{ key: 'Enter' }, 'Function 3, S2'],
-    [{ key: 'ArrowDown' }, 'Function 3, S2'],
-    [{ key: 'ArrowUp' }, 'Function 1, S2'],
-    [{ key: 'Enter', shiftKey: true }, 'Function 1, S2'],
-  ])('%j goes from Function 2, S2 to %s', async (key, to) => {
-    await connected();
-    field('Function 2, S2').focus();
-    fireEvent.keyDown(field('Function 2, S2'), key);
-    expect(document.activeElement).toBe(field(to));
-  });
-
-  it('skips notes between the rows, and stops at the ends', async () => {
-    await connected();
-    await type('Function 2, S2', '131');
-    field('Function 2, S2').focus();
-    fireEvent.keyDown(field('Function 2, S2'), { key: 'Enter' });
-    expect(document.activeElement).toBe(field('Function 3, S2'));
-    field('DT, S1').focus();
-    fireEvent.keyDown(field('DT, S1'), { key: 'Enter' });
-    expect(document.activeElement).toBe(field('DT, S1'));
   });
 });
 
@@ -370,8 +315,7 @@ describe('writing', () => {
     await connected({ quirks: { servoNeedsMove: true } });
     await type('Function 2, S1', '7');
     await press('Write…');
-    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
-    await press('Write 1 change');
+    await startWrite();
     const dialog = within(screen.getByRole('dialog'));
     expect(dialog.getByRole('alert').textContent).toContain(en.write.differs.title);
     expect(dialog.getByRole('row', { name: /Function 2, S1/ }).textContent).toMatch(/7\s*35\s*differs/);
@@ -383,8 +327,7 @@ describe('writing', () => {
     await type('Function 2, S1', '7');
     await press('Write…');
     expect(move(), 'it is not known yet that positions need a move').toBeNull();
-    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
-    await press('Write 1 change');
+    await startWrite();
     expect(screen.getByRole('alert').textContent).toContain(en.write.move.notHeld.title);
     await press(en.write.move.again);
     expect(move()?.checked).toBe(false);
@@ -427,32 +370,24 @@ describe('the line', () => {
 });
 
 describe('after a loss', () => {
-  it.each<[how: string, back: (adapter: AppBench['adapter']) => void]>([
-    ['another port, as a wired one does', (adapter) => adapter.replug()],
-    ['the same port, as one of Bluetooth does', (adapter) => adapter.replug({ samePort: true })],
-    ['a port that the browser does not recognise', (adapter) => adapter.returnAsNew()],
-  ])(
-    'says that the adapter is unplugged, keeps the edits, and connects again when it comes back as %s',
-    async (_, back) => {
-      const { adapter, timer } = await connected({ plug: { granted: true } });
-      await type('DT time', '4:00');
-      adapter.unplug();
-      await idle();
-      expect(screen.getByText(en.link.lost.title)).toBeTruthy();
-      expect([button('Write…').disabled, button('Read again').disabled]).toEqual([true, true]);
-      expect(field('DT time').value).toBe('4:00');
-      back(adapter);
-      await idle();
-      expect(screen.queryByText(en.link.lost.title)).toBeNull();
-      expect(button('Write…').disabled).toBe(false);
-      expect(field('DT time').value).toBe('4:00');
-      await press('Write…');
-      fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
-      await press('Write 1 change');
-      expect(within(screen.getByRole('dialog')).getByRole('alert').textContent).toContain('Verified.');
-      expect(timer.core.content.times[10]).toBe(24000);
-    },
-  );
+  it('says that the adapter is unplugged, keeps the edits, and connects again when it comes back', async () => {
+    const { adapter, timer } = await connected({ plug: { granted: true } });
+    await type('DT time', '4:00');
+    adapter.unplug();
+    await idle();
+    expect(screen.getByText(en.link.lost.title)).toBeTruthy();
+    expect([button('Write…').disabled, button('Read again').disabled]).toEqual([true, true]);
+    expect(field('DT time').value).toBe('4:00');
+    // As one that the browser does not recognise.
+    adapter.returnAsNew();
+    await idle();
+    expect(screen.queryByText(en.link.lost.title)).toBeNull();
+    expect(field('DT time').value).toBe('4:00');
+    await press('Write…');
+    await startWrite();
+    expect(within(screen.getByRole('dialog')).getByRole('alert').textContent).toContain('Verified.');
+    expect(timer.core.content.times[10]).toBe(24000);
+  });
 
   it('says that the connection is lost whether or not the adapter is still plugged in, and tries again', async () => {
     const { adapter, port } = await connected();
@@ -470,8 +405,11 @@ describe('after a loss', () => {
   });
 });
 
-describe('without Web Serial', () => {
-  it('edits of the simulated timer can be written to it after a reload', async () => {
+describe('edits of the simulated timer, without Web Serial', () => {
+  it.each([
+    ['the start', [en.header.closeProgram, en.start.simulated({ name: 'F1Q' }), 'Write…']],
+    ['Connect and write', [en.program.connectAndWrite]],
+  ])('can be written to it after a reload, by way of %s', async (_, presses) => {
     const store = new MemoryStore();
     const before = await appBench({ store, webSerial: false });
     const trying = before.session.timer.trySimulated('Q');
@@ -480,24 +418,11 @@ describe('without Web Serial', () => {
     before.editor.type({ kind: 'time', slot: 10 }, '4:00');
     await idle();
     await opened({ store, webSerial: false });
-    expect(field('DT time').value).toBe('4:00');
-    await press(en.header.closeProgram);
-    await press(en.start.simulated({ name: 'F1Q' }));
-    expect(field('DT time').value).toBe('4:00');
-    expect(button('Write…').disabled).toBe(false);
-  });
-
-  it('edits of the simulated timer are written by way of its return where no port can be opened', async () => {
-    const store = new MemoryStore();
-    const before = await appBench({ store, webSerial: false });
-    const trying = before.session.timer.trySimulated('Q');
-    await idle();
-    await trying;
-    before.editor.type({ kind: 'time', slot: 10 }, '4:00');
-    await idle();
-    await opened({ store, webSerial: false });
-    await press(en.program.connectAndWrite);
-    expect(screen.getByRole('dialog', { name: en.write.title })).toBeTruthy();
+    for (const name of presses) {
+      expect(screen.queryByRole<HTMLInputElement>('textbox', { name: 'DT time' })?.value ?? '4:00').toBe('4:00');
+      await press(name);
+    }
+    expect(screen.getByRole('dialog', { name: en.write.title }).textContent).toContain('4:00');
     expect(screen.getByText(en.write.safety)).toBeTruthy();
   });
 });
