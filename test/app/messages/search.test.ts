@@ -39,7 +39,6 @@ describe('a search', () => {
       'flights/flight-list.ts',
       'library/browse.ts',
       'line/line-view.ts',
-      'recognition/model-dialog.tsx',
       'shell/palette.tsx',
     ]);
     const fields = texts.filter(([, text]) => text.includes('type="search"')).map(([file]) => file);
