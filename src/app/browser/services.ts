@@ -84,18 +84,11 @@ export class NoAnswer extends Error {
  * Waits for an answer of the browser, which may leave a question open for ever. A late answer is ignored.
  * @param ask an error that it throws counts as a rejection.
  * @param ms how long to wait, in milliseconds. Default: 3 s.
- * @param signs how many signs of life have come so far: after each the time begins anew. Default: there are none.
  * @throws the error of the browser, or {@link NoAnswer}.
  */
-export function attempt<T>(ask: () => Promise<T>, ms = MOMENT, signs = () => 0): Promise<T> {
+export function attempt<T>(ask: () => Promise<T>, ms = MOMENT): Promise<T> {
   return new Promise((resolve, reject) => {
-    let timer: ReturnType<typeof setTimeout>;
-    const wait = (): void => {
-      const before = signs();
-      const look = (): void => (signs() === before ? reject(new NoAnswer(`no answer within ${ms} ms`)) : wait());
-      timer = setTimeout(look, ms);
-    };
-    wait();
+    const timer = setTimeout(() => reject(new NoAnswer(`no answer within ${ms} ms`)), ms);
     const asked = async (): Promise<T> => ask();
     asked()
       .then(resolve, reject)

@@ -24,8 +24,6 @@ export class StorageQuestions {
   readonly #watch: StorageWatch;
   readonly #shelves: readonly string[];
   #limit = LIMIT;
-  /** How many changes have been answered. */
-  #answers = 0;
 
   constructor(watch: StorageWatch, ...shelves: string[]) {
     this.#watch = watch;
@@ -38,7 +36,6 @@ export class StorageQuestions {
       for (const shelf of this.#shelves) this.#watch.heard(shelf, kind, kept);
     };
     const settled = (kept: boolean): void => {
-      if (kind === 'change') this.#answers++;
       this.#limit = LIMIT;
       tell(kept);
     };
@@ -49,13 +46,7 @@ export class StorageQuestions {
       () => settled(false),
     );
     try {
-      // A browser does the changes of a shelf one by one, in their order, and thousands take long on any disk. The
-      // storage is slow only when it answers none of them.
-      return await attempt(
-        () => answer,
-        this.#limit,
-        () => (kind === 'change' ? this.#answers : 0),
-      );
+      return await attempt(() => answer, this.#limit);
     } catch (error) {
       if (error instanceof NoAnswer) {
         this.#limit = SHORT_LIMIT;

@@ -102,20 +102,3 @@ it('after one without an answer, the next ones wait only briefly until one answe
   await vi.advanceTimersByTimeAsync(4999);
   expect(third.said).toBe('open');
 });
-
-it('is not slow while it answers one of many changes after the other, and is when one is left without an answer', async () => {
-  const store = new MemoryStore();
-  const told: unknown[] = [];
-  const { flights } = limited(store, { heard: (_, __, kept) => kept || told.push(kept) });
-  let begun = 0;
-  // As a browser does them: one after another.
-  vi.spyOn(store.flights, 'remove').mockImplementation(
-    () => new Promise((resolve) => ++begun < 60 && setTimeout(resolve, 500 * begun)),
-  );
-  const many = Array.from({ length: 62 }, (_, at) => watched(flights.remove(String(at))));
-  await vi.advanceTimersByTimeAsync(29_500);
-  expect([many.filter(({ said }) => said === undefined).length, told]).toEqual([59, []]);
-  await vi.advanceTimersByTimeAsync(10_000);
-  expect(many.slice(59).map(({ said }) => said)).toEqual(['slow', 'slow', 'slow']);
-  expect(told).toEqual([null, null, null]);
-});
