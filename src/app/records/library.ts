@@ -68,8 +68,7 @@ export class Library {
   }
 
   /**
-   * Changes several records that belong together. They are on the screen at once, and in the storage all or none of
-   * them.
+   * Changes records that belong together. They are on the screen at once, and in the storage all or none of them.
    * @returns whether the storage has all of it.
    */
   async change(change: LibraryChange): Promise<boolean> {
@@ -83,12 +82,13 @@ export class Library {
       () => true,
       () => false,
     );
+    if (!isKept) return false;
     batch(() => {
-      this.models.ended(models, isKept);
-      this.settings.ended(settings, isKept);
-      this.flights.ended(flights, isKept);
+      this.models.ended(models);
+      this.settings.ended(settings);
+      this.flights.ended(flights);
     });
-    return isKept;
+    return true;
   }
 
   /** Saves a new model, or a changed one. */

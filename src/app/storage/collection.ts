@@ -43,7 +43,6 @@ export class Collection<T extends { readonly key: string }> {
   readonly #failed = signal(false);
   readonly #removed = signal<readonly T[]>([]);
   readonly #unsaved = signal<ReadonlySet<string>>(new Set());
-  readonly #refused = signal<ReadonlySet<string>>(new Set());
   readonly #byKey = computed(() => new Map(this.list.value.map((record) => [record.key, record])));
   /** In their order, which may be that of a language, without removed ones. */
   readonly list: ReadonlySignal<readonly T[]> = computed(() =>
@@ -57,8 +56,6 @@ export class Collection<T extends { readonly key: string }> {
   readonly removed: ReadonlySignal<readonly T[]> = this.#removed;
   /** The keys of records that this page has and the storage does not, or not yet. */
   readonly unsaved: ReadonlySignal<ReadonlySet<string>> = this.#unsaved;
-  /** Those among them that the storage has refused. */
-  readonly refused: ReadonlySignal<ReadonlySet<string>> = this.#refused;
   readonly #parts: CollectionParts<T>;
   #loading: Promise<void> | null = null;
   /** What this page has changed, by key; null for deleted. The storage may not have it yet when it is read. */
@@ -111,7 +108,7 @@ export class Collection<T extends { readonly key: string }> {
     this.begin(change);
     const gone = (change.gone ?? []).map((key) =>
       keeper.remove(key).then(
-        () => this.ended({ gone: [key] }, true),
+        () => this.ended({ gone: [key] }),
         // What cannot be deleted now is deleted another time.
         () => {},
       ),
@@ -121,7 +118,7 @@ export class Collection<T extends { readonly key: string }> {
         () => true,
         () => false,
       );
-      this.ended({ put: [record] }, isKept);
+      if (isKept) this.ended({ put: [record] });
       return isKept;
     });
     await Promise.all(gone);
@@ -172,13 +169,12 @@ export class Collection<T extends { readonly key: string }> {
     });
   }
 
-  /** The storage has done this part of a change, or has failed to. */
-  ended({ put = [], gone = [] }: Change<T>, isKept: boolean): void {
-    if (isKept) for (const key of gone) this.#undeleted.delete(key);
+  /** The storage has done this part of a change. */
+  ended({ put = [], gone = [] }: Change<T>): void {
+    for (const key of gone) this.#undeleted.delete(key);
     // A record that has changed again in the meantime is saved by its own call.
     const keys = put.filter((record) => this.get(record.key) === record).map(({ key }) => key);
-    if (isKept) this.#note(keys, true);
-    else this.#refused.value = new Set([...this.#refused.peek(), ...keys]);
+    this.#note(keys, true);
   }
 
   /** What this page has done and the storage has not: to be done once that works again. */
@@ -217,7 +213,5 @@ export class Collection<T extends { readonly key: string }> {
     const unsaved = new Set(this.#unsaved.peek());
     for (const key of keys) unsaved[isSaved ? 'delete' : 'add'](key);
     this.#unsaved.value = unsaved;
-    const refused = [...this.#refused.peek()].filter((key) => unsaved.has(key));
-    if (refused.length < this.#refused.peek().size) this.#refused.value = new Set(refused);
   }
 }

@@ -36,7 +36,6 @@ export class Sharing {
 
   close(): void {
     this.#putBack?.();
-    this.#putBack = null;
     this.#current.value = null;
   }
 
