@@ -1,6 +1,6 @@
 import { cleanup, render, screen } from '@testing-library/preact';
 import fc from 'fast-check';
-import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../src/app/app.js';
 import type { ProgramField, TimerProgram } from '../../src/program/index.js';
 import { shareOf } from '../tools/share.js';
@@ -16,8 +16,6 @@ const LONG = 300_000;
 /** Each fault at each of these calls. */
 const faultsAt = (doors: Iterable<Door>, names: readonly FaultName[]) =>
   [...doors].flatMap((door) => names.map((fault) => [door, fault] as const));
-
-beforeEach(() => localStorage.clear());
 
 /** An earlier page has left edits of M1: S1 of function 2 is 7. */
 async function left(): Promise<FaultyStore> {

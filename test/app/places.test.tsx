@@ -1,5 +1,5 @@
 import { cleanup, render } from '@testing-library/preact';
-import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it } from 'vitest';
 import { ComparedPair, SCREEN } from '../../src/app/compare/choice.js';
 import { Compare } from '../../src/app/compare/compare.js';
 import { sideName } from '../../src/app/compare/compare-page.js';
@@ -55,7 +55,6 @@ const CASES: readonly Case[] = TIMERS.flatMap((timer) =>
 
 const { model: _, ...NOBODYS } = BACKUP;
 
-beforeEach(() => localStorage.clear());
 afterEach(cleanup);
 
 /** Brings the page into the state of a case. */

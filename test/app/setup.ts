@@ -5,18 +5,21 @@ import { fetchParts } from '../../src/app/parts.js';
 
 // The page answers at once, but a busy machine may take long.
 configure({ asyncUtilTimeout: 10_000 });
-// In one act, so that every effect has ended before the next test begins.
-afterEach(() => act(cleanup));
-// Like a page that the pilot has had open for a moment.
-await fetchParts();
-await speak('en');
-
-// The next file must find everything as if it was the first.
-afterAll(() => {
+// The next test must find what a test has changed of the browser as if it was the first.
+afterEach(async () => {
+  // In one act, so that every effect has ended.
+  await act(cleanup);
   vi.useRealTimers();
   vi.restoreAllMocks();
   vi.unstubAllGlobals();
   localStorage.clear();
+});
+// Like a page that the pilot has had open for a moment.
+await fetchParts();
+await speak('en');
+
+// And the next file what happy-dom has.
+afterAll(() => {
   const { documentElement: root, head, body } = document;
   for (const element of [root, head, body]) {
     for (const name of element.getAttributeNames()) element.removeAttribute(name);

@@ -1,4 +1,4 @@
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { setValues } from '../../../src/app/editing/edit.js';
 import { HOLD, PressAndHold } from '../../../src/app/ui/press-and-hold.js';
 import type { ProgramField } from '../../../src/program/index.js';
@@ -8,8 +8,6 @@ import { type AppBench, following, idle, reloaded, review, run, safeBench, set }
 const S2: ProgramField = { kind: 'position', servo: 1, slot: 4 };
 const S3: ProgramField = { kind: 'position', servo: 2, slot: 4 };
 const DT: ProgramField = { kind: 'time', slot: 10 };
-
-afterEach(() => localStorage.clear());
 
 function requests({ timer }: AppBench, name: Request['name']): Request[] {
   return timer.core.answered.filter((request) => request.name === name);

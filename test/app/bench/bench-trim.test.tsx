@@ -1,5 +1,5 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { SHAPES } from '../../../src/app/ui/shapes.js';
 import { en } from '../../tools/en.js';
 import { connected, goTo, inWindow, press } from '../screen.js';
@@ -50,8 +50,6 @@ const HOLDS: [string, (on: HTMLElement) => void, (on: HTMLElement) => void][] = 
     (on) => fireEvent.keyUp(on, { key: name }),
   ]),
 ];
-
-afterEach(() => localStorage.clear());
 
 describe('trimming', () => {
   it('is offered where the servos stand, by one and by ten, and waits for Write', async () => {

@@ -1,4 +1,4 @@
-import { expect, onTestFinished, vi } from 'vitest';
+import { expect, vi } from 'vitest';
 import { platformOf } from '../../../src/app/browser/platform.js';
 import { plugRecording } from '../../../src/app/connect/simulated-timer.js';
 import { setValues } from '../../../src/app/editing/edit.js';
@@ -99,7 +99,6 @@ export async function appBench({
   ...timer
 }: BenchOptions = {}) {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
-  onTestFinished(() => void vi.useRealTimers());
   const serial = new MockSerial({ userActivation: true });
   const options: TimerOptions = { identity: { timerClass: 'Q' }, ...timer };
   const adapter = new Adapter(serial, { ...options, plug: { granted: false, ...timer.plug } });

@@ -1,11 +1,9 @@
 import fc from 'fast-check';
-import { afterEach, expect, it, vi } from 'vitest';
+import { expect, it, vi } from 'vitest';
 import type { ProgramField } from '../../../src/program/index.js';
 import { COMMANDS } from '../../../src/protocol/index.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';
 import { type AppBench, connectedBench, idle, set } from './bench.js';
-
-afterEach(() => localStorage.clear());
 
 const position = (servo: number, slot: number) => ({ kind: 'position' as const, servo, slot });
 

@@ -1,4 +1,4 @@
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { stepValue } from '../../../src/app/editing/edits.js';
 import { FrameForm } from '../../../src/app/line/frame-form.js';
 import { possibleValues } from '../../../src/app/timer/known.js';
@@ -10,8 +10,6 @@ import { type AppBench, following, goOn, idle, review, run, safeBench, set } fro
 
 const position = (servo: number, slot: number): ProgramField => ({ kind: 'position', servo, slot });
 const S2 = position(1, 4);
-
-afterEach(() => localStorage.clear());
 
 /** What stores or moves, in its order: 'S4.1=70' stores, 'M4' moves. */
 function told({ timer }: AppBench): string[] {

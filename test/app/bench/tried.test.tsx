@@ -1,5 +1,5 @@
 import { render } from '@testing-library/preact';
-import { afterEach, beforeEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { ComparedPair } from '../../../src/app/compare/choice.js';
 import { Compare } from '../../../src/app/compare/compare.js';
 import { sideName } from '../../../src/app/compare/compare-page.js';
@@ -11,9 +11,6 @@ import { BackupList } from '../../../src/app/write/backup-list.js';
 import { en } from '../../tools/en.js';
 import { BACKUP, LANCER_HELD, lancerConnected, S2, twoModels } from '../two-models.js';
 import { idle, run, set } from './bench.js';
-
-beforeEach(() => localStorage.clear());
-afterEach(() => localStorage.clear());
 
 it('a value that is tried while the servos follow is nowhere as the timer holds it now, until it is read', async () => {
   const store = twoModels();

@@ -15,7 +15,6 @@ function heard(happen: () => void): readonly Moment[] {
 /** The page is seen, or no longer. */
 function see(seen: boolean): void {
   vi.spyOn(document, 'hidden', 'get').mockReturnValue(!seen);
-  onTestFinished(() => void vi.restoreAllMocks());
   document.dispatchEvent(new Event('visibilitychange'));
 }
 
@@ -49,7 +48,6 @@ describe('what happens to the page', () => {
 
   it('includes a sleep of the computer, but no gap in the background', () => {
     vi.useFakeTimers();
-    onTestFinished(() => void vi.useRealTimers());
     const act = vi.fn();
     onTestFinished(on('wake', act));
     vi.advanceTimersByTime(60_000);

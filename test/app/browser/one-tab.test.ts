@@ -1,4 +1,4 @@
-import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { type Locks, OneTab, type TabChannel } from '../../../src/app/browser/one-tab.js';
 
 type Given = (lock: unknown) => Promise<unknown>;
@@ -6,7 +6,6 @@ type Given = (lock: unknown) => Promise<unknown>;
 /** A browser with one lock, and a channel between its tabs. */
 function browser() {
   vi.useFakeTimers();
-  onTestFinished(() => void vi.useRealTimers());
   const waiting: { readonly give: () => Promise<void>; readonly signal: AbortSignal | undefined }[] = [];
   let isHeld = false;
   const next = (): void => {
@@ -167,7 +166,6 @@ describe('the page works where the browser', () => {
     ['refuses', { request: () => Promise.reject(new DOMException('Not here.', 'SecurityError')) } as unknown as Locks],
   ])('%s', async (_, locks) => {
     vi.useFakeTimers();
-    onTestFinished(() => void vi.useRealTimers());
     const beginning = new OneTab(locks, () => null).begin();
     await vi.advanceTimersByTimeAsync(1000);
     expect(await beginning).toBe('unknown');

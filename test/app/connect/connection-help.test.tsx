@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { signal } from '@preact/signals';
 import { fireEvent, render, screen, waitFor } from '@testing-library/preact';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { Browser, Platform, System } from '../../../src/app/browser/platform.js';
 import { type HelpCode, type HelpStepCode, helpFor } from '../../../src/app/connect/connection-help.js';
 import { ConnectionHelp, connectionSaid } from '../../../src/app/connect/connection-help-view.js';
@@ -165,8 +165,6 @@ describe('the help under a notice', () => {
 
 describe('a line to copy', () => {
   const LINE = 'lsof /dev/cu.*';
-  afterEach(() => void vi.unstubAllGlobals());
-
   /** In the place of the clipboard, which a page without a click or without https does not have. */
   function clipboard(writeText: ((text: string) => Promise<void>) | undefined) {
     vi.stubGlobal('navigator', { clipboard: writeText && { writeText } });

@@ -1,4 +1,4 @@
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { plugRecording, plugSimulatedTimer } from '../../../src/app/connect/simulated-timer.js';
 import { TimerClient } from '../../../src/client/index.js';
 import { withValue } from '../../../src/program/index.js';
@@ -6,12 +6,6 @@ import { parseCapture } from '../../../src/protocol/index.js';
 import { fromHex } from '../../tools/bytes.js';
 
 describe('a simulated timer', () => {
-  afterEach(() => {
-    vi.unstubAllGlobals();
-    vi.restoreAllMocks();
-    vi.useRealTimers();
-  });
-
   it('answers in the background, where timeouts are not called in time', async () => {
     vi.spyOn(document, 'hidden', 'get').mockReturnValue(true);
     vi.stubGlobal('setTimeout', () => 0);

@@ -1,5 +1,5 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { platformOf } from '../../../src/app/browser/platform.js';
 import { NARROW } from '../../../src/app/ui/shapes.js';
 import { en } from '../../tools/en.js';
@@ -19,8 +19,6 @@ async function make(choose: () => void = () => {}): Promise<void> {
   choose();
   await press(en.newProgram.make);
 }
-
-afterEach(() => void vi.restoreAllMocks());
 
 describe('a new program', () => {
   it('is made for a class and a layout, edited, and never shown as being in a timer', async () => {

@@ -1,11 +1,9 @@
-import { beforeEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { emptyModel } from '../../../src/app/records/library.js';
 import type { Flight, ProgramField } from '../../../src/program/index.js';
 import { type AppBench, asked, connectedBench, goOn, idle, reloaded, review, run } from '../bench/bench.js';
 import { CALM, LANCER_HELD, lancerBench, lancerConnected, MAGPIE_HELD } from '../two-models.js';
 import { PLAIN } from './flights.js';
-
-beforeEach(() => localStorage.clear());
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };

@@ -1,5 +1,5 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
-import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { offsetText } from '../../../src/app/flights/flight-list.js';
 import { moreMessages } from '../../../src/app/messages/more.js';
 import { emptyModel } from '../../../src/app/records/library.js';
@@ -7,8 +7,6 @@ import { en } from '../../tools/en.js';
 import { type AppBench, idle, reloaded } from '../bench/bench.js';
 import { button, connected, drawn, field, opened, press, type } from '../screen.js';
 import { PLAIN, recordOf } from './flights.js';
-
-beforeEach(() => localStorage.clear());
 
 const form = () => within(screen.getByRole('dialog', { name: 'Flight' }));
 const flights = ({ session }: AppBench) => session.library.flights.list.value.map(({ flight }) => flight);
@@ -233,7 +231,6 @@ describe('the log', () => {
 it('the button is back for the next flight', async () => {
   const app = await connected();
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
-  onTestFinished(() => void vi.useRealTimers());
   for (let count = 1; count <= 3; count++) {
     act(() => button('Flying this').click());
     expect(screen.queryByRole('button', { name: 'Flying this' })).toBeNull();

@@ -1,12 +1,10 @@
 import { act, fireEvent, screen } from '@testing-library/preact';
-import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { Flight } from '../../../src/program/index.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { button, opened, press } from '../screen.js';
 import { PLAIN } from './flights.js';
-
-beforeEach(() => localStorage.clear());
 
 const { score: words, form } = en.flights;
 const dayOne = new Date(2026, 10, 21, 9).getTime();

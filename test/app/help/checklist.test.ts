@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { Checklist } from '../../../src/app/help/checklist.js';
 
 const timerClass = signal<string | null>(null);
@@ -11,8 +11,6 @@ beforeEach(() => {
   vi.useFakeTimers({ toFake: ['Date'] });
   timerClass.value = null;
 });
-afterEach(() => void vi.useRealTimers());
-
 describe('the checklist', () => {
   it('counts what is left, for the class of the timer: a glider has no propeller', () => {
     const list = new Checklist(timerClass);

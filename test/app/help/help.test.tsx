@@ -1,5 +1,5 @@
 import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
+import { describe, expect, it, onTestFinished } from 'vitest';
 import { SHAPES } from '../../../src/app/ui/shapes.js';
 import { en } from '../../tools/en.js';
 import { idle, reloaded, run } from '../bench/bench.js';
@@ -13,8 +13,6 @@ async function look(models: { views: { show(view: 'help', path: string): void } 
   act(() => models.views.show('help', page));
   await idle(0);
 }
-
-afterEach(() => localStorage.clear());
 
 describe('the help', () => {
   it.each(Object.keys(PAGES) as Page[])('has a page of its own for: %s', async (page) => {

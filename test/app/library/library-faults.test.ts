@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { LibraryFiles } from '../../../src/app/library/files/library-files.js';
 import type { Library } from '../../../src/app/records/library.js';
 import { formatLibraryFile, type Model, type Setting } from '../../../src/program/index.js';
@@ -6,8 +6,6 @@ import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 import { type AppBench, appBench, idle, run } from '../bench/bench.js';
 import { FAULTS, type FaultName, FaultyStore } from '../faults.js';
 import { importNewer } from './many.js';
-
-beforeEach(() => localStorage.clear());
 
 const OTHER: Model = { ...MODEL, id: 'other', name: 'Vega' };
 const WINDY: Setting = { ...SETTING, id: 'windy', name: 'windy' };

@@ -1,12 +1,10 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
-import { beforeEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { messages } from '../../../src/app/messages/index.js';
 import { en } from '../../tools/en.js';
 import { idle, run } from '../bench/bench.js';
 import { drawn, press, type } from '../screen.js';
 import { BACKUP, lancerConnected, savedAs, WIND } from '../two-models.js';
-
-beforeEach(() => localStorage.clear());
 
 const { save: words } = en.library;
 

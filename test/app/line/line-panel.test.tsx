@@ -52,7 +52,6 @@ async function load(name: string, ...text: string[]): Promise<void> {
 function clipboard(writeText: (text: string) => Promise<void> = async () => {}) {
   const spy = vi.fn(writeText);
   vi.spyOn(navigator, 'clipboard', 'get').mockReturnValue({ writeText: spy } as unknown as Clipboard);
-  onTestFinished(() => void vi.restoreAllMocks());
   return spy;
 }
 
@@ -219,7 +218,6 @@ describe('the tools', () => {
     vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
       clicked.push(this.download);
     });
-    onTestFinished(() => void vi.restoreAllMocks());
     await opened();
     change(words.filter, 'damaged');
     await idle();

@@ -1,4 +1,4 @@
-import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { LineView } from '../../../src/app/line/line-view.js';
 import { captureText, parseRecording, readRecording } from '../../../src/app/line/recording.js';
 import { LineLog } from '../../../src/app/timer/line-log.js';
@@ -113,7 +113,6 @@ describe('a recording', () => {
 
   it('is not a file that is too large, cannot be read, or does not come within a minute', async () => {
     vi.useFakeTimers();
-    onTestFinished(() => void vi.useRealTimers());
     const file = (size: number, arrayBuffer: () => Promise<ArrayBuffer>) =>
       readRecording({ name: 'x', size, arrayBuffer } as File);
     const refused = { line: null };

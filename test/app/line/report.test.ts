@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { version } from '../../../src/app/browser/version.js';
 import { reportText } from '../../../src/app/line/report.js';
 import { LineLog } from '../../../src/app/timer/line-log.js';
@@ -12,8 +12,6 @@ import { appBench, connectedBench, run } from '../bench/bench.js';
 import { recordingOf } from './line.js';
 
 beforeEach(() => vi.stubGlobal('navigator', { userAgent: 'Mozilla/5.0', platform: 'Win32' }));
-afterEach(() => vi.unstubAllGlobals());
-
 function reportOf(connection: object | null, simulated = false): string[] {
   const parts = { log: new LineLog(), link: { simulated: signal(simulated) }, connection: signal(connection) };
   return reportText(parts as unknown as Session).split('\n');

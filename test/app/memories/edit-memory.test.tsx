@@ -1,10 +1,8 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { en } from '../../tools/en.js';
 import { type AppBench, type BenchOptions, idle, run, selected, sets } from '../bench/bench.js';
 import { connected, field, goTo, loadedAgain, lookAt, press, startWrite, type } from '../screen.js';
-
-beforeEach(() => localStorage.clear());
 
 /** M3 is opened in the table while M1 flies next: there DT is 4:00, in M1 it is 3:00. */
 async function editing(options: BenchOptions = {}): Promise<AppBench> {

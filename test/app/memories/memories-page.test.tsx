@@ -1,5 +1,5 @@
 import { act, cleanup, screen, within } from '@testing-library/preact';
-import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { TimerProgram } from '../../../src/program/index.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, type BenchOptions, idle } from '../bench/bench.js';
@@ -66,7 +66,6 @@ describe('the memories', () => {
 
   it('say in words and in red that a DT is short, also where one of them is looked at', async () => {
     const { models } = await read();
-    onTestFinished(() => localStorage.clear());
     models.preferences.setShortDt(22_000);
     await idle(0);
     const red = () => [...document.querySelectorAll('.view .bad-text')].map(({ textContent }) => textContent);

@@ -1,10 +1,8 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { en } from '../../tools/en.js';
 import { type AppBench, appBench, idle, reloaded, run } from '../bench/bench.js';
 import { button, connected, goTo, late, loadedAgain, press, strandAtM3, type } from '../screen.js';
-
-beforeEach(() => localStorage.clear());
 
 const dialog = () => within(screen.getByRole('dialog', { name: en.nextFlight.leaving.title }));
 const status = ({ session }: AppBench) => session.link.state.value.status;

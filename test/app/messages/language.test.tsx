@@ -7,8 +7,6 @@ import { LanguageChoice } from '../../../src/app/ui/language-choice.js';
 import { en } from '../../tools/en.js';
 import { leftOut } from '../../tools/left-out.js';
 
-beforeEach(() => localStorage.clear());
-
 /** Sentences that the tests give the page in place of a file; in German they come as the function that is set says. */
 let german: () => Promise<Tree> = async () => ({ next: 'Weiter' });
 const others = LANGUAGES.map((code) => [`./${code}.ftl`, async () => ({ next: 'Next' })]);

@@ -1,10 +1,8 @@
 import { act, render, screen } from '@testing-library/preact';
-import { afterEach, expect, it, onTestFinished, vi } from 'vitest';
+import { expect, it, onTestFinished, vi } from 'vitest';
 import { dayOf } from '../../../src/app/flights/flight-list.js';
 import { clockText, dateText, dayText } from '../../../src/app/messages/index.js';
 import { followDay } from '../../../src/app/messages/today.js';
-
-afterEach(() => void vi.useRealTimers());
 
 const AT = new Date(2026, 10, 22, 14, 32).getTime();
 const Text = () => <p>{`${clockText(AT)} | ${dayText(AT)}`}</p>;
@@ -49,7 +47,6 @@ it.each([
   const Drawn = () => draw();
   render(<Drawn />);
   vi.spyOn(Date.prototype, 'getTimezoneOffset').mockReturnValue(-777);
-  onTestFinished(() => void vi.restoreAllMocks());
   act(() => void vi.advanceTimersByTime(60_000));
   expect(draw).toHaveBeenCalledTimes(2);
   end();

@@ -1,5 +1,5 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { formatTime } from '../../../src/app/editing/units.js';
 import { dateText, messages } from '../../../src/app/messages/index.js';
 import { moreMessages } from '../../../src/app/messages/more.js';
@@ -7,8 +7,6 @@ import { MODEL, SETTING } from '../../program/library-examples.js';
 import { en } from '../../tools/en.js';
 import { idle } from '../bench/bench.js';
 import { connected, goTo, opened, press, type } from '../screen.js';
-
-afterEach(() => localStorage.clear());
 
 /** The view with these programs of a library: two of a model, and one that belongs to none. */
 async function printed(...keys: readonly string[]): Promise<void> {

@@ -17,10 +17,7 @@ class Watcher extends EventTarget {
 }
 
 beforeEach(() => vi.stubGlobal('CloseWatcher', Watcher));
-afterEach(() => {
-  vi.unstubAllGlobals();
-  Watcher.open.clear();
-});
+afterEach(() => Watcher.open.clear());
 
 async function tap(name: string): Promise<void> {
   fireEvent.pointerDown(field(name), { pointerType: 'touch' });

@@ -1,5 +1,5 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { en } from '../../tools/en.js';
 import { idle } from '../bench/bench.js';
 import { connected, field, key } from '../screen.js';
@@ -35,11 +35,6 @@ async function press(...keys: string[]): Promise<void> {
 function withKeyboard(): number {
   return document.querySelectorAll('.value > input:is([inputmode="decimal"], [inputmode="numeric"])').length;
 }
-
-afterEach(() => {
-  vi.restoreAllMocks();
-  vi.unstubAllGlobals();
-});
 
 describe('the sheet', () => {
   it.each(['touch', 'pen'])('opens for a field that is pressed by %s, in place of the keyboard', async (pointer) => {

@@ -1,11 +1,9 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { parseTime } from '../../../src/app/editing/units.js';
 import { en } from '../../tools/en.js';
 import { appBench, idle } from '../bench/bench.js';
 import { connected, field, goTo, key, late, press } from '../screen.js';
-
-afterEach(() => localStorage.clear());
 
 /** Types a text letter by letter; the focus stays. */
 async function typeOut(name: string, text: string): Promise<void> {

@@ -1,6 +1,6 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { options } from 'preact';
-import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
+import { describe, expect, it, onTestFinished } from 'vitest';
 import { formatTime } from '../../../src/app/editing/units.js';
 import { messages } from '../../../src/app/messages/index.js';
 import { Theme } from '../../../src/app/settings/theme.js';
@@ -32,8 +32,6 @@ const soon = <T,>(read: () => T) =>
     await idle(100);
     return read();
   });
-
-afterEach(() => localStorage.clear());
 
 describe('the timeline', () => {
   it('shows the program on the screen, with what the timer holds behind it once they differ', async () => {

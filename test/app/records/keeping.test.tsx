@@ -163,7 +163,6 @@ it('a program that the pilot has closed stays closed while the storage is tried 
 
 describe('an unreadable record', () => {
   async function found(shelf: string): Promise<AppBench> {
-    localStorage.clear();
     const store = new MemoryStore();
     store.aside.records.set('a', { key: 'a', shelf, at: 5, stored: { key: 'x', time: Number.NaN } });
     const bench = await appBench({ store });
@@ -196,7 +195,6 @@ describe('an unreadable record', () => {
   it.each(['models', 'settings', 'flights'] as const)(
     'is reported when the %s are read, however late',
     async (shelf) => {
-      localStorage.clear();
       const store = new MemoryStore();
       let read = (): void => {};
       const asked = new Promise<void>((resolve) => (read = resolve));

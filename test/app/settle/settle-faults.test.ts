@@ -1,11 +1,9 @@
-import { afterEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import type { Settle } from '../../../src/app/settle/settle.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';
 import { shareOf } from '../../tools/share.js';
 import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
 import { walk, walkOn } from './walk.js';
-
-afterEach(() => localStorage.clear());
 
 const STEPS = ['read', 'zeros', 'away', 'there', 'unlock'] as const;
 /** More requests than any step has. */

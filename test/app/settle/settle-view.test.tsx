@@ -1,13 +1,10 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import * as files from '../../../src/app/browser/save-file.js';
 import { HOLD } from '../../../src/app/ui/press-and-hold.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, type BenchOptions, idle } from '../bench/bench.js';
 import { button, connected, goTo, opened, press } from '../screen.js';
-
-beforeEach(() => localStorage.clear());
-afterEach(() => void vi.restoreAllMocks());
 
 /** What the handheld of the virtual timer shows. */
 const RIGHT = /^Function\s5\s12\.50\ss\s·\sDT\s3:00/;

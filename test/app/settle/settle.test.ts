@@ -1,12 +1,10 @@
 import fc from 'fast-check';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { Answers } from '../../../src/app/storage/records.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';
 import { runsOf } from '../../tools/share.js';
 import { type AppBench, appBench, type BenchOptions, connectedBench, idle, run } from '../bench/bench.js';
 import { judged, type Person, rises, truth, walk, walkOn } from './walk.js';
-
-afterEach(() => localStorage.clear());
 
 async function settled(options: BenchOptions = {}, person: Person = {}): Promise<{ app: AppBench; answers: Answers }> {
   const app = await connectedBench(options);

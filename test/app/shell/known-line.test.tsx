@@ -1,11 +1,9 @@
 import { render, screen } from '@testing-library/preact';
-import { afterEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { NARROW } from '../../../src/app/ui/shapes.js';
 import { connectedBench, idle, run } from '../bench/bench.js';
 import { inWindow } from '../screen.js';
-
-afterEach(() => localStorage.clear());
 
 it('tried values are “in the timer” only as long as it is certain what the timer holds', async () => {
   const app = await connectedBench();

@@ -1,11 +1,10 @@
-import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { attempt, NoAnswer } from '../../../src/app/browser/services.js';
 import { limited, SHELF_CALLS, SHELVES } from '../../../src/app/storage/index.js';
 import { MemoryStore } from '../bench/bench.js';
 
 beforeEach(() => {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
-  onTestFinished(() => void vi.useRealTimers());
 });
 
 /** What a promise has come to so far. */

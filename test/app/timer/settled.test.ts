@@ -1,9 +1,7 @@
-import { beforeEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { loadSetting, saveSetting } from '../../../src/app/browser/settings.js';
 import { ANSWERS, settledSchema } from '../../../src/app/storage/records.js';
 import { Settled } from '../../../src/app/timer/settled.js';
-
-beforeEach(() => localStorage.clear());
 
 const identity = { timerClass: 'B', firmware: '536', functions: 10, memories: 4, servos: 3 };
 

@@ -1,6 +1,6 @@
 import { type Signal, signal } from '@preact/signals';
 import { act, render, screen } from '@testing-library/preact';
-import { beforeEach, expect, it, onTestFinished, vi } from 'vitest';
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { useLate } from '../../../src/app/ui/use-late.js';
 
 const FRAME = 16;
@@ -17,12 +17,9 @@ const frames = (count: number) => act(() => void vi.advanceTimersByTime(count * 
 
 beforeEach(() => {
   vi.useFakeTimers({ toFake: ['requestAnimationFrame', 'cancelAnimationFrame', 'performance'] });
-  onTestFinished(() => {
-    // Nothing may wait for a frame of this clock any more.
-    vi.advanceTimersByTime(1000);
-    vi.useRealTimers();
-  });
 });
+// Nothing may wait for a frame of this clock any more.
+afterEach(() => void vi.advanceTimersByTime(1000));
 
 async function drawn() {
   const value = signal(0);

@@ -1,4 +1,4 @@
-import { beforeEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import type { Draft, SettingRecord } from '../../../src/app/storage/index.js';
 import { fieldKey } from '../../../src/program/index.js';
 import { type AppBench, goOn, idle, reloaded, review, run } from '../bench/bench.js';
@@ -15,8 +15,6 @@ import {
   type,
   WIND,
 } from '../two-models.js';
-
-beforeEach(() => localStorage.clear());
 
 const whose = ({ session: { origin } }: AppBench) => [
   origin.model.value?.name ?? null,

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { emptyModel } from '../../../src/app/records/library.js';
 import { ServoUses } from '../../../src/app/work/servo-uses.js';
 import type { Model, ServoUse } from '../../../src/program/index.js';
@@ -19,11 +19,6 @@ function opened(timerClass = 'Q') {
   const parts = { editor: { identity }, onScreen: { simulated: signal(false) }, origin: { named } };
   return { identity, named, uses: new ServoUses({ ...parts, library: { changeModel } }) };
 }
-
-afterEach(() => {
-  vi.unstubAllGlobals();
-  localStorage.clear();
-});
 
 describe('what the servos move', () => {
   it('is not known until the pilot says it, and is then kept for timers of this kind', () => {

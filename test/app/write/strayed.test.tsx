@@ -1,11 +1,9 @@
 import { screen } from '@testing-library/preact';
-import { afterEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { strayed } from '../../../src/app/write/sending.js';
 import { TimerError, type WriteReport } from '../../../src/client/index.js';
 import { en } from '../../tools/en.js';
 import { connected, press, startWrite, type } from '../screen.js';
-
-afterEach(() => localStorage.clear());
 
 it('a write during which another memory became current says that values may be in that one', async () => {
   const { timer } = await connected();

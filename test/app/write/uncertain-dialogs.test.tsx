@@ -1,11 +1,9 @@
 import { fireEvent, screen } from '@testing-library/preact';
-import { afterEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { type TimerProgram, withValue } from '../../../src/program/index.js';
 import { en } from '../../tools/en.js';
 import { type AppBench, idle } from '../bench/bench.js';
 import { connected, field, goTo, press, type } from '../screen.js';
-
-afterEach(() => localStorage.clear());
 
 const SENTENCE = 'It is not known what M2 holds: DT is 3:00 min or 6:00 min. Do not fly before it is read.';
 

@@ -1,5 +1,5 @@
 import { act, screen } from '@testing-library/preact';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { VIEWS } from '../../../src/app/shell/views.js';
 import { withValue } from '../../../src/program/index.js';
 import { en } from '../../tools/en.js';
@@ -8,8 +8,6 @@ import { button, connected, fly, goTo, loadedAgain, lookAt, press, strandAtM3, t
 
 const { recovery, bench: words } = en;
 const OTHER = 'the F1Q 536';
-
-beforeEach(() => localStorage.clear());
 
 function band(): string | null {
   return document.querySelector('.top .unfinished')?.textContent?.replaceAll('\u00a0', ' ') ?? null;

@@ -1,5 +1,5 @@
 import fc from 'fast-check';
-import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { differences, type ProgramField, type TimerProgram } from '../../../src/program/index.js';
 import type { Identity } from '../../../src/protocol/index.js';
 import { type AppBench, connectedBench, idle, run } from '../bench/bench.js';
@@ -7,8 +7,6 @@ import { type FaultName, FaultyStore, FAULTS as STORAGE_FAULTS } from '../faults
 
 const DT: ProgramField = { kind: 'time', slot: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
-
-beforeEach(() => localStorage.clear());
 
 /** What may happen on the wire after any request of a write. */
 const WIRE = {

@@ -1,4 +1,4 @@
-import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { ValueReport, WriteReport } from '../../../src/client/index.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import { type AppBench, asked, connectedBench, goOn, idle, reloaded, review, run, sets } from '../bench/bench.js';
@@ -193,7 +193,6 @@ describe('a write', () => {
     const bench = await reviewed();
     const { core } = bench.timer;
     const now = performance.now.bind(performance);
-    onTestFinished(() => void vi.restoreAllMocks());
     core.onAnswer = (request) => {
       if (request.name === name) vi.spyOn(performance, 'now').mockImplementation(() => now() + 60_000);
     };

@@ -1,10 +1,8 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { en } from '../../tools/en.js';
 import { type AppBench, idle, sets } from '../bench/bench.js';
 import { connected, field, key, press, startWrite, type } from '../screen.js';
-
-afterEach(() => localStorage.clear());
 
 const dialog = () => within(screen.getByRole('dialog', { name: en.write.title }));
 const text = () => screen.getByRole('dialog').textContent.replaceAll('\u00a0', ' ');

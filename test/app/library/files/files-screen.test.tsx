@@ -16,10 +16,7 @@ import { en } from '../../../tools/en.js';
 import { type AppBench, idle, MemoryStore } from '../../bench/bench.js';
 import { button, connected, goTo, opened, press } from '../../screen.js';
 
-beforeEach(() => {
-  localStorage.clear();
-  holdDroppedFiles();
-});
+beforeEach(holdDroppedFiles);
 
 const ALL: Kept = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
 const DAY = 86_400_000;

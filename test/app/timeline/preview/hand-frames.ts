@@ -1,4 +1,4 @@
-import { onTestFinished, vi } from 'vitest';
+import { vi } from 'vitest';
 
 /** Frames of the screen that come when they are told to, in place of its own until the test ends. */
 export class HandFrames {
@@ -12,7 +12,6 @@ export class HandFrames {
       return this.#last;
     });
     vi.stubGlobal('cancelAnimationFrame', (id: number) => this.#waiting.delete(id));
-    onTestFinished(() => void vi.unstubAllGlobals());
   }
 
   get waiting(): number {

@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
 import { act, fireEvent, render, screen } from '@testing-library/preact';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { FlightPreview, type FlightPreviewProps } from '../../../../src/app/timeline/preview/flight-preview.js';
 import { Player } from '../../../../src/app/timeline/preview/player.js';
 import { guessedUses } from '../../../../src/app/timeline/preview/surfaces.js';
@@ -40,8 +40,6 @@ const clock = () => document.querySelector('.preview-clock')?.textContent;
 const happened = () => document.querySelector('.preview-facts p:last-of-type') as HTMLElement;
 const stands = () => [...document.querySelectorAll('.preview li')].map((item) => item.textContent);
 const turned = (surface: string) => document.querySelector<SVGElement>(`[data-surface=${surface}]`)?.style.transform;
-
-afterEach(() => void vi.unstubAllGlobals());
 
 describe('the flight preview', () => {
   it('plays only on a click, then pauses and goes on', async () => {
