@@ -163,18 +163,6 @@ describe('a timer that differs from the usual one', () => {
 });
 
 describe('an answer that makes no sense', () => {
-  it('an impossible current memory is unknown, and the rest can be read and written', async () => {
-    const { client, timer, run } = bench();
-    answering(timer, 'GETMEMORY', () => [200]);
-    const baseline = await run(client.readProgram());
-    expect(baseline).toEqual({ ...contentOf(timer), memory: null });
-    expect(client.quirksFound.get('memory-impossible')).toEqual({ index: 200 });
-    expect([client.damageSeen, client.repeats]).toEqual([false, 0]);
-    await expect(run(client.readMemories())).rejects.toMatchObject({ code: 'memory-unknown' });
-    const goal = edited(baseline, [10, 30000]);
-    expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
-  });
-
   it.each([
     ['none', [], false],
     ['two bytes', [1, 2], true],

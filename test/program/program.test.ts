@@ -7,7 +7,6 @@ import {
   fieldKey,
   fieldsOf,
   hasErrors,
-  manualRange,
   type ProgramField,
   sameKind,
   seconds,
@@ -84,11 +83,6 @@ describe('the fields of a program', () => {
   ])('are refused for %s, because a change of nothing would be called verified', (_, field, name) => {
     const act = (): unknown => withValue(usual('Q'), field as ProgramField, 77);
     expect(act).toThrow(expect.objectContaining({ name: 'CodecError', code: 'out-of-range', field: name }));
-  });
-
-  it('are refused for a slot that is no number', () => {
-    const act = (): unknown => withValue(usual('Q'), { kind: 'time', slot: Number.NaN }, 77);
-    expect(act).toThrow(expect.objectContaining({ code: 'not-an-integer', field: 'slot' }));
   });
 
   it('are called start, function and DT by the number of functions', () => {
@@ -278,14 +272,6 @@ describe('the check', () => {
     const inClimb = edited(usual('B'), [10, 900]);
     const found = checkProgram(inClimb, { shortDt: 500 }).filter(({ severity }) => severity === 'serious');
     expect(found, 'whatever the pilot calls short').toMatchObject([{ code: 'dt-short' }]);
-  });
-
-  it('knows the ranges of the manual', () => {
-    expect(manualRange(Q536, 0)).toEqual({ min: 10, max: 9990, step: 10 });
-    expect(manualRange(B536, 0)).toBeNull();
-    expect(manualRange(B536, 1)).toEqual({ min: 1, max: 999, step: 1 });
-    expect(manualRange(B536, 10)).toEqual({ min: 100, max: 72000, step: 100 });
-    expect(manualRange({ ...B536, timerClass: 'E' }, 3)).toBeNull();
   });
 
   it('calls only that an error which cannot be encoded', () => {
