@@ -137,8 +137,8 @@ function nextStep(program: TimerProgram, field: ProgramField, by: number): Field
   return (value - before) * by > 0 ? [{ field, value }] : [];
 }
 
-/** The next value on a step, also outside of what the wire carries. */
-function onStep(step: number, before: number, by: number): number {
+/** The value so many steps on, also outside of what the wire carries. The first goes to the nearest whole step. */
+export function onStep(step: number, before: number, by: number): number {
   return ((by > 0 ? Math.floor : Math.ceil)(before / step) + by) * step;
 }
 

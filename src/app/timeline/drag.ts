@@ -1,6 +1,7 @@
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
 import { type Edit, setValues, stepSize } from '../editing/edit.js';
+import { onStep } from '../editing/edits.js';
 import { groupOf } from '../editing/history.js';
 import type { Geometry } from './geometry.js';
 
@@ -22,16 +23,11 @@ export interface Shown {
   readonly anchor: () => number | undefined;
 }
 
-export interface Limits {
-  readonly min: number;
-  readonly max: number;
-}
-
 /**
  * The range in which a field can move. A time stays between its neighbours, at least one step from each; a neighbour
  * that it has reached or passed already does not hold it. The motor stop lies between launch and DT.
  */
-export function limitsOf(program: TimerProgram, field: ProgramField): Limits {
+export function limitsOf(program: TimerProgram, field: ProgramField): { readonly min: number; readonly max: number } {
   if (field.kind !== 'time') return { min: 0, max: MAX_POSITION };
   const { identity, times } = program;
   const { slot } = field;
@@ -49,20 +45,16 @@ export function limitsOf(program: TimerProgram, field: ProgramField): Limits {
 /** The nearest value to which a field can move: a whole step within its limits. */
 export function snapped(program: TimerProgram, field: ProgramField, value: number): number {
   const step = stepSize(program.identity, field);
-  return within(Math.round(value / step) * step, limitsOf(program, field));
+  return within(program, field, Math.round(value / step) * step);
 }
 
-/**
- * The value some steps up or down. From between two steps, the first step goes to the nearest one in that direction.
- */
+/** The value some steps up or down, within its limits. */
 export function stepped(program: TimerProgram, field: ProgramField, steps: number): number {
-  const step = stepSize(program.identity, field);
-  const value = valueAt(program, field) ?? 0;
-  const start = steps > 0 ? Math.floor(value / step) : Math.ceil(value / step);
-  return within((start + steps) * step, limitsOf(program, field));
+  return within(program, field, onStep(stepSize(program.identity, field), valueAt(program, field) ?? 0, steps));
 }
 
-function within(value: number, { min, max }: Limits): number {
+function within(program: TimerProgram, field: ProgramField, value: number): number {
+  const { min, max } = limitsOf(program, field);
   return Math.min(max, Math.max(min, value));
 }
 
@@ -101,19 +93,11 @@ export class DragEdit {
     this.#tell('moving');
   }
 
-  /** The handle is released. A movement that changed nothing is not reported. */
-  finish(): void {
-    if (this.#moved && !this.#isOver) this.#tell(this.#last === this.#original ? 'back' : 'done');
-    this.#moved = false;
-  }
-
-  /** Puts the old value back. */
-  cancel(): void {
-    if (this.#moved && !this.#isOver) {
-      this.#last = this.#original;
-      this.#tell('back');
-    }
-    this.#moved = false;
+  /** The handle is released. A movement that changed nothing is not reported. @param isMeant else puts it back. */
+  end(isMeant: boolean): void {
+    if (!this.#moved || this.#isOver) return;
+    if (!isMeant) this.#last = this.#original;
+    this.#tell(this.#last === this.#original ? 'back' : 'done');
   }
 
   get #isOver(): boolean {

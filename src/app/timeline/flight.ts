@@ -49,30 +49,18 @@ export function flightEnd(program: TimerProgram): number {
   return Math.max(0, ...marksOf(program)) + RUN_OUT;
 }
 
-/** Which slot a flight has reached. */
-export interface Reached {
-  readonly slot: number;
-  /**
-   * False where times fall and a later slot has come before this one is over: nobody knows what the timer then does.
-   */
-  readonly certain: boolean;
-}
-
-/** The last slot whose time, with the times of all slots before it, has come. */
-export function reachedAt({ times }: TimerProgram, time: number): Reached {
+/**
+ * The last slot whose time, with the times of all slots before it, has come. It is not certain where times fall and a
+ * later slot has come before this one is over: nobody knows what the timer then does.
+ */
+export function reachedAt({ times }: TimerProgram, time: number): { readonly slot: number; readonly certain: boolean } {
   const missing = times.findIndex((at, slot) => slot > 0 && at > time);
   if (missing < 0) return { slot: times.length - 1, certain: true };
   return { slot: missing - 1, certain: times.every((at, slot) => slot <= missing || at > time) };
 }
 
-/** A slot that comes, or with slot 0 the motor stop, at a time of a flight. */
-export interface FlightEvent {
-  readonly slot: number;
-  readonly time: number;
-}
-
-/** The events after one time and up to another, in their order. */
-export function eventsBetween(program: TimerProgram, after: number, upTo: number): FlightEvent[] {
+/** The slots that come after one time and up to another, in their order: slot 0 is the motor stop. */
+export function eventsBetween(program: TimerProgram, after: number, upTo: number) {
   const first = motorStopOf(program) === null ? 1 : 0;
   return program.times
     .map((time, slot) => ({ slot, time }))

@@ -88,23 +88,14 @@ export interface Look {
 }
 
 /** How to draw a program, in pixels. */
-export interface Geometry extends Required<Omit<Look, 'view' | 'scale'>> {
-  readonly program: TimerProgram;
-  readonly measures: Measures;
-  readonly layout: Layout;
-  readonly stages: readonly Stage[];
-  readonly flags: readonly Flag[];
-  /** The times that stand below the plot. */
-  readonly ticks: readonly number[];
-  readonly motorStop: number | null;
-}
+export type Geometry = ReturnType<typeof geometryOf>;
 
 /** In pixels: the least distance of two marks on the stretched axis, the run-out, the least distance of two times. */
 const MARK_GAP = 28;
 const RUN_OUT_ROOM = 16;
 const TICK_GAP = 52;
 
-export function geometryOf(program: TimerProgram, measures: Measures, look: Look): Geometry {
+export function geometryOf(program: TimerProgram, measures: Measures, look: Look) {
   const { front, first = 0, names, selected = null, behind = null, view = WHOLE } = look;
   const { left, right, top, bottom, radius } = measures;
   const width = measures.width - left - right;
@@ -117,7 +108,6 @@ export function geometryOf(program: TimerProgram, measures: Measures, look: Look
   const stages = stagesOf(program);
   // A selected time goes before all others but DT.
   const chosen = selected?.kind === 'time' ? [program.times[selected.slot] ?? 0] : [];
-  const room = { from: view.start, to: view.start + view.span, gap: (TICK_GAP / width) * view.span };
   return {
     program,
     front,
@@ -129,7 +119,8 @@ export function geometryOf(program: TimerProgram, measures: Measures, look: Look
     layout,
     stages,
     flags: flagsOf(program, stages, layout, radius),
-    ticks: ticks(scale, [stages.at(-1)?.from ?? 0], [...chosen, 0, ...marks], room),
+    /** The times that stand below the plot. */
+    ticks: ticks(scale, [stages.at(-1)?.from ?? 0], [...chosen, 0, ...marks], view, (TICK_GAP / width) * view.span),
     motorStop: motorStopOf(program),
   };
 }

@@ -45,14 +45,14 @@ export class KeyControl {
 
   /** The key was released, or the handle has lost the focus. */
   readonly up = (): void => {
-    this.#edit?.finish();
+    this.#edit?.end(true);
     this.#edit = null;
   };
 
   #onHandle(event: KeyboardEvent, field: ProgramField, { svg, now, onEdit }: Shown): Action {
     if (event.key === 'Escape') {
       return () => {
-        if (this.#edit) this.#edit.cancel();
+        if (this.#edit) this.#edit.end(false);
         else svg.focus();
         this.#edit = null;
       };

@@ -94,8 +94,7 @@ export class MoveHandle {
   end(point: Point | null): void {
     if (point) this.move(point);
     cancelAnimationFrame(this.#frame);
-    if (point) this.#edit.finish();
-    else this.#edit.cancel();
+    this.#edit.end(point !== null);
     this.#model.letGo();
   }
 

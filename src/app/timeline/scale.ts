@@ -37,9 +37,7 @@ export class Scale {
   constructor(times: readonly number[], places: readonly number[]) {
     this.times = times;
     this.places = places;
-    let slowest = Number.POSITIVE_INFINITY;
-    for (let i = 1; i < times.length; i++) slowest = Math.min(slowest, this.#rate(i));
-    this.#beyond = slowest;
+    this.#beyond = Math.min(...times.slice(1).map((_, i) => rate(times, places, i)));
   }
 
   /** The last time of the picture. */
@@ -49,25 +47,27 @@ export class Scale {
 
   /** The place of a time. Times before launch lie at 0. */
   place(time: number): number {
-    if (time <= 0) return 0;
-    if (time >= this.end) return (this.places.at(-1) as number) + (time - this.end) * this.#beyond;
-    const i = this.times.findIndex((knot) => knot > time);
-    return (this.places[i - 1] as number) + (time - (this.times[i - 1] as number)) * this.#rate(i);
+    return along(this.times, this.places, time, this.#beyond);
   }
 
   /** The time at a place, not rounded: the inverse of {@link place}. */
   time(place: number): number {
-    if (place <= 0) return 0;
-    const last = this.places.at(-1) as number;
-    if (place >= last) return this.end + (place - last) / this.#beyond;
-    const i = this.places.findIndex((knot) => knot > place);
-    return (this.times[i - 1] as number) + (place - (this.places[i - 1] as number)) / this.#rate(i);
+    return along(this.places, this.times, place, 1 / this.#beyond);
   }
+}
 
-  #rate(i: number): number {
-    const [way, time] = [this.places, this.times].map((all) => (all[i] as number) - (all[i - 1] as number));
-    return (way as number) / (time as number);
-  }
+/** What stands at the same way between two knots of `to` as a number between those of `from`. */
+function along(from: readonly number[], to: readonly number[], at: number, beyond: number): number {
+  if (at <= 0) return 0;
+  const next = from.findIndex((knot) => knot > at);
+  const last = (next < 0 ? from.length : next) - 1;
+  return (to[last] as number) + (at - (from[last] as number)) * (next < 0 ? beyond : rate(from, to, last));
+}
+
+/** How much `to` rises for each of `from` after a knot. */
+function rate(from: readonly number[], to: readonly number[], knot: number): number {
+  const [way, time] = [to, from].map((all) => (all[knot + 1] as number) - (all[knot] as number));
+  return (way as number) / (time as number);
 }
 
 export interface StretchOptions {

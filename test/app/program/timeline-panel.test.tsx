@@ -186,11 +186,11 @@ describe('the timeline', () => {
       const { editor, models } = await connected();
       const { player } = models.programPicture;
       const preview = within(screen.getByRole('region', { name: en.preview.title }));
-      const click = async (): Promise<number> => {
+      const click = async (): Promise<number | null> => {
         await late();
         act(() => void fireEvent.click(preview.getByRole('button', { name })));
         player.pause();
-        return player.time.value;
+        return player.cursor.value;
       };
       const to = (slot: number) => act(() => (handle(`Function ${slot}, S1`) as SVGElement).focus());
       to(4);

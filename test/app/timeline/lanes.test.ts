@@ -5,7 +5,6 @@ import { laneAt, lanesOf, leastHeight } from '../../../src/app/timeline/lanes.js
 import { layoutOf } from '../../../src/app/timeline/layout.js';
 import { isFine, refined } from '../../../src/app/timeline/move-handle.js';
 import { Scale } from '../../../src/app/timeline/scale.js';
-import { TimelineModel } from '../../../src/app/timeline/view-model.js';
 import { programOf } from '../programs.js';
 
 const lanes = fc
@@ -44,21 +43,6 @@ describe('the lanes', () => {
         expect(heights[front]).toBeGreaterThanOrEqual((isRoom ? 180 : 110) - 1e-6);
       }),
     );
-  });
-
-  it.each([
-    [1, 236],
-    [3, 180],
-    [4, 158],
-  ])('give the selected one of %i servos its height in a picture of 320 px', (servos, height) => {
-    const program = programOf(
-      'Q',
-      [1000, 200, 18000],
-      Array.from({ length: servos }, () => [15, 15, 15]),
-    );
-    const { top, bottom } = measuresOf(program, { width: 640, height: 320 });
-    const [first] = lanesOf(servos, 0, top, bottom);
-    expect((first?.until ?? 0) - (first?.from ?? 0)).toBeCloseTo(height, 9);
   });
 
   it('draw equal positions alike, whichever servo is selected', () => {
@@ -103,26 +87,6 @@ describe('moving finely', () => {
         expect(Math.abs(went)).toBeLessThanOrEqual(Math.abs(plain) / 4 + 1e-6);
         expect(went * plain).toBeGreaterThanOrEqual(0);
         expect(Math.abs(went)).toBeLessThanOrEqual((Math.abs(way) * step) / 10 + 1e-6);
-      }),
-    );
-  });
-});
-
-describe('zooming', () => {
-  it('leaves a mark in view where it is, and brings one into view that is not', () => {
-    const place = fc.double({ min: 0, max: 1, noNaN: true });
-    fc.assert(
-      fc.property(fc.array(place, { minLength: 1, maxLength: 6 }), (anchors) => {
-        const model = new TimelineModel();
-        for (const anchor of anchors) {
-          const before = model.view.value;
-          const isInView = anchor >= before.start && anchor <= before.start + before.span;
-          model.zoom(2, anchor);
-          const { start, span } = model.view.value;
-          expect(anchor).toBeGreaterThanOrEqual(start - 1e-9);
-          expect(anchor).toBeLessThanOrEqual(start + span + 1e-9);
-          if (isInView) expect((anchor - start) / span).toBeCloseTo((anchor - before.start) / before.span, 6);
-        }
       }),
     );
   });

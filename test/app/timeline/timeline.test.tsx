@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals';
 import { act, fireEvent, render, screen } from '@testing-library/preact';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import type { OnEdit } from '../../../src/app/timeline/drag.js';
 import { Timeline, type TimelineProps } from '../../../src/app/timeline/timeline.js';
 import { TimelineModel } from '../../../src/app/timeline/view-model.js';
@@ -96,8 +96,6 @@ async function key(element: Element, pressed: string, more: object = {}): Promis
   await act(() => void fireEvent.keyDown(element, { key: pressed, ...more }));
   await act(() => void fireEvent.keyUp(element, { key: pressed, ...more }));
 }
-
-afterEach(() => void vi.unstubAllGlobals());
 
 describe('the handles', () => {
   it('are sliders with the names of the fields, one for each time and one for each step of the servo in front', () => {
@@ -249,26 +247,18 @@ describe('the mouse', () => {
     expect([log, inHand()]).toEqual([[], 'S1']);
   });
 
-  it('keeps the axis still while a handle is held, and no longer', async () => {
-    vi.stubGlobal('matchMedia', () => ({ matches: true }));
+  it('keeps the axis and the height of the picture while a handle is held, and no longer', async () => {
     shown();
+    const style = () => (document.querySelector('.timeline-room') as HTMLElement).style;
     const before = placeOf(handle('Function 3, S1'));
+    expect([style().flex, style().height]).toEqual(['', '']);
     const release = await hold('Function 2 time', 15, 0);
     await drawn();
     expect(placeOf(handle('Function 3, S1'))).toEqual(before);
-    await release();
-    expect(placeOf(handle('Function 3, S1'))).not.toEqual(before);
-  });
-
-  it('keeps the height of the picture while a handle is held, whatever comes below it', async () => {
-    shown();
-    const style = () => (document.querySelector('.timeline-room') as HTMLElement).style;
-    expect([style().flex, style().height]).toEqual(['', '']);
-    const release = await hold('Function 2 time', 12, 0);
-    await drawn();
     expect(style().height).toBe(`${picture().getAttribute('height')}px`);
     expect(style().flex).toMatch(/^(none|0 0 auto)$/);
     await release();
+    expect(placeOf(handle('Function 3, S1'))).not.toEqual(before);
     expect([style().flex, style().height]).toEqual(['', '']);
   });
 
@@ -558,22 +548,14 @@ describe('reading', () => {
     expect(read()).toBe('10.0 s Motor stop');
   });
 
-  it('draws the motor stop of a second program only where it is another one', () => {
-    const marks = (stop: number): number => {
-      const { unmount } = shown(PROGRAM, {
-        overlay: { program: programOf('Q', [stop, 200, 400, 600, 18000]), name: '' },
-      });
-      const { length } = document.querySelectorAll('.overlay .mark');
-      unmount();
-      return length;
-    };
-    expect([marks(1000), marks(900)]).toEqual([1, 2]);
-  });
-
-  it('draws a second program behind, with its name', () => {
-    shown(PROGRAM, { overlay: { program: programOf('Q', [900, 100, 400, 600, 36000]), name: 'Timer holds' } });
+  it.each([
+    [1000, 1],
+    [900, 2],
+  ])('draws a second program behind, with its name and a motor stop of %i where it is another one', (stop, marks) => {
+    shown(PROGRAM, { overlay: { program: programOf('Q', [stop, 100, 400, 600, 36000]), name: 'Timer holds' } });
     expect(screen.getByText('Timer holds')).toBeTruthy();
     expect(document.querySelectorAll('.overlay path:not(.mark)').length).toBeGreaterThanOrEqual(3);
+    expect(document.querySelectorAll('.overlay .mark')).toHaveLength(marks);
   });
 
   it('has buttons to go back only once it was zoomed, and then the focus has a place', async () => {

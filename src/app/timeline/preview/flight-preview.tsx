@@ -1,10 +1,10 @@
 import { computed, useSignal } from '@preact/signals';
-import { useEffect, useId, useLayoutEffect, useMemo } from 'preact/hooks';
+import { useEffect, useId, useMemo } from 'preact/hooks';
 import type { ServoUse, TimerProgram } from '../../../program/index.js';
 import { messages, momentText, slotLabel } from '../../messages/index.js';
 import { moreMessages } from '../../messages/more.js';
 import { dutyName, servoName } from '../../messages/names.js';
-import { eventsBetween, flightEnd, motorStopOf, reachedAt } from '../flight.js';
+import { eventsBetween, motorStopOf, reachedAt } from '../flight.js';
 import { servoColour } from '../servo-colour.js';
 import { ModelSketch } from './model-sketch.js';
 import type { Player } from './player.js';
@@ -15,6 +15,7 @@ import './flight-preview.css';
 
 export interface FlightPreviewProps {
   readonly program: TimerProgram;
+  /** Its end is that of the program. */
   readonly player: Player;
   /** What each servo moves, as the pilot says; null when that has to be guessed. */
   readonly named: readonly ServoUse[] | null;
@@ -30,17 +31,19 @@ const MANY = 4;
  */
 export function FlightPreview({ program, player, named, onName }: FlightPreviewProps) {
   const { preview } = moreMessages.value;
+  const { findings } = messages.value;
   const { identity } = program;
   const id = useId();
   const naming = useSignal(false);
   const guess = useMemo(() => guessedUses(program), [program]);
-  useLayoutEffect(() => player.setEnd(flightEnd(program)), [player, program]);
   useEffect(() => () => player.pause(), [player]);
   const uses = named ?? guess;
   const stop = motorStopOf(program);
   const slot = useMemo(() => computed(() => reachedAt(program, player.shown.value).slot), [program, player]).value;
   const motor = useMemo(() => computed(() => player.shown.value < (stop ?? 0)), [player, stop]).value;
   const isDt = slot === identity.functions;
+  const flies = stop === null ? preview.flies : preview.motor[`${motor}`];
+  // A DT at which no servo moves brings no model down.
   const comesDown = isDt && movedAtDt(program).length > 0;
   return (
     <section class="preview" aria-labelledby={id}>
@@ -66,7 +69,9 @@ export function FlightPreview({ program, player, named, onName }: FlightPreviewP
         <div class="preview-facts">
           <div>
             <Clock player={player} />
-            {isDt ? <AtDt comesDown={comesDown} /> : <p>{stop === null ? preview.flies : preview.motor[`${motor}`]}</p>}
+            <p class={isDt && !comesDown ? 'bad-text' : undefined}>
+              {comesDown ? <strong>{preview.comesDown}</strong> : isDt ? findings['dt-moves-nothing'] : flies}
+            </p>
             <Happening program={program} player={player} />
           </div>
           <ul class={uses.length > MANY ? 'many' : ''}>
@@ -90,18 +95,6 @@ export function FlightPreview({ program, player, named, onName }: FlightPreviewP
         onCancel={() => (naming.value = false)}
       />
     </section>
-  );
-}
-
-/** A DT at which no servo moves brings no model down. */
-function AtDt({ comesDown }: { readonly comesDown: boolean }) {
-  const { findings } = messages.value;
-  const { preview } = moreMessages.value;
-  if (!comesDown) return <p class="bad-text">{findings['dt-moves-nothing']}</p>;
-  return (
-    <p>
-      <strong>{preview.comesDown}</strong>
-    </p>
   );
 }
 

@@ -16,18 +16,17 @@ const UNITS = 0.1;
  */
 export class Player {
   // Only this player writes them.
-  /** Whole hundredths of a second from launch. */
-  readonly time = signal(0);
   readonly playing = signal(false);
   readonly speed = signal<Speed>(1);
+  /**
+   * The place of the flight, in whole hundredths of a second from launch, to mark on a timeline; null until it was
+   * played or sought. It then stays there.
+   */
+  readonly cursor = signal<number | null>(null);
   readonly #end = signal(RUN_OUT);
-  /** Whether the flight was played or sought: it then stays at that time. */
-  readonly #underWay = signal(false);
   readonly #inHand = signal(0);
   /** The time to show, in hundredths of a second from launch. */
   readonly shown: ReadonlySignal<number>;
-  /** The place of the flight, to mark on a timeline; null until it was played or sought. */
-  readonly cursor: ReadonlySignal<number | null> = computed(() => (this.#underWay.value ? this.time.value : null));
   /** Not rounded, so that slow frames lose nothing. */
   #exact = 0;
   #frame = 0;
@@ -37,31 +36,34 @@ export class Player {
     this.shown = computed(() => {
       const time = asked?.value ?? null;
       if (time !== null) return drawable(time);
-      return this.#underWay.value ? this.time.value : Math.min(this.#end.value, this.#inHand.value);
+      return this.cursor.value ?? Math.min(this.#end.value, this.#inHand.value);
     });
   }
 
   /** Another program is shown. A time past its end becomes its end. */
   setEnd(end: number): void {
     this.#end.value = drawable(end);
-    if (this.#exact > this.#end.value) this.#goTo(this.#end.value);
+    if (this.cursor.peek() !== null) this.#goTo(this.#exact);
   }
 
   /** The pilot has selected something at this time. A playing flight goes on; a paused one goes there. */
   take(time: number): void {
     batch(() => {
       this.#inHand.value = drawable(time);
-      if (!this.playing.peek()) this.#underWay.value = false;
+      if (!this.playing.peek()) this.cursor.value = null;
     });
   }
 
-  /** Goes on playing. The first time it begins at the selected time; from the end it begins at launch again. */
-  play(): void {
-    if (this.playing.peek()) return;
+  /** Pauses, or goes on. The first time it begins at the selected time; from the end it begins at launch again. */
+  toggle(): void {
+    if (this.playing.peek()) {
+      this.pause();
+      return;
+    }
+    const last = this.#end.peek() - RUN_OUT;
     batch(() => {
-      if (!this.#underWay.peek()) this.#begin();
-      if (this.#exact >= this.#end.peek()) this.#goTo(0);
-      this.#underWay.value = true;
+      if (this.cursor.peek() === null) this.#goTo(this.#inHand.peek() < last ? this.#inHand.peek() : 0);
+      else if (this.#exact >= this.#end.peek()) this.#goTo(0);
       this.playing.value = true;
     });
     this.#await(null);
@@ -72,42 +74,26 @@ export class Player {
     cancelAnimationFrame(this.#frame);
   }
 
-  toggle(): void {
-    if (this.playing.peek()) this.pause();
-    else this.play();
-  }
-
   /** Goes to a time, playing or not. */
   seek(time: number): void {
-    batch(() => {
-      this.#underWay.value = true;
-      this.#goTo(Math.min(this.#end.peek(), drawable(time)));
-    });
+    this.#goTo(drawable(time));
   }
 
   setSpeed(speed: Speed): void {
     this.speed.value = speed;
   }
 
-  /** Begins at the selected time, unless that is after the last event. */
-  #begin(): void {
-    const inHand = this.#inHand.peek();
-    this.#goTo(inHand < this.#end.peek() - RUN_OUT ? inHand : 0);
-  }
-
   #await(before: number | null): void {
     this.#frame = requestAnimationFrame((now) => {
-      this.#frame = 0;
       const passed = before === null ? 0 : Math.min(LONGEST_FRAME, now - before);
-      this.#goTo(Math.min(this.#end.peek(), this.#exact + passed * UNITS * this.speed.peek()));
+      this.#goTo(this.#exact + passed * UNITS * this.speed.peek());
       if (this.#exact >= this.#end.peek()) this.playing.value = false;
-      // A listener of the time may have paused or restarted it.
-      if (this.playing.peek() && this.#frame === 0) this.#await(now);
+      else this.#await(now);
     });
   }
 
   #goTo(time: number): void {
-    this.#exact = time;
-    this.time.value = Math.floor(time);
+    this.#exact = Math.min(this.#end.peek(), time);
+    this.cursor.value = Math.floor(this.#exact);
   }
 }
