@@ -104,6 +104,11 @@ it('names that are one word without end make nothing wider than a small phone', 
     expect(await over, 'a dialog scrolls to the side').not.toContainEqual(expect.toSatisfy((more) => more > 0));
   };
   await fits();
+  await open(app, '#program');
+  await app.resize({ width: 320, height: 640 });
+  await page.locator('.kept').waitFor();
+  await fits();
+  await app.resize({ width: 360, height: 740 });
   for (const [task, shown] of [
     ['Share…', 'dialog .qr-code'],
     ['Print…', '.print-view .leaf-title'],

@@ -49,14 +49,6 @@ test('long names of models and memories leave room for what they name, on a smal
   await app.expectNoSidewaysScrolling();
 });
 
-test('a name in one long word does not widen the start on the smallest phone', async () => {
-  const app = await AppPage.open({ ...PHONE, viewport: { width: 320, height: 640 } });
-  await fillLibrary(app, { models: [modelOf('a', 'W'.repeat(60))], settings: [], flights: [] });
-  await app.page.reload();
-  await app.page.locator('.kept').waitFor();
-  await app.expectNoSidewaysScrolling();
-});
-
 test('on a desktop the question which model it is stands above long names, not squeezed beside them', async () => {
   const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
   await fillLibrary(app, {

@@ -11,7 +11,8 @@ interface Fault {
   readonly name: ServiceName;
   readonly of: 'navigator' | 'window';
   readonly call: string | null;
-  readonly how: 'is missing' | 'throws' | 'refuses' | 'is silent' | 'throws when made';
+  /** One that works is only noted. */
+  readonly how: 'works' | 'is missing' | 'throws' | 'refuses' | 'is silent' | 'throws when made';
 }
 
 /** Every fault of a service, made from the list of calls, so a new call is tested without more work. */
@@ -28,6 +29,8 @@ function faultsOf(name: ServiceName): readonly Fault[] {
 
 /** Runs in the page before its own scripts. */
 function breakAll(faults: readonly Fault[]): void {
+  // The empty page between two journeys uses no service, and may not look at each.
+  if (location.protocol === 'about:') return;
   const met = new Set<number>();
   window.met = met;
   for (const [index, { name, of, call, how }] of faults.entries()) {
@@ -44,43 +47,21 @@ function breakAll(faults: readonly Fault[]): void {
     };
     if (call === null) {
       // An arrow function cannot be constructed: the fault is noted when the page gets it.
-      const handOut = (): unknown => met.add(index) && fail;
-      Object.defineProperty(scope, name, { get: how === 'throws when made' ? handOut : fail });
+      const handOut = (): unknown => met.add(index) && (how === 'works' ? target : fail);
+      Object.defineProperty(scope, name, { get: how === 'works' || how === 'throws when made' ? handOut : fail });
       continue;
     }
     const holder = (target.prototype ?? Object.getPrototypeOf(target)) as Record<string, unknown>;
-    const isCall = typeof Object.getOwnPropertyDescriptor(holder, call)?.get === 'undefined';
-    const own = isCall ? (holder[call] as (...given: unknown[]) => unknown) : undefined;
-    // Both storages of settings share one prototype.
+    const getter = Object.getOwnPropertyDescriptor(holder, call)?.get;
+    const own = (getter ?? holder[call]) as (...given: unknown[]) => unknown;
     const broken = function (this: unknown, ...given: unknown[]): unknown {
-      return name.endsWith('Storage') && this !== target ? own?.apply(this, given) : fail();
+      // Both storages of settings share one prototype.
+      const isOther = name.endsWith('Storage') && this !== target;
+      if (!isOther && how !== 'works') return fail();
+      if (!isOther) met.add(index);
+      return own.apply(this, given);
     };
-    Object.defineProperty(holder, call, isCall ? { value: broken } : { get: broken });
-  }
-}
-
-/** Runs in the page before its own scripts: notes which services the page gets, and which of their calls it makes. */
-function listen(services: Readonly<Record<string, Uses>>): void {
-  // The empty page with which every tab begins uses no service.
-  if (location.protocol === 'about:') return;
-  const asked = new Set<string>();
-  window.asked = asked;
-  for (const [name, { of, now, later }] of Object.entries(services)) {
-    const scope = (of === 'navigator' ? navigator : window) as unknown as Record<string, unknown>;
-    const target = scope[name] as object & { readonly prototype?: object };
-    const seen = (): unknown => asked.add(name) && target;
-    Object.defineProperty(scope, name, { get: seen });
-    if (target === undefined) continue;
-    const holder = (target.prototype ?? Object.getPrototypeOf(target)) as Record<string, unknown>;
-    for (const call of [...now, ...later]) {
-      const getter = Object.getOwnPropertyDescriptor(holder, call)?.get;
-      const own = getter ?? (holder[call] as (...given: unknown[]) => unknown);
-      const noted = function (this: unknown, ...given: unknown[]): unknown {
-        if (!name.endsWith('Storage') || this === target) asked.add(`${name}.${call}`);
-        return own.apply(this, given as []);
-      };
-      Object.defineProperty(holder, call, getter ? { get: noted } : { value: noted });
-    }
+    Object.defineProperty(holder, call, getter ? { get: broken } : { value: broken });
   }
 }
 
@@ -106,8 +87,6 @@ declare global {
   interface Window {
     /** The DT of each draft that is kept. */
     keptTimes: () => Promise<number[]>;
-    /** `locks`, `locks.request`: what the page has asked for. */
-    asked: Set<string>;
     /** Which of the faults have happened, by their places in the list. */
     met: Set<number>;
   }
@@ -170,17 +149,25 @@ describe('the page is drawn and works, whatever a browser does with', () => {
   };
 
   let asking: Promise<ReadonlySet<string>> | undefined;
+  /** `locks`, `locks.request`. */
+  const keyOf = ({ name, call }: Fault): string => (call === null ? name : `${name}.${call}`);
   /** What a page uses without a fault, on the first and on later visits: a fault of anything else has no effect. */
   const asked = (): Promise<ReadonlySet<string>> => {
     asking ??= (async () => {
       const [lane] = lanes as readonly [Lane];
       const { page } = lane;
-      const listens = await page.addInitScript(listen, SERVICES);
+      // A service last: to find its calls is to ask for it.
+      const noted = (Object.keys(SERVICES) as ServiceName[]).flatMap((name) => {
+        const { of, now, later }: Uses = SERVICES[name];
+        return [...now, ...later, null].map((call): Fault => ({ name, of, call, how: 'works' }));
+      });
+      const notes = await page.addInitScript(breakAll, noted);
       const all = new Set<string>();
       for (const kept of ['all', STORED]) {
         await clear(lane, kept);
         await works(page);
-        const now = (): Promise<string[]> => page.evaluate(() => [...window.asked]);
+        const now = async (): Promise<string[]> =>
+          (await page.evaluate(() => [...window.met])).map((index) => keyOf(noted[index] as Fault));
         // Some of it only when something is stored.
         await expect
           .poll(now, { message: 'the page asks for every service of the list' })
@@ -188,7 +175,7 @@ describe('the page is drawn and works, whatever a browser does with', () => {
         for (const each of await now()) all.add(each);
         await page.goto('about:blank');
       }
-      await listens.dispose();
+      await notes.dispose();
       return all;
     })();
     return asking;
@@ -228,7 +215,7 @@ describe('the page is drawn and works, whatever a browser does with', () => {
   /** The faults that happen in this run, and those of calls that it does not make. */
   const sorted = async (name: ServiceName): Promise<{ met: readonly Fault[]; unmet: readonly Fault[] }> => {
     const all = await asked();
-    const isMet = ({ call }: Fault): boolean => all.has(call === null ? name : `${name}.${call}`);
+    const isMet = (fault: Fault): boolean => all.has(keyOf(fault));
     const faults = faultsOf(name);
     return { met: faults.filter(isMet), unmet: faults.filter((fault) => !isMet(fault) && fault.how === 'throws') };
   };
