@@ -9,9 +9,9 @@ import { Choice } from '../ui/choice.js';
 import { Modal } from '../ui/modal.js';
 import { OpenButton } from '../ui/open-button.js';
 import type { Session } from '../work/session.js';
-import { dayOf, momentOf, placesOf, timeOfDay } from './flight-list.js';
+import { dayOf, momentOf, nextRound, placesOf, timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
-import { clockOf, dayHeading, heldText, resultText } from './flight-text.js';
+import { clockOf, dayHeading, heldText, resultText, roundText } from './flight-text.js';
 import { measureText, RANGES } from './measures.js';
 import { Stepper } from './stepper.js';
 import { useTypedMeasure } from './typed-measure.js';
@@ -78,6 +78,7 @@ function Form({ flight, session, log, onProgram }: FormProps) {
         <span class="hint">{dotted([dayHeading(flight), clockOf(flight), flight.place])}</span>
       </p>
       <Result {...{ session, flight, change }} />
+      <Proposed {...{ session, flight, change }} />
       <Round {...{ flight, change }} />
       <ShortDtNote {...{ session, log, flight }} />
       <div class="stack">
@@ -125,12 +126,35 @@ function Form({ flight, session, log, onProgram }: FormProps) {
   );
 }
 
-/** What was noted last on the same day, because wind and temperature change slowly; else a usual value. */
-function firstOf(measure: 'wind' | 'temperature' | 'result', { library }: Session, flight: Flight): number {
-  const last = library.flights.list
-    .peek()
-    .find(({ flight: each }) => each.at < flight.at && dayOf(each) === dayOf(flight) && each[measure] !== null);
-  return last?.flight[measure] ?? RANGES[measure].first;
+/** The flights of the day before this one, the latest first. */
+function before({ library }: Session, flight: Flight): readonly Flight[] {
+  const all = library.flights.list.value.map((record) => record.flight);
+  return all.filter((each) => each.at < flight.at && dayOf(each) === dayOf(flight));
+}
+
+/** What was noted last on the same day, because wind and temperature change slowly; null for nothing. */
+function lastOf(measure: 'wind' | 'temperature' | 'result', session: Session, flight: Flight): number | null {
+  return before(session, flight).find((each) => each[measure] !== null)?.[measure] ?? null;
+}
+
+function firstOf(measure: 'wind' | 'temperature' | 'result', session: Session, flight: Flight): number {
+  return lastOf(measure, session, flight) ?? RANGES[measure].first;
+}
+
+/** The next round of the model and the last wind of the day, to note with one tap. */
+function Proposed({ session, flight, change }: PartProps) {
+  const { form: words, row } = moreMessages.value.flights;
+  if (flight.round !== '' || flight.wind !== null) return null;
+  const rounds = before(session, flight).filter(({ round }) => round !== '');
+  const round = nextRound((rounds.find(({ model }) => model === flight.model) ?? rounds[0])?.round ?? '');
+  const wind = lastOf('wind', session, flight);
+  if (round === '' && wind === null) return null;
+  const facts = [round && roundText(round), wind !== null && row.wind({ wind: measureText(wind) })];
+  return (
+    <button type="button" class="chip" onClick={() => change({ round, wind })}>
+      {words.propose({ facts: dotted(facts) })}
+    </button>
+  );
 }
 
 /** A full round of most classes, in seconds. */
@@ -252,6 +276,7 @@ function Where({ session, flight, change }: PartProps) {
               else currentTarget.value = when;
             }}
           />
+          {flight.utcOffset === undefined && <span class="hint">{words.noOffset}</span>}
         </label>
         <label class="field">
           <span>{words.place}</span>

@@ -70,6 +70,12 @@ export function roundNumber(round: string): number | null {
   return number === undefined ? null : Number(number);
 }
 
+/** The round after one: “4” after “3”, “fly-off 2” after “fly-off 1”. Empty after one without a number. */
+export function nextRound(round: string): string {
+  const [, name, number] = /^(.*?)(\d{1,3})$/.exec(round.trim()) ?? [];
+  return number === undefined ? '' : `${name}${Number(number) + 1}`;
+}
+
 /** The places in the log, the latest first. */
 export function placesOf(records: readonly FlightRecord[]): readonly string[] {
   return [...new Set(records.map(({ flight }) => flight.place))].filter((place) => place !== '');

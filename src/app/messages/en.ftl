@@ -104,6 +104,8 @@ flights_form_title = Flight
 flights_form_result = Result
 flights_form_resultHint = Seconds, or minutes like 2:58.
 flights_form_readAs = { $time }, { $seconds } s
+# $facts: the next round and the last wind.
+flights_form_propose = Note { $facts }
 flights_form_full = Full round, 180 s
 flights_form_round = Round
 flights_form_flyOff = Fly-off
@@ -113,6 +115,7 @@ flights_form_temperature = Temperature
 flights_form_temperatureUnit = °C
 flights_form_when = Date, place, model
 flights_form_date = Date and time
+flights_form_noOffset = The time zone of the field is not known: this is the time of this device.
 flights_form_place = Place
 flights_form_flown = What was flown
 flights_form_open = Open its program

@@ -985,6 +985,7 @@ export interface MoreSentences {
       readonly result: string;
       readonly resultHint: string;
       readonly readAs: (params: { readonly time: Text; readonly seconds: Text }) => string;
+      readonly propose: (params: { readonly facts: Text }) => string;
       readonly full: string;
       readonly round: string;
       readonly flyOff: string;
@@ -994,6 +995,7 @@ export interface MoreSentences {
       readonly temperatureUnit: string;
       readonly when: string;
       readonly date: string;
+      readonly noOffset: string;
       readonly place: string;
       readonly flown: string;
       readonly open: string;

@@ -174,6 +174,30 @@ describe('the log', () => {
     expect(app.session.library.flights.get('d')?.flight).toMatchObject({ wind: 3, result: 172 });
   });
 
+  it('proposes the next round of the model and the last wind of the day, until one is noted', async () => {
+    const app = await season();
+    const at = (hour: number) => new Date(2026, 10, 23, hour).getTime();
+    const { library } = app.session;
+    await library.keepFlight({ ...PLAIN, id: 'd', at: at(9), model: 'vega', round: '5', wind: 6 });
+    await library.keepFlight({ ...PLAIN, id: 'e', at: at(10), model: 'lancer', round: '2' });
+    const proposed = async (model: string): Promise<string | undefined> => {
+      await library.keepFlight({ ...PLAIN, id: 'f', at: at(11), model });
+      act(() => app.models.flights.fillIn('f'));
+      await idle(0);
+      return form()
+        .getByRole('button', { name: /^Note / })
+        .textContent?.replaceAll(/\s/g, ' ');
+    };
+    expect([await proposed('spare'), await proposed('lancer')]).toEqual([
+      'Note Round 3 · 6 m/s',
+      'Note Round 3 · 6 m/s',
+    ]);
+    await press(/^Note /);
+    expect(library.flights.get('f')?.flight).toMatchObject({ round: '3', wind: 6 });
+    expect(form().queryByRole('button', { name: /^Note / })).toBeNull();
+    expect(form().queryByText(moreMessages.value.flights.form.noOffset)).not.toBeNull();
+  });
+
   it('leads to the text that cannot be read, and Escape closes the form', async () => {
     const app = await season();
     act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
