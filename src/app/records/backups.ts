@@ -2,7 +2,7 @@ import type { TimerProgram } from '../../program/index.js';
 import { byKey, Collection } from '../storage/collection.js';
 import type { Backup, Keeper } from '../storage/index.js';
 
-/** The most backups that are kept: years of flying. The oldest go first. */
+/** The most backups before writes that are kept, of real and of simulated timers: years of flying. */
 const MOST = 1000;
 
 /** What timers held before they were written, newest first. */
@@ -59,12 +59,10 @@ export class Backups extends Collection<Backup> {
     if (own.length > 0) void this.save(...own.map((each) => ({ ...each, model })));
   }
 
+  /** Those that the pilot asked for stay, and one of a simulated timer pushes out none of a real one. */
   #deleteOldest(): void {
-    void this.delete(
-      ...this.list
-        .peek()
-        .slice(MOST)
-        .map(({ key }) => key),
-    );
+    const written = this.list.peek().filter(({ reason }) => reason === 'write');
+    const old = [true, false].flatMap((is) => written.filter(({ simulated }) => simulated === is).slice(MOST));
+    void this.delete(...old.map(({ key }) => key));
   }
 }

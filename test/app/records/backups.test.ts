@@ -43,18 +43,24 @@ describe('the list of backups', () => {
     expect(list.list.value.map(({ model }) => model)).toEqual(['Lancer', undefined]);
   });
 
-  it('has room for 1,000: the oldest are deleted, also in the storage', async () => {
+  it('keeps 1,000 before writes, and all that were asked for; the oldest are deleted, also in the storage', async () => {
     const store = new MemoryStore();
-    for (let at = NOW; at <= NOW + 1000; at++) {
-      const backup: Backup = { key: String(at), savedAt: at, reason: 'write', program: PROGRAM, simulated: false };
-      store.backups.records.set(backup.key, backup);
-    }
+    const put = (at: number, given: Partial<Backup>): void => {
+      const backup = { key: String(at), savedAt: at, reason: 'write', program: PROGRAM, simulated: false } as const;
+      store.backups.records.set(backup.key, { ...backup, ...given });
+    };
+    put(NOW - 1, { reason: 'memories' });
+    for (let at = NOW; at <= NOW + 1000; at++) put(at, {});
+    put(NOW + 1001, { simulated: true });
     const list = new Backups(store.backups);
     await list.load();
-    const left = () => [list.list.value.length, store.backups.records.size, list.list.value.at(-1)?.savedAt];
-    expect(left()).toEqual([1000, 1000, NOW + 1]);
-    await list.add(PROGRAM, 'memories', false, NOW + DAY);
-    expect(left()).toEqual([1000, 1000, NOW + 2]);
+    const left = () => {
+      const written = list.list.value.filter(({ reason, simulated }) => reason === 'write' && !simulated);
+      return [list.list.value.length, store.backups.records.size, written.at(-1)?.savedAt];
+    };
+    expect(left()).toEqual([1002, 1002, NOW + 1]);
+    await list.add(PROGRAM, 'write', false, NOW + DAY);
+    expect(left()).toEqual([1002, 1002, NOW + 2]);
   });
 
   it('says which model they belong to, also those made before the model was known', async () => {
