@@ -343,11 +343,6 @@ export const states = {
     await settled(page);
   }),
   memories: state('All memories', readAll),
-  compared: state('Two memories side by side', async (page) => {
-    await readAll(page);
-    await press(page, 'Compare with M1: M3');
-    await page.getByRole('table').first().waitFor();
-  }),
   looked: state('A memory that is looked at', async (page) => {
     await readAll(page);
     await goTo(page, 'program');

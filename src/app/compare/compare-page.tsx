@@ -90,6 +90,7 @@ function Pair({ session, compare, following, first, second }: PairProps) {
     return (
       <button
         type="button"
+        class="chip"
         aria-label={words.takeOf({
           field: fieldInSentence(identity, change.field),
           value: figureText(identity, change.field, value),
