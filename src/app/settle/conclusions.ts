@@ -107,6 +107,19 @@ function only<T>(all: readonly T[]): T | undefined {
   return new Set(all).size === 1 ? all[0] : undefined;
 }
 
+/**
+ * What is settled by an earlier walk and a later one. Answers that contradict each other settle nothing; a measure may
+ * differ, and the later one counts.
+ */
+export function joined(before: Answers, now: Answers): Answers {
+  const isSaid = (name: string): boolean => name === 'delay' || name === 'reserved';
+  const both = Object.entries({ ...before, ...now }).filter(([name, answer]) => {
+    const earlier = before[name as keyof Answers];
+    return isSaid(name) || earlier === undefined || earlier === answer;
+  });
+  return Object.fromEntries(both) as Answers;
+}
+
 /** Times that count from launch rise; on Q it is certain that they do count from there. */
 function countOf({ identity, times }: Seen, { count, times: ways = [] }: Said): Answers['count'] {
   if (count === 'previous') return identity.timerClass === 'Q' ? undefined : count;

@@ -6,7 +6,7 @@ import type { Answers } from '../storage/records.js';
 import type { JobContext } from '../timer/job-runner.js';
 import { kindKey } from '../timer/record-keys.js';
 import type { Session } from '../work/session.js';
-import { conclude, type Said, type Seen, swapped } from './conclusions.js';
+import { conclude, joined, type Said, type Seen, swapped } from './conclusions.js';
 import { observed } from './observed.js';
 import { type Act, STEPS, type Step } from './steps.js';
 import { cellOf, tryPosition } from './try-position.js';
@@ -48,10 +48,10 @@ export class Settle {
   readonly said: ReadonlySignal<Said> = computed(() => this.#walk.value?.said ?? {});
   /** Whether what this step does on the wire is done, so that its question can be answered. */
   readonly isDone = computed(() => !this.step.value.act || this.#done.value.has(this.step.value.name));
-  /** What is settled with this kind of timer by now: the later answer counts. */
+  /** What is settled with this timer by now. */
   readonly answers: ReadonlySignal<Answers> = computed(() => {
     const walk = this.#walk.value;
-    return walk ? { ...walk.before, ...conclude(walk.seen, walk.said) } : {};
+    return walk ? joined(walk.before, conclude(walk.seen, walk.said)) : {};
   });
   readonly isSafe = computed(() => {
     const { safety, connection } = this.#session;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { choicesOf, conclude, type Said, type Seen, type Tried } from '../../../src/app/settle/conclusions.js';
+import { choicesOf, conclude, joined, type Said, type Seen, type Tried } from '../../../src/app/settle/conclusions.js';
 import { cellOf } from '../../../src/app/settle/try-position.js';
 import type { Answers } from '../../../src/app/storage/records.js';
 import type { TimerProgram } from '../../../src/program/index.js';
@@ -133,6 +133,12 @@ it('an answer takes what half of them take, once there are five', () => {
 it('the reserved time is noted on B and E', () => {
   expect(conclude(nothing, {}).reserved).toBe(7);
   expect(conclude({ ...nothing, identity: { ...identity, timerClass: 'Q' } }, {}).reserved).toBeUndefined();
+});
+
+it('what two walks contradict each other in is not settled; of a measure the later one counts', () => {
+  const before: Answers = { layout: 'servo-first', zeros: 'answered', delay: 50, reserved: 0 };
+  const now: Answers = { layout: 'function-first', unlock: '6A', delay: 70, reserved: 3 };
+  expect(joined(before, now)).toEqual({ zeros: 'answered', unlock: '6A', delay: 70, reserved: 3 });
 });
 
 describe('the position to try', () => {

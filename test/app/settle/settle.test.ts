@@ -215,10 +215,14 @@ describe('a walk', () => {
     expect(app.session.unfinished.value).toEqual([]);
   });
 
-  it('adds to an earlier one, and its own answers count', async () => {
+  it('adds to an earlier one, and drops what contradicts it', async () => {
     const app = await connectedBench({ identity: { timerClass: 'B' } });
-    await walk(app, walkOn(app));
-    const { answers } = await walk(app, walkOn(app), { says: { count: 'previous' } }, 'memory');
-    expect(answers.value).toMatchObject({ count: 'previous', layout: 'function-first' });
+    const first = await walk(app, walkOn(app));
+    const { answers } = await walk(app, walkOn(app), { says: { count: 'previous' } });
+    expect([first.answers.value.count, answers.value.count, answers.value.layout]).toEqual([
+      'launch',
+      undefined,
+      'function-first',
+    ]);
   });
 });
