@@ -17,8 +17,9 @@ const KNOWN = [
   'field\\.(?:sidus\\.json|txt)|Sidus library [\\d\u2060-]+\\.sidus\\.json',
   // Days, which are German by then.
   '(?:Mo|Di|Mi|Do|Fr|Sa|So)\\.,\\s\\d+\\.\\s\\p{L}+\\.?\\s\\d{4}',
-  // Words of the line, of Linux and of printers.
+  // Words of the line, of a file, of Linux and of printers.
   '(?:[0-9a-f]{2} )+[0-9a-f]{2}|(?:GET|SET)[A-Z]+|UNLOCK',
+  '(?<=, )time(?=: )',
   'sudo usermod -a -G dialout \\$USER',
   'Letter',
 ];

@@ -34,18 +34,22 @@ export function RowNotes({ table, identity, fields, width }: RowNotesProps) {
   }).value;
   useFieldInSight(room.length);
   if (room.length === 0) return null;
-  const present = notes.value;
+  const left = [...notes.value];
   return (
     <tr class="row-notes">
       <td colSpan={width}>
-        {room.map((note) => (
-          <p
-            key={`${fieldKey(note.field)} ${note.text}`}
-            class={`${note.severity} ${present.includes(note) ? '' : 'over'}`}
-          >
-            <strong>{messages.value.about({ name: fieldName(identity, note.field) })}</strong> {note.text}
-          </p>
-        ))}
+        {room.map((old, at) => {
+          const key = fieldKey(old.field);
+          const found = left.findIndex(({ field }) => fieldKey(field) === key);
+          const [note] = found < 0 ? [] : left.splice(found, 1);
+          const { field, severity, text } = note ?? old;
+          return (
+            // The figures in its text change with each digit, but the element stays the same.
+            <p key={`${key} ${at}`} class={`${severity} ${note ? '' : 'over'}`}>
+              <strong>{messages.value.about({ name: fieldName(identity, field) })}</strong> {text}
+            </p>
+          );
+        })}
       </td>
     </tr>
   );
