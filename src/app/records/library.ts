@@ -73,6 +73,8 @@ export class Library {
    */
   async change(change: LibraryChange): Promise<boolean> {
     const { models = {}, settings = {}, flights = {} } = change;
+    // Without a word to the storage: its answer would say that it works, and all that waits would be tried again.
+    if ([models, settings, flights].every(({ put = [], gone = [] }) => put.length + gone.length === 0)) return true;
     batch(() => {
       this.models.begin(models);
       this.settings.begin(settings);

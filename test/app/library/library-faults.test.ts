@@ -118,3 +118,12 @@ it('what belongs together and was not kept is kept in one step once the storage 
   const puts = steps.mock.calls.map(([change]) => Object.values(change).map(({ put = [] }) => put.length));
   expect(new Set(puts.map(String)), 'no step has one of them without the others').toEqual(new Set(['1,1,1']));
 });
+
+it('where nothing has changed, nothing is asked of the storage: its answer would say that it works again', async () => {
+  const { store, app } = await filled();
+  const { library } = app.session;
+  const change = vi.spyOn(store, 'change');
+  library.flush();
+  await run(library.keepAgain());
+  expect(change).not.toHaveBeenCalled();
+});
