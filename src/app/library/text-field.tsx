@@ -15,14 +15,18 @@ interface TextFieldProps {
   readonly required?: boolean;
 }
 
-/** A text of the library. */
+/** How long after the last key a text is saved, in milliseconds. */
+const REST = 600;
+
+/** A text of the library that is saved while it is typed. */
 export function TextField({ label, value, longest, onSave, asKept = (text) => text, lines, required }: TextFieldProps) {
   const id = useId();
   const isMissing = (text: string): boolean => required === true && asKept(text) === '';
-  const { given } = useKeptText(value, (text) => {
+  const keep = (text: string): void => {
     const kept = asKept(text);
     if (!isMissing(text) && kept !== value) onSave(kept);
-  });
+  };
+  const { given } = useKeptText(value, keep, REST);
   return (
     <div class="field">
       <label for={id}>{label}</label>

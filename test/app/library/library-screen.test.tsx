@@ -64,14 +64,15 @@ it('opens without the flights, and reads each list once, however often it is ope
   expect(reads.map((read) => read.mock.calls.length)).toEqual([1, 1, 0]);
 });
 
-it.each<[left: string, leave: (app: AppBench) => void]>([
-  ['its field', () => fireEvent.blur(input('Note'))],
-  ['its page', ({ models }) => models.views.show('program')],
-])('a note is kept when the pilot leaves %s', async (_, leave) => {
+it.each<[when: string, act: (app: AppBench) => void]>([
+  ['when the pilot leaves its field', () => fireEvent.blur(input('Note'))],
+  ['when the pilot leaves its page', ({ models }) => models.views.show('program')],
+  ['a moment after the last key', () => {}],
+])('a note is kept %s', async (_, act) => {
   const app = await at('model-0/setting-0');
   await write('Note', 'opens well');
   expect(app.store.settings.records.get('setting-0')?.setting.note).not.toBe('opens well');
-  leave(app);
+  act(app);
   await idle();
   expect(app.store.settings.records.get('setting-0')?.setting.note).toBe('opens well');
 });
